@@ -681,135 +681,141 @@ fn function_() {
     var phi_1543_: u32;
     var phi_1589_: vec3<f32>;
     var phi_1590_: vec3<f32>;
-    var phi_1623_: vec3<f32>;
-    var phi_1624_: vec3<f32>;
-    var phi_1657_: vec3<f32>;
-    var phi_1658_: vec3<f32>;
-    var phi_1678_: bool;
-    var phi_1679_: bool;
-    var phi_1683_: f32;
-    var phi_1684_: f32;
-    var phi_1685_: f32;
-    var phi_1686_: f32;
-    var phi_1694_: f32;
-    var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1709_: f32;
-    var phi_1710_: f32;
-    var phi_1711_: f32;
-    var phi_1712_: f32;
-    var phi_1720_: f32;
-    var phi_1730_: bool;
-    var phi_1731_: bool;
-    var phi_1735_: f32;
-    var phi_1736_: f32;
-    var phi_1737_: f32;
-    var phi_1738_: f32;
-    var phi_1746_: f32;
-    var phi_1761_: f32;
-    var phi_1762_: bool;
-    var phi_1763_: f32;
-    var phi_1764_: bool;
-    var phi_1765_: f32;
-    var phi_1766_: bool;
-    var phi_1784_: f32;
-    var phi_1785_: bool;
-    var phi_1786_: bool;
-    var phi_1787_: f32;
-    var phi_1788_: bool;
+    var phi_1621_: vec3<f32>;
+    var phi_1622_: vec3<f32>;
+    var phi_1653_: vec3<f32>;
+    var phi_1654_: vec3<f32>;
+    var phi_1672_: bool;
+    var phi_1673_: bool;
+    var phi_1677_: f32;
+    var phi_1678_: f32;
+    var phi_1679_: f32;
+    var phi_1680_: f32;
+    var phi_1688_: f32;
+    var phi_1698_: bool;
+    var phi_1699_: bool;
+    var phi_1703_: f32;
+    var phi_1704_: f32;
+    var phi_1705_: f32;
+    var phi_1706_: f32;
+    var phi_1714_: f32;
+    var phi_1724_: bool;
+    var phi_1725_: bool;
+    var phi_1729_: f32;
+    var phi_1730_: f32;
+    var phi_1731_: f32;
+    var phi_1732_: f32;
+    var phi_1740_: f32;
+    var phi_1755_: f32;
+    var phi_1756_: bool;
+    var phi_1757_: f32;
+    var phi_1758_: bool;
+    var phi_1759_: f32;
+    var phi_1760_: bool;
+    var phi_1778_: f32;
+    var phi_1779_: bool;
+    var phi_1780_: bool;
+    var phi_1781_: f32;
+    var phi_1782_: bool;
+    var phi_1783_: bool;
+    var phi_1787_: bool;
+    var phi_1788_: f32;
     var phi_1789_: bool;
-    var phi_1793_: bool;
-    var phi_1794_: f32;
-    var phi_1795_: bool;
-    var phi_1831_: f32;
-    var phi_1840_: f32;
-    var phi_1849_: f32;
-    var phi_1858_: f32;
-    var phi_1865_: f32;
-    var phi_1872_: f32;
-    var phi_1885_: f32;
-    var phi_1894_: f32;
-    var phi_1903_: f32;
-    var phi_1912_: f32;
-    var phi_1919_: f32;
-    var phi_1926_: f32;
-    var phi_1949_: f32;
-    var phi_1954_: f32;
-    var phi_1959_: f32;
-    var phi_1967_: f32;
-    var phi_1972_: f32;
-    var phi_1977_: f32;
-    var phi_1989_: f32;
-    var phi_1994_: f32;
-    var phi_1999_: f32;
-    var phi_2004_: f32;
-    var phi_2009_: lt_bvh_triangle_Intersection;
-    var phi_2010_: bool;
-    var phi_2011_: lt_bvh_triangle_Intersection;
-    var phi_2012_: bool;
-    var phi_2016_: lt_bvh_triangle_Intersection;
-    var phi_2017_: bool;
-    var phi_2018_: lt_bvh_triangle_Intersection;
-    var phi_2019_: bool;
-    var phi_2020_: bool;
-    var phi_2024_: bool;
-    var phi_2028_: lt_bvh_triangle_Intersection;
-    var phi_2067_: bool;
-    var phi_2068_: bool;
-    var phi_2069_: bool;
-    var phi_2070_: bool;
-    var phi_2071_: bool;
-    var phi_2072_: bool;
-    var phi_2076_: bool;
-    var phi_2077_: bool;
-    var phi_2280_: f32;
-    var phi_2283_: bool;
-    var phi_2284_: bool;
-    var phi_2288_: bool;
-    var phi_2296_: lt_bvh_Hit;
-    var phi_2297_: lt_bvh_Hit;
-    var phi_2298_: lt_bvh_Hit;
-    var phi_2299_: lt_bvh_Hit;
+    var phi_1819_: vec3<f32>;
+    var phi_1820_: vec3<f32>;
+    var phi_1845_: vec3<f32>;
+    var phi_1846_: vec3<f32>;
+    var phi_1871_: vec3<f32>;
+    var phi_1872_: vec3<f32>;
+    var phi_1930_: f32;
+    var phi_1939_: f32;
+    var phi_1948_: f32;
+    var phi_1957_: f32;
+    var phi_1964_: f32;
+    var phi_1971_: f32;
+    var phi_1984_: f32;
+    var phi_1993_: f32;
+    var phi_2002_: f32;
+    var phi_2011_: f32;
+    var phi_2018_: f32;
+    var phi_2025_: f32;
+    var phi_2048_: f32;
+    var phi_2053_: f32;
+    var phi_2058_: f32;
+    var phi_2066_: f32;
+    var phi_2071_: f32;
+    var phi_2076_: f32;
+    var phi_2088_: f32;
+    var phi_2093_: f32;
+    var phi_2098_: f32;
+    var phi_2103_: f32;
+    var phi_2108_: lt_bvh_triangle_Intersection;
+    var phi_2109_: bool;
+    var phi_2110_: lt_bvh_triangle_Intersection;
+    var phi_2111_: bool;
+    var phi_2115_: lt_bvh_triangle_Intersection;
+    var phi_2116_: bool;
+    var phi_2117_: lt_bvh_triangle_Intersection;
+    var phi_2118_: bool;
+    var phi_2119_: bool;
+    var phi_2123_: bool;
+    var phi_2127_: lt_bvh_triangle_Intersection;
+    var phi_2166_: bool;
+    var phi_2167_: bool;
+    var phi_2168_: bool;
+    var phi_2169_: bool;
+    var phi_2170_: bool;
+    var phi_2171_: bool;
+    var phi_2175_: bool;
+    var phi_2176_: bool;
+    var phi_2379_: f32;
+    var phi_2382_: bool;
+    var phi_2383_: bool;
+    var phi_2387_: bool;
+    var phi_2395_: lt_bvh_Hit;
+    var phi_2396_: lt_bvh_Hit;
+    var phi_2397_: lt_bvh_Hit;
+    var phi_2398_: lt_bvh_Hit;
     var phi_1541_: lt_bvh_Hit;
     var phi_1544_: u32;
-    var phi_2300_: bool;
-    var phi_2339_: bool;
-    var phi_2340_: bool;
-    var phi_2371_: u32;
+    var phi_2399_: bool;
+    var phi_2438_: bool;
+    var phi_2439_: bool;
+    var phi_2470_: u32;
     var phi_1204_: lt_bvh_Hit;
     var phi_1207_: u32;
-    var phi_2372_: lt_bvh_Hit;
-    var phi_2373_: lt_bvh_Hit;
-    var phi_2374_: bool;
-    var phi_2378_: lt_bvh_Hit;
-    var phi_2442_: f32;
-    var phi_2447_: f32;
-    var phi_2452_: f32;
-    var phi_2463_: f32;
-    var phi_2468_: f32;
-    var phi_2473_: f32;
-    var phi_2549_: vec3<f32>;
-    var phi_2792_: vec3<f32>;
-    var phi_2807_: u32;
-    var phi_2834_: f32;
-    var phi_2841_: f32;
-    var phi_2848_: f32;
-    var phi_2883_: f32;
-    var phi_2890_: f32;
-    var phi_2897_: f32;
-    var phi_2935_: f32;
-    var phi_2942_: f32;
-    var phi_2949_: f32;
-    var phi_3008_: vec3<f32>;
-    var phi_3009_: vec3<f32>;
-    var phi_3010_: vec3<f32>;
-    var phi_3019_: f32;
-    var phi_3020_: f32;
-    var phi_3030_: f32;
-    var phi_3031_: f32;
+    var phi_2471_: lt_bvh_Hit;
+    var phi_2472_: lt_bvh_Hit;
+    var phi_2473_: bool;
+    var phi_2477_: lt_bvh_Hit;
+    var phi_2541_: f32;
+    var phi_2546_: f32;
+    var phi_2551_: f32;
+    var phi_2562_: f32;
+    var phi_2567_: f32;
+    var phi_2572_: f32;
+    var phi_2648_: vec3<f32>;
+    var phi_2891_: vec3<f32>;
+    var phi_2906_: u32;
+    var phi_2933_: f32;
+    var phi_2940_: f32;
+    var phi_2947_: f32;
+    var phi_2982_: f32;
+    var phi_2989_: f32;
+    var phi_2996_: f32;
+    var phi_3034_: f32;
     var phi_3041_: f32;
-    var phi_3042_: f32;
-    var phi_3077_: abi_Sample;
+    var phi_3048_: f32;
+    var phi_3107_: vec3<f32>;
+    var phi_3108_: vec3<f32>;
+    var phi_3109_: vec3<f32>;
+    var phi_3118_: f32;
+    var phi_3119_: f32;
+    var phi_3129_: f32;
+    var phi_3130_: f32;
+    var phi_3140_: f32;
+    var phi_3141_: f32;
+    var phi_3176_: abi_Sample;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
@@ -943,7 +949,7 @@ fn function_() {
         if _e227 {
             let _e228 = (0u >= _e77);
             if _e228 {
-                phi_2372_ = lt_bvh_Hit();
+                phi_2471_ = lt_bvh_Hit();
             } else {
                 if (0u < _e77) {
                 } else {
@@ -1070,7 +1076,6 @@ fn function_() {
                 let _e413 = phi_1031_;
                 let _e417 = (_e413.x / _e413.z);
                 let _e420 = (_e413.y / _e413.z);
-                let _e422 = (1f / _e413.z);
                 if (_e310 < 0f) {
                     phi_1045_ = 0u;
                 } else {
@@ -1338,7 +1343,7 @@ fn function_() {
                             if (_e1016 == 0u) {
                                 phi_1541_ = lt_bvh_Hit();
                                 phi_1544_ = u32();
-                                phi_2300_ = false;
+                                phi_2399_ = false;
                             } else {
                                 let _e1020 = nodes.member[(0u + _e573)].links[1u];
                                 let _e1025 = ((0u + _e1020) + select(firstTrailingBit(_e1016), 32u, (_e1016 == 0u)));
@@ -1364,959 +1369,1012 @@ fn function_() {
                                 let _e1050 = phi_1590_;
                                 let _e1054 = (_e1050.x - (_e417 * _e1050.z));
                                 let _e1058 = (_e1050.y - (_e420 * _e1050.z));
-                                let _e1062 = triangles.member[(0u + _e1025)].v1_;
-                                let _e1065 = (_e1062.x - _e156.origin.x);
-                                let _e1068 = (_e1062.y - _e156.origin.y);
-                                let _e1071 = (_e1062.z - _e156.origin.z);
+                                let _e1060 = triangles.member[(0u + _e1025)].v1_;
+                                let _e1063 = (_e1060.x - _e156.origin.x);
+                                let _e1066 = (_e1060.y - _e156.origin.y);
+                                let _e1069 = (_e1060.z - _e156.origin.z);
                                 if (_e398 == 0u) {
-                                    phi_1624_ = vec3<f32>(_e1068, _e1071, _e1065);
+                                    phi_1622_ = vec3<f32>(_e1066, _e1069, _e1063);
                                 } else {
                                     if (_e398 == 1u) {
-                                        phi_1623_ = vec3<f32>(_e1071, _e1065, _e1068);
+                                        phi_1621_ = vec3<f32>(_e1069, _e1063, _e1066);
                                     } else {
-                                        phi_1623_ = (_e1062 - _e156.origin);
+                                        phi_1621_ = (_e1060 - _e156.origin);
                                     }
-                                    let _e1078 = phi_1623_;
-                                    phi_1624_ = _e1078;
+                                    let _e1076 = phi_1621_;
+                                    phi_1622_ = _e1076;
                                 }
-                                let _e1080 = phi_1624_;
-                                let _e1084 = (_e1080.x - (_e417 * _e1080.z));
-                                let _e1088 = (_e1080.y - (_e420 * _e1080.z));
-                                let _e1092 = triangles.member[(0u + _e1025)].v2_;
-                                let _e1095 = (_e1092.x - _e156.origin.x);
-                                let _e1098 = (_e1092.y - _e156.origin.y);
-                                let _e1101 = (_e1092.z - _e156.origin.z);
+                                let _e1078 = phi_1622_;
+                                let _e1082 = (_e1078.x - (_e417 * _e1078.z));
+                                let _e1086 = (_e1078.y - (_e420 * _e1078.z));
+                                let _e1088 = triangles.member[(0u + _e1025)].v2_;
+                                let _e1091 = (_e1088.x - _e156.origin.x);
+                                let _e1094 = (_e1088.y - _e156.origin.y);
+                                let _e1097 = (_e1088.z - _e156.origin.z);
                                 if (_e398 == 0u) {
-                                    phi_1658_ = vec3<f32>(_e1098, _e1101, _e1095);
+                                    phi_1654_ = vec3<f32>(_e1094, _e1097, _e1091);
                                 } else {
                                     if (_e398 == 1u) {
-                                        phi_1657_ = vec3<f32>(_e1101, _e1095, _e1098);
+                                        phi_1653_ = vec3<f32>(_e1097, _e1091, _e1094);
                                     } else {
-                                        phi_1657_ = (_e1092 - _e156.origin);
+                                        phi_1653_ = (_e1088 - _e156.origin);
                                     }
-                                    let _e1108 = phi_1657_;
-                                    phi_1658_ = _e1108;
+                                    let _e1104 = phi_1653_;
+                                    phi_1654_ = _e1104;
                                 }
-                                let _e1110 = phi_1658_;
-                                let _e1114 = (_e1110.x - (_e417 * _e1110.z));
-                                let _e1118 = (_e1110.y - (_e420 * _e1110.z));
-                                if (_e1084 < _e1114) {
-                                    phi_1679_ = true;
+                                let _e1106 = phi_1654_;
+                                let _e1110 = (_e1106.x - (_e417 * _e1106.z));
+                                let _e1114 = (_e1106.y - (_e420 * _e1106.z));
+                                if (_e1082 < _e1110) {
+                                    phi_1673_ = true;
                                 } else {
-                                    if (_e1084 == _e1114) {
-                                        phi_1678_ = (_e1088 < _e1118);
+                                    if (_e1082 == _e1110) {
+                                        phi_1672_ = (_e1086 < _e1114);
                                     } else {
-                                        phi_1678_ = false;
+                                        phi_1672_ = false;
                                     }
-                                    let _e1125 = phi_1678_;
-                                    phi_1679_ = _e1125;
+                                    let _e1119 = phi_1672_;
+                                    phi_1673_ = _e1119;
                                 }
+                                let _e1121 = phi_1673_;
+                                if _e1121 {
+                                    phi_1677_ = _e1114;
+                                    phi_1678_ = _e1110;
+                                    phi_1679_ = _e1086;
+                                    phi_1680_ = _e1082;
+                                } else {
+                                    phi_1677_ = _e1086;
+                                    phi_1678_ = _e1082;
+                                    phi_1679_ = _e1114;
+                                    phi_1680_ = _e1110;
+                                }
+                                let _e1123 = phi_1677_;
+                                let _e1125 = phi_1678_;
                                 let _e1127 = phi_1679_;
-                                if _e1127 {
-                                    phi_1683_ = _e1118;
-                                    phi_1684_ = _e1114;
-                                    phi_1685_ = _e1088;
-                                    phi_1686_ = _e1084;
+                                let _e1129 = phi_1680_;
+                                let _e1132 = ((_e1129 * _e1123) - (_e1127 * _e1125));
+                                if _e1121 {
+                                    phi_1688_ = -(_e1132);
                                 } else {
-                                    phi_1683_ = _e1088;
-                                    phi_1684_ = _e1084;
-                                    phi_1685_ = _e1118;
-                                    phi_1686_ = _e1114;
+                                    phi_1688_ = _e1132;
                                 }
-                                let _e1129 = phi_1683_;
-                                let _e1131 = phi_1684_;
-                                let _e1133 = phi_1685_;
-                                let _e1135 = phi_1686_;
-                                let _e1138 = ((_e1135 * _e1129) - (_e1133 * _e1131));
-                                if _e1127 {
-                                    phi_1694_ = -(_e1138);
+                                let _e1135 = phi_1688_;
+                                if (_e1110 < _e1054) {
+                                    phi_1699_ = true;
                                 } else {
-                                    phi_1694_ = _e1138;
-                                }
-                                let _e1141 = phi_1694_;
-                                if (_e1114 < _e1054) {
-                                    phi_1705_ = true;
-                                } else {
-                                    if (_e1114 == _e1054) {
-                                        phi_1704_ = (_e1118 < _e1058);
+                                    if (_e1110 == _e1054) {
+                                        phi_1698_ = (_e1114 < _e1058);
                                     } else {
-                                        phi_1704_ = false;
+                                        phi_1698_ = false;
                                     }
-                                    let _e1146 = phi_1704_;
-                                    phi_1705_ = _e1146;
+                                    let _e1140 = phi_1698_;
+                                    phi_1699_ = _e1140;
                                 }
+                                let _e1142 = phi_1699_;
+                                if _e1142 {
+                                    phi_1703_ = _e1058;
+                                    phi_1704_ = _e1054;
+                                    phi_1705_ = _e1114;
+                                    phi_1706_ = _e1110;
+                                } else {
+                                    phi_1703_ = _e1114;
+                                    phi_1704_ = _e1110;
+                                    phi_1705_ = _e1058;
+                                    phi_1706_ = _e1054;
+                                }
+                                let _e1144 = phi_1703_;
+                                let _e1146 = phi_1704_;
                                 let _e1148 = phi_1705_;
-                                if _e1148 {
-                                    phi_1709_ = _e1058;
-                                    phi_1710_ = _e1054;
-                                    phi_1711_ = _e1118;
-                                    phi_1712_ = _e1114;
+                                let _e1150 = phi_1706_;
+                                let _e1153 = ((_e1150 * _e1144) - (_e1148 * _e1146));
+                                if _e1142 {
+                                    phi_1714_ = -(_e1153);
                                 } else {
-                                    phi_1709_ = _e1118;
-                                    phi_1710_ = _e1114;
-                                    phi_1711_ = _e1058;
-                                    phi_1712_ = _e1054;
+                                    phi_1714_ = _e1153;
                                 }
-                                let _e1150 = phi_1709_;
-                                let _e1152 = phi_1710_;
-                                let _e1154 = phi_1711_;
-                                let _e1156 = phi_1712_;
-                                let _e1159 = ((_e1156 * _e1150) - (_e1154 * _e1152));
-                                if _e1148 {
-                                    phi_1720_ = -(_e1159);
+                                let _e1156 = phi_1714_;
+                                if (_e1054 < _e1082) {
+                                    phi_1725_ = true;
                                 } else {
-                                    phi_1720_ = _e1159;
-                                }
-                                let _e1162 = phi_1720_;
-                                if (_e1054 < _e1084) {
-                                    phi_1731_ = true;
-                                } else {
-                                    if (_e1054 == _e1084) {
-                                        phi_1730_ = (_e1058 < _e1088);
+                                    if (_e1054 == _e1082) {
+                                        phi_1724_ = (_e1058 < _e1086);
                                     } else {
-                                        phi_1730_ = false;
+                                        phi_1724_ = false;
                                     }
-                                    let _e1167 = phi_1730_;
-                                    phi_1731_ = _e1167;
+                                    let _e1161 = phi_1724_;
+                                    phi_1725_ = _e1161;
                                 }
+                                let _e1163 = phi_1725_;
+                                if _e1163 {
+                                    phi_1729_ = _e1086;
+                                    phi_1730_ = _e1082;
+                                    phi_1731_ = _e1058;
+                                    phi_1732_ = _e1054;
+                                } else {
+                                    phi_1729_ = _e1058;
+                                    phi_1730_ = _e1054;
+                                    phi_1731_ = _e1086;
+                                    phi_1732_ = _e1082;
+                                }
+                                let _e1165 = phi_1729_;
+                                let _e1167 = phi_1730_;
                                 let _e1169 = phi_1731_;
-                                if _e1169 {
-                                    phi_1735_ = _e1088;
-                                    phi_1736_ = _e1084;
-                                    phi_1737_ = _e1058;
-                                    phi_1738_ = _e1054;
+                                let _e1171 = phi_1732_;
+                                let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
+                                if _e1163 {
+                                    phi_1740_ = -(_e1174);
                                 } else {
-                                    phi_1735_ = _e1058;
-                                    phi_1736_ = _e1054;
-                                    phi_1737_ = _e1088;
-                                    phi_1738_ = _e1084;
+                                    phi_1740_ = _e1174;
                                 }
-                                let _e1171 = phi_1735_;
-                                let _e1173 = phi_1736_;
-                                let _e1175 = phi_1737_;
-                                let _e1177 = phi_1738_;
-                                let _e1180 = ((_e1177 * _e1171) - (_e1175 * _e1173));
-                                if _e1169 {
-                                    phi_1746_ = -(_e1180);
-                                } else {
-                                    phi_1746_ = _e1180;
-                                }
-                                let _e1183 = phi_1746_;
-                                if (_e1141 >= 0f) {
-                                    if (_e1162 >= 0f) {
-                                        if (_e1183 >= 0f) {
-                                            phi_1761_ = ((_e1141 + _e1162) + _e1183);
-                                            phi_1762_ = false;
+                                let _e1177 = phi_1740_;
+                                if (_e1135 >= 0f) {
+                                    if (_e1156 >= 0f) {
+                                        if (_e1177 >= 0f) {
+                                            phi_1755_ = ((_e1135 + _e1156) + _e1177);
+                                            phi_1756_ = false;
                                         } else {
-                                            phi_1761_ = f32();
-                                            phi_1762_ = true;
+                                            phi_1755_ = f32();
+                                            phi_1756_ = true;
                                         }
-                                        let _e1190 = phi_1761_;
-                                        let _e1192 = phi_1762_;
-                                        phi_1763_ = _e1190;
-                                        phi_1764_ = _e1192;
+                                        let _e1184 = phi_1755_;
+                                        let _e1186 = phi_1756_;
+                                        phi_1757_ = _e1184;
+                                        phi_1758_ = _e1186;
                                     } else {
-                                        phi_1763_ = f32();
-                                        phi_1764_ = true;
+                                        phi_1757_ = f32();
+                                        phi_1758_ = true;
                                     }
-                                    let _e1194 = phi_1763_;
-                                    let _e1196 = phi_1764_;
-                                    phi_1765_ = _e1194;
-                                    phi_1766_ = _e1196;
+                                    let _e1188 = phi_1757_;
+                                    let _e1190 = phi_1758_;
+                                    phi_1759_ = _e1188;
+                                    phi_1760_ = _e1190;
                                 } else {
-                                    phi_1765_ = f32();
-                                    phi_1766_ = true;
+                                    phi_1759_ = f32();
+                                    phi_1760_ = true;
                                 }
-                                let _e1198 = phi_1765_;
-                                let _e1200 = phi_1766_;
-                                if _e1200 {
-                                    if (_e1141 <= 0f) {
-                                        if (_e1162 <= 0f) {
-                                            let _e1203 = (_e1183 <= 0f);
-                                            if _e1203 {
+                                let _e1192 = phi_1759_;
+                                let _e1194 = phi_1760_;
+                                if _e1194 {
+                                    if (_e1135 <= 0f) {
+                                        if (_e1156 <= 0f) {
+                                            let _e1197 = (_e1177 <= 0f);
+                                            if _e1197 {
                                             }
-                                            phi_1784_ = ((_e1141 + _e1162) + _e1183);
-                                            phi_1785_ = false;
-                                            phi_1786_ = _e1203;
+                                            phi_1778_ = ((_e1135 + _e1156) + _e1177);
+                                            phi_1779_ = false;
+                                            phi_1780_ = _e1197;
                                         } else {
-                                            phi_1784_ = f32();
-                                            phi_1785_ = true;
-                                            phi_1786_ = false;
+                                            phi_1778_ = f32();
+                                            phi_1779_ = true;
+                                            phi_1780_ = false;
                                         }
-                                        let _e1207 = phi_1784_;
-                                        let _e1209 = phi_1785_;
-                                        let _e1211 = phi_1786_;
-                                        phi_1787_ = _e1207;
-                                        phi_1788_ = _e1209;
-                                        phi_1789_ = _e1211;
+                                        let _e1201 = phi_1778_;
+                                        let _e1203 = phi_1779_;
+                                        let _e1205 = phi_1780_;
+                                        phi_1781_ = _e1201;
+                                        phi_1782_ = _e1203;
+                                        phi_1783_ = _e1205;
                                     } else {
-                                        phi_1787_ = f32();
-                                        phi_1788_ = true;
-                                        phi_1789_ = false;
+                                        phi_1781_ = f32();
+                                        phi_1782_ = true;
+                                        phi_1783_ = false;
+                                    }
+                                    let _e1207 = phi_1781_;
+                                    let _e1209 = phi_1782_;
+                                    let _e1211 = phi_1783_;
+                                    if _e1209 {
+                                        phi_1787_ = false;
+                                    } else {
+                                        phi_1787_ = _e1211;
                                     }
                                     let _e1213 = phi_1787_;
-                                    let _e1215 = phi_1788_;
-                                    let _e1217 = phi_1789_;
-                                    if _e1215 {
-                                        phi_1793_ = false;
-                                    } else {
-                                        phi_1793_ = _e1217;
-                                    }
-                                    let _e1219 = phi_1793_;
-                                    phi_1794_ = _e1213;
-                                    phi_1795_ = _e1219;
+                                    phi_1788_ = _e1207;
+                                    phi_1789_ = _e1213;
                                 } else {
-                                    phi_1794_ = _e1198;
-                                    phi_1795_ = true;
+                                    phi_1788_ = _e1192;
+                                    phi_1789_ = true;
                                 }
-                                let _e1221 = phi_1794_;
-                                let _e1223 = phi_1795_;
-                                if _e1223 {
-                                    let _e1224 = (_e1221 == 0f);
-                                    if _e1224 {
-                                        phi_2016_ = lt_bvh_triangle_Intersection();
-                                        phi_2017_ = false;
+                                let _e1215 = phi_1788_;
+                                let _e1217 = phi_1789_;
+                                if _e1217 {
+                                    let _e1218 = (_e1215 == 0f);
+                                    if _e1218 {
+                                        phi_2115_ = lt_bvh_triangle_Intersection();
+                                        phi_2116_ = false;
                                     } else {
-                                        let _e1230 = ((((_e1141 * (_e422 * _e1050.z)) + (_e1162 * (_e422 * _e1080.z))) + (_e1183 * (_e422 * _e1110.z))) / _e1221);
-                                        if (_e1230 > _e156.tmin) {
-                                            if (_e1230 < _e156.tmax) {
-                                                let _e1236 = triangles.member[(0u + _e1025)].v0_;
-                                                let _e1238 = triangles.member[(0u + _e1025)].v1_;
-                                                if (_e1236.x < _e1238.x) {
-                                                    phi_1831_ = _e1236.x;
-                                                } else {
-                                                    phi_1831_ = _e1238.x;
-                                                }
-                                                let _e1245 = phi_1831_;
-                                                if (_e1236.y < _e1238.y) {
-                                                    phi_1840_ = _e1236.y;
-                                                } else {
-                                                    phi_1840_ = _e1238.y;
-                                                }
-                                                let _e1252 = phi_1840_;
-                                                if (_e1236.z < _e1238.z) {
-                                                    phi_1849_ = _e1236.z;
-                                                } else {
-                                                    phi_1849_ = _e1238.z;
-                                                }
-                                                let _e1259 = phi_1849_;
-                                                let _e1261 = triangles.member[(0u + _e1025)].v2_;
-                                                if (_e1245 < _e1261.x) {
-                                                    phi_1858_ = _e1245;
-                                                } else {
-                                                    phi_1858_ = _e1261.x;
-                                                }
-                                                let _e1266 = phi_1858_;
-                                                if (_e1252 < _e1261.y) {
-                                                    phi_1865_ = _e1252;
-                                                } else {
-                                                    phi_1865_ = _e1261.y;
-                                                }
-                                                let _e1271 = phi_1865_;
-                                                if (_e1259 < _e1261.z) {
-                                                    phi_1872_ = _e1259;
-                                                } else {
-                                                    phi_1872_ = _e1261.z;
-                                                }
-                                                let _e1276 = phi_1872_;
-                                                let _e1278 = triangles.member[(0u + _e1025)].v0_;
-                                                let _e1280 = triangles.member[(0u + _e1025)].v1_;
-                                                if (_e1278.x > _e1280.x) {
-                                                    phi_1885_ = _e1278.x;
-                                                } else {
-                                                    phi_1885_ = _e1280.x;
-                                                }
-                                                let _e1287 = phi_1885_;
-                                                if (_e1278.y > _e1280.y) {
-                                                    phi_1894_ = _e1278.y;
-                                                } else {
-                                                    phi_1894_ = _e1280.y;
-                                                }
-                                                let _e1294 = phi_1894_;
-                                                if (_e1278.z > _e1280.z) {
-                                                    phi_1903_ = _e1278.z;
-                                                } else {
-                                                    phi_1903_ = _e1280.z;
-                                                }
-                                                let _e1301 = phi_1903_;
-                                                let _e1303 = triangles.member[(0u + _e1025)].v2_;
-                                                if (_e1287 > _e1303.x) {
-                                                    phi_1912_ = _e1287;
-                                                } else {
-                                                    phi_1912_ = _e1303.x;
-                                                }
-                                                let _e1308 = phi_1912_;
-                                                if (_e1294 > _e1303.y) {
-                                                    phi_1919_ = _e1294;
-                                                } else {
-                                                    phi_1919_ = _e1303.y;
-                                                }
-                                                let _e1313 = phi_1919_;
-                                                if (_e1301 > _e1303.z) {
-                                                    phi_1926_ = _e1301;
-                                                } else {
-                                                    phi_1926_ = _e1303.z;
-                                                }
-                                                let _e1318 = phi_1926_;
-                                                let _e1325 = ((_e1266 - _e156.origin.x) * _e310);
-                                                let _e1326 = ((_e1271 - _e156.origin.y) * _e322);
-                                                let _e1327 = ((_e1276 - _e156.origin.z) * _e334);
-                                                let _e1334 = ((_e1308 - _e156.origin.x) * _e310);
-                                                let _e1335 = ((_e1313 - _e156.origin.y) * _e322);
-                                                let _e1336 = ((_e1318 - _e156.origin.z) * _e334);
-                                                if (_e1325 < _e1334) {
-                                                    phi_1949_ = _e1325;
-                                                } else {
-                                                    phi_1949_ = _e1334;
-                                                }
-                                                let _e1339 = phi_1949_;
-                                                if (_e1326 < _e1335) {
-                                                    phi_1954_ = _e1326;
-                                                } else {
-                                                    phi_1954_ = _e1335;
-                                                }
-                                                let _e1342 = phi_1954_;
-                                                if (_e1327 < _e1336) {
-                                                    phi_1959_ = _e1327;
-                                                } else {
-                                                    phi_1959_ = _e1336;
-                                                }
-                                                let _e1345 = phi_1959_;
-                                                if (_e1325 > _e1334) {
-                                                    phi_1967_ = _e1325;
-                                                } else {
-                                                    phi_1967_ = _e1334;
-                                                }
-                                                let _e1351 = phi_1967_;
-                                                if (_e1326 > _e1335) {
-                                                    phi_1972_ = _e1326;
-                                                } else {
-                                                    phi_1972_ = _e1335;
-                                                }
-                                                let _e1354 = phi_1972_;
-                                                if (_e1327 > _e1336) {
-                                                    phi_1977_ = _e1327;
-                                                } else {
-                                                    phi_1977_ = _e1336;
-                                                }
-                                                let _e1357 = phi_1977_;
-                                                let _e1361 = core_intrinsics_maximum_number_nsz_f32_((_e1339 - _e378), (_e1342 - _e379));
-                                                let _e1362 = core_intrinsics_maximum_number_nsz_f32_(_e1361, (_e1345 - _e380));
-                                                let _e1363 = core_intrinsics_minimum_number_nsz_f32_((_e1351 + _e378), (_e1354 + _e379));
-                                                let _e1364 = core_intrinsics_minimum_number_nsz_f32_(_e1363, (_e1357 + _e380));
-                                                if (_e1362 > -300000000000000000000000000000000000000f) {
-                                                    phi_1989_ = _e1362;
-                                                } else {
-                                                    phi_1989_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1367 = phi_1989_;
-                                                if (_e1364 < 300000000000000000000000000000000000000f) {
-                                                    phi_1994_ = _e1364;
-                                                } else {
-                                                    phi_1994_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1370 = phi_1994_;
-                                                if (_e1230 < _e1367) {
-                                                    phi_1999_ = _e1367;
-                                                } else {
-                                                    phi_1999_ = _e1230;
-                                                }
-                                                let _e1373 = phi_1999_;
-                                                if (_e1373 > _e1370) {
-                                                    phi_2004_ = _e1370;
-                                                } else {
-                                                    phi_2004_ = _e1373;
-                                                }
-                                                let _e1376 = phi_2004_;
-                                                phi_2009_ = lt_bvh_triangle_Intersection(_e1376, (_e1162 / _e1221), (_e1183 / _e1221), (_e1367 <= _e1370));
-                                                phi_2010_ = false;
+                                        let _e1220 = triangles.member[(0u + _e1025)].v0_;
+                                        let _e1223 = (_e1220.x - _e156.origin.x);
+                                        let _e1226 = (_e1220.y - _e156.origin.y);
+                                        let _e1229 = (_e1220.z - _e156.origin.z);
+                                        if (_e398 == 0u) {
+                                            phi_1820_ = vec3<f32>(_e1226, _e1229, _e1223);
+                                        } else {
+                                            if (_e398 == 1u) {
+                                                phi_1819_ = vec3<f32>(_e1229, _e1223, _e1226);
                                             } else {
-                                                phi_2009_ = lt_bvh_triangle_Intersection();
-                                                phi_2010_ = true;
+                                                phi_1819_ = (_e1220 - _e156.origin);
                                             }
-                                            let _e1382 = phi_2009_;
-                                            let _e1384 = phi_2010_;
-                                            phi_2011_ = _e1382;
-                                            phi_2012_ = _e1384;
+                                            let _e1236 = phi_1819_;
+                                            phi_1820_ = _e1236;
+                                        }
+                                        let _e1238 = phi_1820_;
+                                        let _e1240 = triangles.member[(0u + _e1025)].v1_;
+                                        let _e1242 = triangles.member[(0u + _e1025)].v0_;
+                                        let _e1245 = (_e1240.x - _e1242.x);
+                                        let _e1248 = (_e1240.y - _e1242.y);
+                                        let _e1251 = (_e1240.z - _e1242.z);
+                                        if (_e398 == 0u) {
+                                            phi_1846_ = vec3<f32>(_e1248, _e1251, _e1245);
                                         } else {
-                                            phi_2011_ = lt_bvh_triangle_Intersection();
-                                            phi_2012_ = true;
+                                            if (_e398 == 1u) {
+                                                phi_1845_ = vec3<f32>(_e1251, _e1245, _e1248);
+                                            } else {
+                                                phi_1845_ = (_e1240 - _e1242);
+                                            }
+                                            let _e1258 = phi_1845_;
+                                            phi_1846_ = _e1258;
                                         }
-                                        let _e1386 = phi_2011_;
-                                        let _e1388 = phi_2012_;
-                                        if _e1388 {
+                                        let _e1260 = phi_1846_;
+                                        let _e1262 = triangles.member[(0u + _e1025)].v2_;
+                                        let _e1264 = triangles.member[(0u + _e1025)].v0_;
+                                        let _e1267 = (_e1262.x - _e1264.x);
+                                        let _e1270 = (_e1262.y - _e1264.y);
+                                        let _e1273 = (_e1262.z - _e1264.z);
+                                        if (_e398 == 0u) {
+                                            phi_1872_ = vec3<f32>(_e1270, _e1273, _e1267);
+                                        } else {
+                                            if (_e398 == 1u) {
+                                                phi_1871_ = vec3<f32>(_e1273, _e1267, _e1270);
+                                            } else {
+                                                phi_1871_ = (_e1262 - _e1264);
+                                            }
+                                            let _e1280 = phi_1871_;
+                                            phi_1872_ = _e1280;
                                         }
-                                        phi_2016_ = _e1386;
-                                        phi_2017_ = _e1388;
+                                        let _e1282 = phi_1872_;
+                                        let _e1289 = ((_e1260.y * _e1282.z) - (_e1260.z * _e1282.y));
+                                        let _e1296 = ((_e1260.z * _e1282.x) - (_e1260.x * _e1282.z));
+                                        let _e1303 = ((_e1260.x * _e1282.y) - (_e1260.y * _e1282.x));
+                                        let _e1317 = (((1f / _e413.z) * (((_e1289 * _e1238.x) + (_e1296 * _e1238.y)) + (_e1303 * _e1238.z))) / (((_e1289 * _e417) + (_e1296 * _e420)) + _e1303));
+                                        if (_e1317 > _e156.tmin) {
+                                            if (_e1317 < _e156.tmax) {
+                                                let _e1323 = triangles.member[(0u + _e1025)].v0_;
+                                                let _e1325 = triangles.member[(0u + _e1025)].v1_;
+                                                if (_e1323.x < _e1325.x) {
+                                                    phi_1930_ = _e1323.x;
+                                                } else {
+                                                    phi_1930_ = _e1325.x;
+                                                }
+                                                let _e1332 = phi_1930_;
+                                                if (_e1323.y < _e1325.y) {
+                                                    phi_1939_ = _e1323.y;
+                                                } else {
+                                                    phi_1939_ = _e1325.y;
+                                                }
+                                                let _e1339 = phi_1939_;
+                                                if (_e1323.z < _e1325.z) {
+                                                    phi_1948_ = _e1323.z;
+                                                } else {
+                                                    phi_1948_ = _e1325.z;
+                                                }
+                                                let _e1346 = phi_1948_;
+                                                let _e1348 = triangles.member[(0u + _e1025)].v2_;
+                                                if (_e1332 < _e1348.x) {
+                                                    phi_1957_ = _e1332;
+                                                } else {
+                                                    phi_1957_ = _e1348.x;
+                                                }
+                                                let _e1353 = phi_1957_;
+                                                if (_e1339 < _e1348.y) {
+                                                    phi_1964_ = _e1339;
+                                                } else {
+                                                    phi_1964_ = _e1348.y;
+                                                }
+                                                let _e1358 = phi_1964_;
+                                                if (_e1346 < _e1348.z) {
+                                                    phi_1971_ = _e1346;
+                                                } else {
+                                                    phi_1971_ = _e1348.z;
+                                                }
+                                                let _e1363 = phi_1971_;
+                                                let _e1365 = triangles.member[(0u + _e1025)].v0_;
+                                                let _e1367 = triangles.member[(0u + _e1025)].v1_;
+                                                if (_e1365.x > _e1367.x) {
+                                                    phi_1984_ = _e1365.x;
+                                                } else {
+                                                    phi_1984_ = _e1367.x;
+                                                }
+                                                let _e1374 = phi_1984_;
+                                                if (_e1365.y > _e1367.y) {
+                                                    phi_1993_ = _e1365.y;
+                                                } else {
+                                                    phi_1993_ = _e1367.y;
+                                                }
+                                                let _e1381 = phi_1993_;
+                                                if (_e1365.z > _e1367.z) {
+                                                    phi_2002_ = _e1365.z;
+                                                } else {
+                                                    phi_2002_ = _e1367.z;
+                                                }
+                                                let _e1388 = phi_2002_;
+                                                let _e1390 = triangles.member[(0u + _e1025)].v2_;
+                                                if (_e1374 > _e1390.x) {
+                                                    phi_2011_ = _e1374;
+                                                } else {
+                                                    phi_2011_ = _e1390.x;
+                                                }
+                                                let _e1395 = phi_2011_;
+                                                if (_e1381 > _e1390.y) {
+                                                    phi_2018_ = _e1381;
+                                                } else {
+                                                    phi_2018_ = _e1390.y;
+                                                }
+                                                let _e1400 = phi_2018_;
+                                                if (_e1388 > _e1390.z) {
+                                                    phi_2025_ = _e1388;
+                                                } else {
+                                                    phi_2025_ = _e1390.z;
+                                                }
+                                                let _e1405 = phi_2025_;
+                                                let _e1412 = ((_e1353 - _e156.origin.x) * _e310);
+                                                let _e1413 = ((_e1358 - _e156.origin.y) * _e322);
+                                                let _e1414 = ((_e1363 - _e156.origin.z) * _e334);
+                                                let _e1421 = ((_e1395 - _e156.origin.x) * _e310);
+                                                let _e1422 = ((_e1400 - _e156.origin.y) * _e322);
+                                                let _e1423 = ((_e1405 - _e156.origin.z) * _e334);
+                                                if (_e1412 < _e1421) {
+                                                    phi_2048_ = _e1412;
+                                                } else {
+                                                    phi_2048_ = _e1421;
+                                                }
+                                                let _e1426 = phi_2048_;
+                                                if (_e1413 < _e1422) {
+                                                    phi_2053_ = _e1413;
+                                                } else {
+                                                    phi_2053_ = _e1422;
+                                                }
+                                                let _e1429 = phi_2053_;
+                                                if (_e1414 < _e1423) {
+                                                    phi_2058_ = _e1414;
+                                                } else {
+                                                    phi_2058_ = _e1423;
+                                                }
+                                                let _e1432 = phi_2058_;
+                                                if (_e1412 > _e1421) {
+                                                    phi_2066_ = _e1412;
+                                                } else {
+                                                    phi_2066_ = _e1421;
+                                                }
+                                                let _e1438 = phi_2066_;
+                                                if (_e1413 > _e1422) {
+                                                    phi_2071_ = _e1413;
+                                                } else {
+                                                    phi_2071_ = _e1422;
+                                                }
+                                                let _e1441 = phi_2071_;
+                                                if (_e1414 > _e1423) {
+                                                    phi_2076_ = _e1414;
+                                                } else {
+                                                    phi_2076_ = _e1423;
+                                                }
+                                                let _e1444 = phi_2076_;
+                                                let _e1448 = core_intrinsics_maximum_number_nsz_f32_((_e1426 - _e378), (_e1429 - _e379));
+                                                let _e1449 = core_intrinsics_maximum_number_nsz_f32_(_e1448, (_e1432 - _e380));
+                                                let _e1450 = core_intrinsics_minimum_number_nsz_f32_((_e1438 + _e378), (_e1441 + _e379));
+                                                let _e1451 = core_intrinsics_minimum_number_nsz_f32_(_e1450, (_e1444 + _e380));
+                                                if (_e1449 > -300000000000000000000000000000000000000f) {
+                                                    phi_2088_ = _e1449;
+                                                } else {
+                                                    phi_2088_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1454 = phi_2088_;
+                                                if (_e1451 < 300000000000000000000000000000000000000f) {
+                                                    phi_2093_ = _e1451;
+                                                } else {
+                                                    phi_2093_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1457 = phi_2093_;
+                                                if (_e1317 < _e1454) {
+                                                    phi_2098_ = _e1454;
+                                                } else {
+                                                    phi_2098_ = _e1317;
+                                                }
+                                                let _e1460 = phi_2098_;
+                                                if (_e1460 > _e1457) {
+                                                    phi_2103_ = _e1457;
+                                                } else {
+                                                    phi_2103_ = _e1460;
+                                                }
+                                                let _e1463 = phi_2103_;
+                                                phi_2108_ = lt_bvh_triangle_Intersection(_e1463, (_e1156 / _e1215), (_e1177 / _e1215), (_e1454 <= _e1457));
+                                                phi_2109_ = false;
+                                            } else {
+                                                phi_2108_ = lt_bvh_triangle_Intersection();
+                                                phi_2109_ = true;
+                                            }
+                                            let _e1469 = phi_2108_;
+                                            let _e1471 = phi_2109_;
+                                            phi_2110_ = _e1469;
+                                            phi_2111_ = _e1471;
+                                        } else {
+                                            phi_2110_ = lt_bvh_triangle_Intersection();
+                                            phi_2111_ = true;
+                                        }
+                                        let _e1473 = phi_2110_;
+                                        let _e1475 = phi_2111_;
+                                        if _e1475 {
+                                        }
+                                        phi_2115_ = _e1473;
+                                        phi_2116_ = _e1475;
                                     }
-                                    let _e1390 = phi_2016_;
-                                    let _e1392 = phi_2017_;
-                                    phi_2018_ = _e1390;
-                                    phi_2019_ = _e1224;
-                                    phi_2020_ = _e1392;
+                                    let _e1477 = phi_2115_;
+                                    let _e1479 = phi_2116_;
+                                    phi_2117_ = _e1477;
+                                    phi_2118_ = _e1218;
+                                    phi_2119_ = _e1479;
                                 } else {
-                                    phi_2018_ = lt_bvh_triangle_Intersection();
-                                    phi_2019_ = true;
-                                    phi_2020_ = false;
+                                    phi_2117_ = lt_bvh_triangle_Intersection();
+                                    phi_2118_ = true;
+                                    phi_2119_ = false;
                                 }
-                                let _e1394 = phi_2018_;
-                                let _e1396 = phi_2019_;
-                                let _e1398 = phi_2020_;
-                                if _e1396 {
-                                    phi_2024_ = true;
+                                let _e1481 = phi_2117_;
+                                let _e1483 = phi_2118_;
+                                let _e1485 = phi_2119_;
+                                if _e1483 {
+                                    phi_2123_ = true;
                                 } else {
-                                    phi_2024_ = _e1398;
+                                    phi_2123_ = _e1485;
                                 }
-                                let _e1400 = phi_2024_;
-                                if _e1400 {
-                                    phi_2028_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1487 = phi_2123_;
+                                if _e1487 {
+                                    phi_2127_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2028_ = _e1394;
+                                    phi_2127_ = _e1481;
                                 }
-                                let _e1402 = phi_2028_;
-                                if _e1402.is_hit {
-                                    if (_e1402.t > _e156.tmin) {
-                                        if (_e1402.t < _e1014.t) {
-                                            phi_2077_ = true;
+                                let _e1489 = phi_2127_;
+                                if _e1489.is_hit {
+                                    if (_e1489.t > _e156.tmin) {
+                                        if (_e1489.t < _e1014.t) {
+                                            phi_2176_ = true;
                                         } else {
-                                            if (_e1402.t == _e1014.t) {
+                                            if (_e1489.t == _e1014.t) {
                                                 if (_e1014.triangle != 4294967295u) {
                                                     if (_e1025 < _e1014.triangle) {
-                                                        phi_2068_ = true;
+                                                        phi_2167_ = true;
                                                     } else {
                                                         if (_e1025 == _e1014.triangle) {
-                                                            phi_2067_ = (4294967295u < _e1014.instance);
+                                                            phi_2166_ = (4294967295u < _e1014.instance);
                                                         } else {
-                                                            phi_2067_ = false;
+                                                            phi_2166_ = false;
                                                         }
-                                                        let _e1421 = phi_2067_;
-                                                        phi_2068_ = _e1421;
+                                                        let _e1508 = phi_2166_;
+                                                        phi_2167_ = _e1508;
                                                     }
-                                                    let _e1423 = phi_2068_;
-                                                    phi_2069_ = _e1423;
-                                                    phi_2070_ = false;
+                                                    let _e1510 = phi_2167_;
+                                                    phi_2168_ = _e1510;
+                                                    phi_2169_ = false;
                                                 } else {
-                                                    phi_2069_ = bool();
-                                                    phi_2070_ = true;
+                                                    phi_2168_ = bool();
+                                                    phi_2169_ = true;
                                                 }
-                                                let _e1425 = phi_2069_;
-                                                let _e1427 = phi_2070_;
-                                                phi_2071_ = _e1425;
-                                                phi_2072_ = _e1427;
+                                                let _e1512 = phi_2168_;
+                                                let _e1514 = phi_2169_;
+                                                phi_2170_ = _e1512;
+                                                phi_2171_ = _e1514;
                                             } else {
-                                                phi_2071_ = bool();
-                                                phi_2072_ = true;
+                                                phi_2170_ = bool();
+                                                phi_2171_ = true;
                                             }
-                                            let _e1429 = phi_2071_;
-                                            let _e1431 = phi_2072_;
-                                            if _e1431 {
-                                                phi_2076_ = false;
+                                            let _e1516 = phi_2170_;
+                                            let _e1518 = phi_2171_;
+                                            if _e1518 {
+                                                phi_2175_ = false;
                                             } else {
-                                                phi_2076_ = _e1429;
+                                                phi_2175_ = _e1516;
                                             }
-                                            let _e1433 = phi_2076_;
-                                            phi_2077_ = _e1433;
+                                            let _e1520 = phi_2175_;
+                                            phi_2176_ = _e1520;
                                         }
-                                        let _e1435 = phi_2077_;
-                                        if _e1435 {
-                                            let _e1437 = triangles.member[(0u + _e1025)].i0_;
-                                            if ((_e1437 & 2147483648u) == 0u) {
-                                                phi_2288_ = true;
+                                        let _e1522 = phi_2176_;
+                                        if _e1522 {
+                                            let _e1524 = triangles.member[(0u + _e1025)].i0_;
+                                            if ((_e1524 & 2147483648u) == 0u) {
+                                                phi_2387_ = true;
                                             } else {
                                                 if (_e1025 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1446 = triangles.member[(0u + _e1025)].i0_;
-                                                let _e1447 = (_e1446 & 2147483647u);
-                                                let _e1449 = triangles.member[(0u + _e1025)].i1_;
-                                                let _e1451 = triangles.member[(0u + _e1025)].i2_;
-                                                if (_e1447 < _e83) {
+                                                let _e1533 = triangles.member[(0u + _e1025)].i0_;
+                                                let _e1534 = (_e1533 & 2147483647u);
+                                                let _e1536 = triangles.member[(0u + _e1025)].i1_;
+                                                let _e1538 = triangles.member[(0u + _e1025)].i2_;
+                                                if (_e1534 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1455 = vertices.member[(0u + _e1447)];
-                                                if (_e1449 < _e83) {
+                                                let _e1542 = vertices.member[(0u + _e1534)];
+                                                if (_e1536 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1459 = vertices.member[(0u + _e1449)];
-                                                if (_e1451 < _e83) {
+                                                let _e1546 = vertices.member[(0u + _e1536)];
+                                                if (_e1538 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1463 = vertices.member[(0u + _e1451)];
-                                                let _e1464 = array<abi_Vertex, 3>(_e1455, _e1459, _e1463);
-                                                if (_e1464[0].material < _e86) {
+                                                let _e1550 = vertices.member[(0u + _e1538)];
+                                                let _e1551 = array<abi_Vertex, 3>(_e1542, _e1546, _e1550);
+                                                if (_e1551[0].material < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1470 = materials.member[(0u + _e1464[0].material)];
-                                                if ((_e1470.flags & 0u) == 0u) {
-                                                    let _e1475 = ((1f - _e1402.u) - _e1402.v);
-                                                    if (_e1470.cutoff <= 0f) {
-                                                        phi_2283_ = true;
+                                                let _e1557 = materials.member[(0u + _e1551[0].material)];
+                                                if ((_e1557.flags & 0u) == 0u) {
+                                                    let _e1562 = ((1f - _e1489.u) - _e1489.v);
+                                                    if (_e1557.cutoff <= 0f) {
+                                                        phi_2382_ = true;
                                                     } else {
-                                                        let _e1502 = (_e1470.base_color.w * ((((f32((_e1464[0].color >> bitcast<u32>(24i))) * _e1475) + (f32((_e1464[1].color >> bitcast<u32>(24i))) * _e1402.u)) + (f32((_e1464[2].color >> bitcast<u32>(24i))) * _e1402.v)) * (1f / 255f)));
-                                                        if (_e1470.alpha_size == 0u) {
-                                                            phi_2280_ = _e1502;
+                                                        let _e1589 = (_e1557.base_color.w * ((((f32((_e1551[0].color >> bitcast<u32>(24i))) * _e1562) + (f32((_e1551[1].color >> bitcast<u32>(24i))) * _e1489.u)) + (f32((_e1551[2].color >> bitcast<u32>(24i))) * _e1489.v)) * (1f / 255f)));
+                                                        if (_e1557.alpha_size == 0u) {
+                                                            phi_2379_ = _e1589;
                                                         } else {
-                                                            local_1.offset = _e1470.alpha_offset;
-                                                            local_1.size = _e1470.alpha_size;
-                                                            local_1.flags = _e1470.flags;
-                                                            let _e1533 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1464[0].u * _e1475) + (_e1464[1].u * _e1402.u)) + (_e1464[2].u * _e1402.v)), (((_e1464[0].v * _e1475) + (_e1464[1].v * _e1402.u)) + (_e1464[2].v * _e1402.v)));
-                                                            let _e1537 = (_e1533.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1537 < _e92) {
+                                                            local_1.offset = _e1557.alpha_offset;
+                                                            local_1.size = _e1557.alpha_size;
+                                                            local_1.flags = _e1557.flags;
+                                                            let _e1620 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1551[0].u * _e1562) + (_e1551[1].u * _e1489.u)) + (_e1551[2].u * _e1489.v)), (((_e1551[0].v * _e1562) + (_e1551[1].v * _e1489.u)) + (_e1551[2].v * _e1489.v)));
+                                                            let _e1624 = (_e1620.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1624 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1541 = alpha_texels.member[(0u + _e1537)];
-                                                            let _e1557 = (_e1533.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1557 < _e92) {
+                                                            let _e1628 = alpha_texels.member[(0u + _e1624)];
+                                                            let _e1644 = (_e1620.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1644 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1561 = alpha_texels.member[(0u + _e1557)];
-                                                            let _e1578 = (_e1533.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1578 < _e92) {
+                                                            let _e1648 = alpha_texels.member[(0u + _e1644)];
+                                                            let _e1665 = (_e1620.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1665 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1582 = alpha_texels.member[(0u + _e1578)];
-                                                            let _e1599 = (_e1533.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1599 < _e92) {
+                                                            let _e1669 = alpha_texels.member[(0u + _e1665)];
+                                                            let _e1686 = (_e1620.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1686 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1603 = alpha_texels.member[(0u + _e1599)];
-                                                            phi_2280_ = (_e1502 * (((((f32(((_e1541 >> bitcast<u32>((((_e1533.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.x) + ((f32(((_e1561 >> bitcast<u32>((((_e1533.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.y)) + ((f32(((_e1582 >> bitcast<u32>((((_e1533.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.z)) + ((f32(((_e1603 >> bitcast<u32>((((_e1533.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1533.weights.w)));
+                                                            let _e1690 = alpha_texels.member[(0u + _e1686)];
+                                                            phi_2379_ = (_e1589 * (((((f32(((_e1628 >> bitcast<u32>((((_e1620.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.x) + ((f32(((_e1648 >> bitcast<u32>((((_e1620.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.y)) + ((f32(((_e1669 >> bitcast<u32>((((_e1620.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.z)) + ((f32(((_e1690 >> bitcast<u32>((((_e1620.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1620.weights.w)));
                                                         }
-                                                        let _e1619 = phi_2280_;
-                                                        phi_2283_ = (_e1619 >= _e1470.cutoff);
+                                                        let _e1706 = phi_2379_;
+                                                        phi_2382_ = (_e1706 >= _e1557.cutoff);
                                                     }
-                                                    let _e1623 = phi_2283_;
-                                                    phi_2284_ = _e1623;
+                                                    let _e1710 = phi_2382_;
+                                                    phi_2383_ = _e1710;
                                                 } else {
-                                                    phi_2284_ = false;
+                                                    phi_2383_ = false;
                                                 }
-                                                let _e1625 = phi_2284_;
-                                                if _e1625 {
+                                                let _e1712 = phi_2383_;
+                                                if _e1712 {
                                                 }
-                                                phi_2288_ = _e1625;
+                                                phi_2387_ = _e1712;
                                             }
-                                            let _e1627 = phi_2288_;
-                                            if _e1627 {
-                                                phi_2296_ = lt_bvh_Hit(_e1402.t, _e1402.u, _e1402.v, _e1025, 4294967295u);
+                                            let _e1714 = phi_2387_;
+                                            if _e1714 {
+                                                phi_2395_ = lt_bvh_Hit(_e1489.t, _e1489.u, _e1489.v, _e1025, 4294967295u);
                                             } else {
-                                                phi_2296_ = _e1014;
+                                                phi_2395_ = _e1014;
                                             }
-                                            let _e1633 = phi_2296_;
-                                            phi_2297_ = _e1633;
+                                            let _e1720 = phi_2395_;
+                                            phi_2396_ = _e1720;
                                         } else {
-                                            phi_2297_ = _e1014;
+                                            phi_2396_ = _e1014;
                                         }
-                                        let _e1635 = phi_2297_;
-                                        phi_2298_ = _e1635;
+                                        let _e1722 = phi_2396_;
+                                        phi_2397_ = _e1722;
                                     } else {
-                                        phi_2298_ = _e1014;
+                                        phi_2397_ = _e1014;
                                     }
-                                    let _e1637 = phi_2298_;
-                                    phi_2299_ = _e1637;
+                                    let _e1724 = phi_2397_;
+                                    phi_2398_ = _e1724;
                                 } else {
-                                    phi_2299_ = _e1014;
+                                    phi_2398_ = _e1014;
                                 }
-                                let _e1639 = phi_2299_;
-                                phi_1541_ = _e1639;
+                                let _e1726 = phi_2398_;
+                                phi_1541_ = _e1726;
                                 phi_1544_ = (_e1016 & (_e1016 - 1u));
-                                phi_2300_ = true;
+                                phi_2399_ = true;
                             }
-                            let _e1641 = phi_1541_;
-                            let _e1643 = phi_1544_;
-                            let _e1645 = phi_2300_;
+                            let _e1728 = phi_1541_;
+                            let _e1730 = phi_1544_;
+                            let _e1732 = phi_2399_;
                             continue;
                             continuing {
-                                phi_1540_ = _e1641;
-                                phi_1543_ = _e1643;
-                                break if !(_e1645);
+                                phi_1540_ = _e1728;
+                                phi_1543_ = _e1730;
+                                break if !(_e1732);
                             }
                         }
-                        let _e1648 = local_2.group_mask;
-                        if ((_e1648 & 4278190080u) == 0u) {
-                            let _e1652 = local_2.len;
-                            if (_e1652 == 0u) {
-                                phi_2339_ = false;
+                        let _e1735 = local_2.group_mask;
+                        if ((_e1735 & 4278190080u) == 0u) {
+                            let _e1739 = local_2.len;
+                            if (_e1739 == 0u) {
+                                phi_2438_ = false;
                             } else {
-                                let _e1656 = local_2.len;
-                                local_2.len = (_e1656 - 1u);
-                                let _e1659 = local_2.len;
-                                if (_e1659 < 32u) {
+                                let _e1743 = local_2.len;
+                                local_2.len = (_e1743 - 1u);
+                                let _e1746 = local_2.len;
+                                if (_e1746 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1664 = local_2.first[(0u + _e1659)];
-                                local_2.group = _e1664;
-                                let _e1667 = local_2.len;
-                                if (_e1667 < 32u) {
+                                let _e1751 = local_2.first[(0u + _e1746)];
+                                local_2.group = _e1751;
+                                let _e1754 = local_2.len;
+                                if (_e1754 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1672 = local_2.mask[(0u + _e1667)];
-                                local_2.group_mask = _e1672;
-                                phi_2339_ = true;
+                                let _e1759 = local_2.mask[(0u + _e1754)];
+                                local_2.group_mask = _e1759;
+                                phi_2438_ = true;
                             }
-                            let _e1675 = phi_2339_;
-                            phi_2340_ = _e1675;
+                            let _e1762 = phi_2438_;
+                            phi_2439_ = _e1762;
                         } else {
-                            phi_2340_ = true;
+                            phi_2439_ = true;
                         }
-                        let _e1677 = phi_2340_;
-                        if _e1677 {
-                            let _e1679 = local_2.group_mask;
-                            let _e1685 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1679)), 32u, (_e1679 == 0u)));
-                            let _e1689 = local_2.group_mask;
-                            let _e1703 = local_2.group_mask;
-                            local_2.group_mask = (_e1703 & ~((1u << bitcast<u32>((_e1685 & 31u)))));
-                            let _e1706 = local_2.group;
-                            phi_2371_ = (_e1706 + countOneBits(((_e1689 & ~((4294967295u << bitcast<u32>((((_e1685 - 24u) ^ _e433) & 31u))))) & 255u)));
+                        let _e1764 = phi_2439_;
+                        if _e1764 {
+                            let _e1766 = local_2.group_mask;
+                            let _e1772 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1766)), 32u, (_e1766 == 0u)));
+                            let _e1776 = local_2.group_mask;
+                            let _e1790 = local_2.group_mask;
+                            local_2.group_mask = (_e1790 & ~((1u << bitcast<u32>((_e1772 & 31u)))));
+                            let _e1793 = local_2.group;
+                            phi_2470_ = (_e1793 + countOneBits(((_e1776 & ~((4294967295u << bitcast<u32>((((_e1772 - 24u) ^ _e433) & 31u))))) & 255u)));
                         } else {
-                            phi_2371_ = 4294967295u;
+                            phi_2470_ = 4294967295u;
                         }
-                        let _e1709 = phi_2371_;
-                        let _e2550 = local_6;
-                        phi_1204_ = _e2550;
-                        phi_1207_ = _e1709;
+                        let _e1796 = phi_2470_;
+                        let _e2643 = local_6;
+                        phi_1204_ = _e2643;
+                        phi_1207_ = _e1796;
                     } else {
                         phi_1204_ = lt_bvh_Hit();
                         phi_1207_ = u32();
                     }
-                    let _e1711 = phi_1204_;
-                    let _e1713 = phi_1207_;
+                    let _e1798 = phi_1204_;
+                    let _e1800 = phi_1207_;
                     continue;
                     continuing {
-                        phi_1203_ = _e1711;
-                        phi_1206_ = _e1713;
+                        phi_1203_ = _e1798;
+                        phi_1206_ = _e1800;
                         break if !(_e574);
                     }
                 }
-                let _e2554 = local_7;
-                phi_2372_ = _e2554;
+                let _e2647 = local_7;
+                phi_2471_ = _e2647;
             }
-            let _e1716 = phi_2372_;
-            phi_2373_ = _e1716;
-            phi_2374_ = _e228;
+            let _e1803 = phi_2471_;
+            phi_2472_ = _e1803;
+            phi_2473_ = _e228;
         } else {
-            phi_2373_ = lt_bvh_Hit();
-            phi_2374_ = true;
+            phi_2472_ = lt_bvh_Hit();
+            phi_2473_ = true;
         }
-        let _e1718 = phi_2373_;
-        let _e1720 = phi_2374_;
-        if _e1720 {
-            phi_2378_ = _e158;
+        let _e1805 = phi_2472_;
+        let _e1807 = phi_2473_;
+        if _e1807 {
+            phi_2477_ = _e158;
         } else {
-            phi_2378_ = _e1718;
+            phi_2477_ = _e1805;
         }
-        let _e1722 = phi_2378_;
-        if (_e1722.triangle != 4294967295u) {
-            let _e1728 = ((1f - _e1722.u) - _e1722.v);
-            if (_e1722.triangle < _e80) {
+        let _e1809 = phi_2477_;
+        if (_e1809.triangle != 4294967295u) {
+            let _e1815 = ((1f - _e1809.u) - _e1809.v);
+            if (_e1809.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1733 = triangles.member[(0u + _e1722.triangle)];
-            let _e1758 = (((_e1733.v0_.x * _e1728) + (_e1733.v1_.x * _e1722.u)) + (_e1733.v2_.x * _e1722.v));
-            let _e1759 = (((_e1733.v0_.y * _e1728) + (_e1733.v1_.y * _e1722.u)) + (_e1733.v2_.y * _e1722.v));
-            let _e1760 = (((_e1733.v0_.z * _e1728) + (_e1733.v1_.z * _e1722.u)) + (_e1733.v2_.z * _e1722.v));
-            let _e1763 = abs(_e1733.v0_.x);
-            let _e1765 = abs(_e1733.v0_.y);
-            let _e1767 = abs(_e1733.v0_.z);
-            let _e1769 = abs(_e1733.v1_.x);
-            let _e1771 = abs(_e1733.v1_.y);
-            let _e1773 = abs(_e1733.v1_.z);
-            if (_e1763 > _e1769) {
-                phi_2442_ = _e1763;
+            let _e1820 = triangles.member[(0u + _e1809.triangle)];
+            let _e1845 = (((_e1820.v0_.x * _e1815) + (_e1820.v1_.x * _e1809.u)) + (_e1820.v2_.x * _e1809.v));
+            let _e1846 = (((_e1820.v0_.y * _e1815) + (_e1820.v1_.y * _e1809.u)) + (_e1820.v2_.y * _e1809.v));
+            let _e1847 = (((_e1820.v0_.z * _e1815) + (_e1820.v1_.z * _e1809.u)) + (_e1820.v2_.z * _e1809.v));
+            let _e1850 = abs(_e1820.v0_.x);
+            let _e1852 = abs(_e1820.v0_.y);
+            let _e1854 = abs(_e1820.v0_.z);
+            let _e1856 = abs(_e1820.v1_.x);
+            let _e1858 = abs(_e1820.v1_.y);
+            let _e1860 = abs(_e1820.v1_.z);
+            if (_e1850 > _e1856) {
+                phi_2541_ = _e1850;
             } else {
-                phi_2442_ = _e1769;
+                phi_2541_ = _e1856;
             }
-            let _e1776 = phi_2442_;
-            if (_e1765 > _e1771) {
-                phi_2447_ = _e1765;
+            let _e1863 = phi_2541_;
+            if (_e1852 > _e1858) {
+                phi_2546_ = _e1852;
             } else {
-                phi_2447_ = _e1771;
+                phi_2546_ = _e1858;
             }
-            let _e1779 = phi_2447_;
-            if (_e1767 > _e1773) {
-                phi_2452_ = _e1767;
+            let _e1866 = phi_2546_;
+            if (_e1854 > _e1860) {
+                phi_2551_ = _e1854;
             } else {
-                phi_2452_ = _e1773;
+                phi_2551_ = _e1860;
             }
-            let _e1782 = phi_2452_;
-            let _e1784 = abs(_e1733.v2_.x);
-            let _e1786 = abs(_e1733.v2_.y);
-            let _e1788 = abs(_e1733.v2_.z);
-            if (_e1776 > _e1784) {
-                phi_2463_ = _e1776;
+            let _e1869 = phi_2551_;
+            let _e1871 = abs(_e1820.v2_.x);
+            let _e1873 = abs(_e1820.v2_.y);
+            let _e1875 = abs(_e1820.v2_.z);
+            if (_e1863 > _e1871) {
+                phi_2562_ = _e1863;
             } else {
-                phi_2463_ = _e1784;
+                phi_2562_ = _e1871;
             }
-            let _e1791 = phi_2463_;
-            if (_e1779 > _e1786) {
-                phi_2468_ = _e1779;
+            let _e1878 = phi_2562_;
+            if (_e1866 > _e1873) {
+                phi_2567_ = _e1866;
             } else {
-                phi_2468_ = _e1786;
+                phi_2567_ = _e1873;
             }
-            let _e1794 = phi_2468_;
-            if (_e1782 > _e1788) {
-                phi_2473_ = _e1782;
+            let _e1881 = phi_2567_;
+            if (_e1869 > _e1875) {
+                phi_2572_ = _e1869;
             } else {
-                phi_2473_ = _e1788;
+                phi_2572_ = _e1875;
             }
-            let _e1797 = phi_2473_;
-            let _e1800 = (_e1733.v1_.x - _e1733.v0_.x);
-            let _e1803 = (_e1733.v1_.y - _e1733.v0_.y);
-            let _e1806 = (_e1733.v1_.z - _e1733.v0_.z);
-            let _e1809 = (_e1733.v2_.x - _e1733.v0_.x);
-            let _e1812 = (_e1733.v2_.y - _e1733.v0_.y);
-            let _e1815 = (_e1733.v2_.z - _e1733.v0_.z);
-            let _e1819 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1803), abs(_e1806));
-            let _e1820 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1800), _e1819);
-            let _e1821 = (_e1800 / _e1820);
-            let _e1822 = (_e1803 / _e1820);
-            let _e1823 = (_e1806 / _e1820);
-            let _e1827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1812), abs(_e1815));
-            let _e1828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1809), _e1827);
-            let _e1829 = (_e1809 / _e1828);
-            let _e1830 = (_e1812 / _e1828);
-            let _e1831 = (_e1815 / _e1828);
-            let _e1834 = ((_e1822 * _e1831) - (_e1830 * _e1823));
-            let _e1837 = ((_e1823 * _e1829) - (_e1831 * _e1821));
-            let _e1840 = ((_e1821 * _e1830) - (_e1829 * _e1822));
-            let _e1842 = p.member.eye;
-            let _e1855 = (1f / sqrt((((_e1834 * _e1834) + (_e1837 * _e1837)) + (_e1840 * _e1840))));
-            let _e1856 = (_e1834 * _e1855);
-            let _e1857 = (_e1837 * _e1855);
-            let _e1858 = (_e1840 * _e1855);
-            if ((((_e1856 * (_e1842.x - _e1758)) + (_e1857 * (_e1842.y - _e1759))) + (_e1858 * (_e1842.z - _e1760))) < 0f) {
-                phi_2549_ = vec3<f32>(-(_e1856), -(_e1857), -(_e1858));
+            let _e1884 = phi_2572_;
+            let _e1887 = (_e1820.v1_.x - _e1820.v0_.x);
+            let _e1890 = (_e1820.v1_.y - _e1820.v0_.y);
+            let _e1893 = (_e1820.v1_.z - _e1820.v0_.z);
+            let _e1896 = (_e1820.v2_.x - _e1820.v0_.x);
+            let _e1899 = (_e1820.v2_.y - _e1820.v0_.y);
+            let _e1902 = (_e1820.v2_.z - _e1820.v0_.z);
+            let _e1906 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1890), abs(_e1893));
+            let _e1907 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1887), _e1906);
+            let _e1908 = (_e1887 / _e1907);
+            let _e1909 = (_e1890 / _e1907);
+            let _e1910 = (_e1893 / _e1907);
+            let _e1914 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1899), abs(_e1902));
+            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1896), _e1914);
+            let _e1916 = (_e1896 / _e1915);
+            let _e1917 = (_e1899 / _e1915);
+            let _e1918 = (_e1902 / _e1915);
+            let _e1921 = ((_e1909 * _e1918) - (_e1917 * _e1910));
+            let _e1924 = ((_e1910 * _e1916) - (_e1918 * _e1908));
+            let _e1927 = ((_e1908 * _e1917) - (_e1916 * _e1909));
+            let _e1929 = p.member.eye;
+            let _e1942 = (1f / sqrt((((_e1921 * _e1921) + (_e1924 * _e1924)) + (_e1927 * _e1927))));
+            let _e1943 = (_e1921 * _e1942);
+            let _e1944 = (_e1924 * _e1942);
+            let _e1945 = (_e1927 * _e1942);
+            if ((((_e1943 * (_e1929.x - _e1845)) + (_e1944 * (_e1929.y - _e1846))) + (_e1945 * (_e1929.z - _e1847))) < 0f) {
+                phi_2648_ = vec3<f32>(-(_e1943), -(_e1944), -(_e1945));
             } else {
-                phi_2549_ = vec3<f32>(_e1856, _e1857, _e1858);
+                phi_2648_ = vec3<f32>(_e1943, _e1944, _e1945);
             }
-            let _e1871 = phi_2549_;
-            if (_e1722.triangle < _e80) {
+            let _e1958 = phi_2648_;
+            if (_e1809.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1876 = triangles.member[(0u + _e1722.triangle)];
-            let _e1878 = (_e1876.i0_ & 2147483647u);
-            if (_e1878 < _e83) {
+            let _e1963 = triangles.member[(0u + _e1809.triangle)];
+            let _e1965 = (_e1963.i0_ & 2147483647u);
+            if (_e1965 < _e83) {
             } else {
                 return;
             }
-            let _e1884 = vertices.member[(0u + _e1878)];
-            if (_e1876.i1_ < _e83) {
+            let _e1971 = vertices.member[(0u + _e1965)];
+            if (_e1963.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1888 = vertices.member[(0u + _e1876.i1_)];
-            if (_e1876.i2_ < _e83) {
+            let _e1975 = vertices.member[(0u + _e1963.i1_)];
+            if (_e1963.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1892 = vertices.member[(0u + _e1876.i2_)];
-            let _e1893 = array<abi_Vertex, 3>(_e1884, _e1888, _e1892);
-            if (_e1893[0].material < _e86) {
+            let _e1979 = vertices.member[(0u + _e1963.i2_)];
+            let _e1980 = array<abi_Vertex, 3>(_e1971, _e1975, _e1979);
+            if (_e1980[0].material < _e86) {
             } else {
                 return;
             }
-            let _e1899 = materials.member[(0u + _e1893[0].material)];
-            let _e1916 = (1f / 255f);
-            let _e1935 = (1f / 255f);
-            let _e1957 = (1f / 255f);
-            if (_e1899.color_size == 0u) {
-                phi_2792_ = vec3<f32>(1f, 1f, 1f);
+            let _e1986 = materials.member[(0u + _e1980[0].material)];
+            let _e2003 = (1f / 255f);
+            let _e2022 = (1f / 255f);
+            let _e2044 = (1f / 255f);
+            if (_e1986.color_size == 0u) {
+                phi_2891_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1899.color_offset;
-                local.size = _e1899.color_size;
-                local.flags = _e1899.flags;
-                let _e2000 = _lt_shaders_texture_TextureView_quad((&local), (((_e1893[0].u * _e1728) + (_e1893[1].u * _e1722.u)) + (_e1893[2].u * _e1722.v)), (((_e1893[0].v * _e1728) + (_e1893[1].v * _e1722.u)) + (_e1893[2].v * _e1722.v)));
-                if (_e2000.indices[0] < _e95) {
+                local.offset = _e1986.color_offset;
+                local.size = _e1986.color_size;
+                local.flags = _e1986.flags;
+                let _e2087 = _lt_shaders_texture_TextureView_quad((&local), (((_e1980[0].u * _e1815) + (_e1980[1].u * _e1809.u)) + (_e1980[2].u * _e1809.v)), (((_e1980[0].v * _e1815) + (_e1980[1].v * _e1809.u)) + (_e1980[2].v * _e1809.v)));
+                if (_e2087.indices[0] < _e95) {
                 } else {
                     return;
                 }
-                let _e2006 = color_texels.member[(0u + _e2000.indices[0])];
-                let _e2017 = (1f / 255f);
-                if (_e2000.indices[1] < _e95) {
+                let _e2093 = color_texels.member[(0u + _e2087.indices[0])];
+                let _e2104 = (1f / 255f);
+                if (_e2087.indices[1] < _e95) {
                 } else {
                     return;
                 }
-                let _e2031 = color_texels.member[(0u + _e2000.indices[1])];
-                let _e2042 = (1f / 255f);
-                if (_e2000.indices[2] < _e95) {
+                let _e2118 = color_texels.member[(0u + _e2087.indices[1])];
+                let _e2129 = (1f / 255f);
+                if (_e2087.indices[2] < _e95) {
                 } else {
                     return;
                 }
-                let _e2059 = color_texels.member[(0u + _e2000.indices[2])];
-                let _e2070 = (1f / 255f);
-                if (_e2000.indices[3] < _e95) {
+                let _e2146 = color_texels.member[(0u + _e2087.indices[2])];
+                let _e2157 = (1f / 255f);
+                if (_e2087.indices[3] < _e95) {
                 } else {
                     return;
                 }
-                let _e2087 = color_texels.member[(0u + _e2000.indices[3])];
-                let _e2098 = (1f / 255f);
-                let _e2107 = (((((f32((_e2006 & 255u)) * _e2017) * _e2000.weights.x) + ((f32((_e2031 & 255u)) * _e2042) * _e2000.weights.y)) + ((f32((_e2059 & 255u)) * _e2070) * _e2000.weights.z)) + ((f32((_e2087 & 255u)) * _e2098) * _e2000.weights.w));
-                let _e2108 = (((((f32(((_e2006 >> bitcast<u32>(8i)) & 255u)) * _e2017) * _e2000.weights.x) + ((f32(((_e2031 >> bitcast<u32>(8i)) & 255u)) * _e2042) * _e2000.weights.y)) + ((f32(((_e2059 >> bitcast<u32>(8i)) & 255u)) * _e2070) * _e2000.weights.z)) + ((f32(((_e2087 >> bitcast<u32>(8i)) & 255u)) * _e2098) * _e2000.weights.w));
-                let _e2109 = (((((f32(((_e2006 >> bitcast<u32>(16i)) & 255u)) * _e2017) * _e2000.weights.x) + ((f32(((_e2031 >> bitcast<u32>(16i)) & 255u)) * _e2042) * _e2000.weights.y)) + ((f32(((_e2059 >> bitcast<u32>(16i)) & 255u)) * _e2070) * _e2000.weights.z)) + ((f32(((_e2087 >> bitcast<u32>(16i)) & 255u)) * _e2098) * _e2000.weights.w));
-                phi_2792_ = vec3<f32>((_e2107 * _e2107), (_e2108 * _e2108), (_e2109 * _e2109));
+                let _e2174 = color_texels.member[(0u + _e2087.indices[3])];
+                let _e2185 = (1f / 255f);
+                let _e2194 = (((((f32((_e2093 & 255u)) * _e2104) * _e2087.weights.x) + ((f32((_e2118 & 255u)) * _e2129) * _e2087.weights.y)) + ((f32((_e2146 & 255u)) * _e2157) * _e2087.weights.z)) + ((f32((_e2174 & 255u)) * _e2185) * _e2087.weights.w));
+                let _e2195 = (((((f32(((_e2093 >> bitcast<u32>(8i)) & 255u)) * _e2104) * _e2087.weights.x) + ((f32(((_e2118 >> bitcast<u32>(8i)) & 255u)) * _e2129) * _e2087.weights.y)) + ((f32(((_e2146 >> bitcast<u32>(8i)) & 255u)) * _e2157) * _e2087.weights.z)) + ((f32(((_e2174 >> bitcast<u32>(8i)) & 255u)) * _e2185) * _e2087.weights.w));
+                let _e2196 = (((((f32(((_e2093 >> bitcast<u32>(16i)) & 255u)) * _e2104) * _e2087.weights.x) + ((f32(((_e2118 >> bitcast<u32>(16i)) & 255u)) * _e2129) * _e2087.weights.y)) + ((f32(((_e2146 >> bitcast<u32>(16i)) & 255u)) * _e2157) * _e2087.weights.z)) + ((f32(((_e2174 >> bitcast<u32>(16i)) & 255u)) * _e2185) * _e2087.weights.w));
+                phi_2891_ = vec3<f32>((_e2194 * _e2194), (_e2195 * _e2195), (_e2196 * _e2196));
             }
-            let _e2115 = phi_2792_;
-            let _e2117 = ((_e1899.base_color.x * ((((f32((_e1893[0].color & 255u)) * _e1916) * _e1728) + ((f32((_e1893[1].color & 255u)) * _e1935) * _e1722.u)) + ((f32((_e1893[2].color & 255u)) * _e1957) * _e1722.v))) * _e2115.x);
-            let _e2119 = ((_e1899.base_color.y * ((((f32(((_e1893[0].color >> bitcast<u32>(8i)) & 255u)) * _e1916) * _e1728) + ((f32(((_e1893[1].color >> bitcast<u32>(8i)) & 255u)) * _e1935) * _e1722.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(8i)) & 255u)) * _e1957) * _e1722.v))) * _e2115.y);
-            let _e2121 = ((_e1899.base_color.z * ((((f32(((_e1893[0].color >> bitcast<u32>(16i)) & 255u)) * _e1916) * _e1728) + ((f32(((_e1893[1].color >> bitcast<u32>(16i)) & 255u)) * _e1935) * _e1722.u)) + ((f32(((_e1893[2].color >> bitcast<u32>(16i)) & 255u)) * _e1957) * _e1722.v))) * _e2115.z);
-            let _e2122 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1794, _e1797);
-            let _e2123 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1791, _e2122);
-            if ((_e1899.flags & 2u) == 0u) {
-                phi_2807_ = 0u;
+            let _e2202 = phi_2891_;
+            let _e2204 = ((_e1986.base_color.x * ((((f32((_e1980[0].color & 255u)) * _e2003) * _e1815) + ((f32((_e1980[1].color & 255u)) * _e2022) * _e1809.u)) + ((f32((_e1980[2].color & 255u)) * _e2044) * _e1809.v))) * _e2202.x);
+            let _e2206 = ((_e1986.base_color.y * ((((f32(((_e1980[0].color >> bitcast<u32>(8i)) & 255u)) * _e2003) * _e1815) + ((f32(((_e1980[1].color >> bitcast<u32>(8i)) & 255u)) * _e2022) * _e1809.u)) + ((f32(((_e1980[2].color >> bitcast<u32>(8i)) & 255u)) * _e2044) * _e1809.v))) * _e2202.y);
+            let _e2208 = ((_e1986.base_color.z * ((((f32(((_e1980[0].color >> bitcast<u32>(16i)) & 255u)) * _e2003) * _e1815) + ((f32(((_e1980[1].color >> bitcast<u32>(16i)) & 255u)) * _e2022) * _e1809.u)) + ((f32(((_e1980[2].color >> bitcast<u32>(16i)) & 255u)) * _e2044) * _e1809.v))) * _e2202.z);
+            let _e2209 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1881, _e1884);
+            let _e2210 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1878, _e2209);
+            if ((_e1986.flags & 2u) == 0u) {
+                phi_2906_ = 0u;
             } else {
-                phi_2807_ = 1u;
+                phi_2906_ = 1u;
             }
-            let _e2128 = phi_2807_;
-            if (_e1893[0].normal == 2147516416u) {
-                phi_3010_ = _e1871;
+            let _e2215 = phi_2906_;
+            if (_e1980[0].normal == 2147516416u) {
+                phi_3109_ = _e1958;
             } else {
-                let _e2141 = (f32((bitcast<i32>((_e1893[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2147 = (f32((bitcast<i32>(_e1893[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2151 = ((1f - abs(_e2141)) - abs(_e2147));
-                if (_e2151 < 0f) {
-                    phi_2834_ = -(_e2151);
-                } else {
-                    phi_2834_ = 0f;
-                }
-                let _e2155 = phi_2834_;
-                if (_e2141 < 0f) {
-                    phi_2841_ = (_e2141 + _e2155);
-                } else {
-                    phi_2841_ = (_e2141 - _e2155);
-                }
-                let _e2160 = phi_2841_;
-                if (_e2147 < 0f) {
-                    phi_2848_ = (_e2147 + _e2155);
-                } else {
-                    phi_2848_ = (_e2147 - _e2155);
-                }
-                let _e2165 = phi_2848_;
-                let _e2172 = (1f / sqrt((((_e2160 * _e2160) + (_e2165 * _e2165)) + (_e2151 * _e2151))));
-                let _e2188 = (f32((bitcast<i32>((_e1893[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2194 = (f32((bitcast<i32>(_e1893[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2198 = ((1f - abs(_e2188)) - abs(_e2194));
-                if (_e2198 < 0f) {
-                    phi_2883_ = -(_e2198);
-                } else {
-                    phi_2883_ = 0f;
-                }
-                let _e2202 = phi_2883_;
-                if (_e2188 < 0f) {
-                    phi_2890_ = (_e2188 + _e2202);
-                } else {
-                    phi_2890_ = (_e2188 - _e2202);
-                }
-                let _e2207 = phi_2890_;
-                if (_e2194 < 0f) {
-                    phi_2897_ = (_e2194 + _e2202);
-                } else {
-                    phi_2897_ = (_e2194 - _e2202);
-                }
-                let _e2212 = phi_2897_;
-                let _e2219 = (1f / sqrt((((_e2207 * _e2207) + (_e2212 * _e2212)) + (_e2198 * _e2198))));
-                let _e2238 = (f32((bitcast<i32>((_e1893[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2244 = (f32((bitcast<i32>(_e1893[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2248 = ((1f - abs(_e2238)) - abs(_e2244));
-                if (_e2248 < 0f) {
-                    phi_2935_ = -(_e2248);
-                } else {
-                    phi_2935_ = 0f;
-                }
-                let _e2252 = phi_2935_;
+                let _e2228 = (f32((bitcast<i32>((_e1980[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2234 = (f32((bitcast<i32>(_e1980[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2238 = ((1f - abs(_e2228)) - abs(_e2234));
                 if (_e2238 < 0f) {
-                    phi_2942_ = (_e2238 + _e2252);
+                    phi_2933_ = -(_e2238);
                 } else {
-                    phi_2942_ = (_e2238 - _e2252);
+                    phi_2933_ = 0f;
                 }
-                let _e2257 = phi_2942_;
-                if (_e2244 < 0f) {
-                    phi_2949_ = (_e2244 + _e2252);
+                let _e2242 = phi_2933_;
+                if (_e2228 < 0f) {
+                    phi_2940_ = (_e2228 + _e2242);
                 } else {
-                    phi_2949_ = (_e2244 - _e2252);
+                    phi_2940_ = (_e2228 - _e2242);
                 }
-                let _e2262 = phi_2949_;
-                let _e2269 = (1f / sqrt((((_e2257 * _e2257) + (_e2262 * _e2262)) + (_e2248 * _e2248))));
-                let _e2280 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2160 * _e2172) * _e1728) + ((_e2207 * _e2219) * _e1722.u)) + ((_e2257 * _e2269) * _e1722.v)), ((((_e2165 * _e2172) * _e1728) + ((_e2212 * _e2219) * _e1722.u)) + ((_e2262 * _e2269) * _e1722.v)), ((((_e2151 * _e2172) * _e1728) + ((_e2198 * _e2219) * _e1722.u)) + ((_e2248 * _e2269) * _e1722.v))));
-                let _e2292 = sqrt((((_e2280.x * _e2280.x) + (_e2280.y * _e2280.y)) + (_e2280.z * _e2280.z)));
-                if (_e2292 > 0f) {
-                    let _e2295 = (_e2280.x / _e2292);
-                    let _e2297 = (_e2280.y / _e2292);
-                    let _e2299 = (_e2280.z / _e2292);
-                    if ((((_e2295 * _e1871.x) + (_e2297 * _e1871.y)) + (_e2299 * _e1871.z)) < 0f) {
-                        phi_3008_ = vec3<f32>(-(_e2295), -(_e2297), -(_e2299));
+                let _e2247 = phi_2940_;
+                if (_e2234 < 0f) {
+                    phi_2947_ = (_e2234 + _e2242);
+                } else {
+                    phi_2947_ = (_e2234 - _e2242);
+                }
+                let _e2252 = phi_2947_;
+                let _e2259 = (1f / sqrt((((_e2247 * _e2247) + (_e2252 * _e2252)) + (_e2238 * _e2238))));
+                let _e2275 = (f32((bitcast<i32>((_e1980[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2281 = (f32((bitcast<i32>(_e1980[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2285 = ((1f - abs(_e2275)) - abs(_e2281));
+                if (_e2285 < 0f) {
+                    phi_2982_ = -(_e2285);
+                } else {
+                    phi_2982_ = 0f;
+                }
+                let _e2289 = phi_2982_;
+                if (_e2275 < 0f) {
+                    phi_2989_ = (_e2275 + _e2289);
+                } else {
+                    phi_2989_ = (_e2275 - _e2289);
+                }
+                let _e2294 = phi_2989_;
+                if (_e2281 < 0f) {
+                    phi_2996_ = (_e2281 + _e2289);
+                } else {
+                    phi_2996_ = (_e2281 - _e2289);
+                }
+                let _e2299 = phi_2996_;
+                let _e2306 = (1f / sqrt((((_e2294 * _e2294) + (_e2299 * _e2299)) + (_e2285 * _e2285))));
+                let _e2325 = (f32((bitcast<i32>((_e1980[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2331 = (f32((bitcast<i32>(_e1980[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2335 = ((1f - abs(_e2325)) - abs(_e2331));
+                if (_e2335 < 0f) {
+                    phi_3034_ = -(_e2335);
+                } else {
+                    phi_3034_ = 0f;
+                }
+                let _e2339 = phi_3034_;
+                if (_e2325 < 0f) {
+                    phi_3041_ = (_e2325 + _e2339);
+                } else {
+                    phi_3041_ = (_e2325 - _e2339);
+                }
+                let _e2344 = phi_3041_;
+                if (_e2331 < 0f) {
+                    phi_3048_ = (_e2331 + _e2339);
+                } else {
+                    phi_3048_ = (_e2331 - _e2339);
+                }
+                let _e2349 = phi_3048_;
+                let _e2356 = (1f / sqrt((((_e2344 * _e2344) + (_e2349 * _e2349)) + (_e2335 * _e2335))));
+                let _e2367 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2247 * _e2259) * _e1815) + ((_e2294 * _e2306) * _e1809.u)) + ((_e2344 * _e2356) * _e1809.v)), ((((_e2252 * _e2259) * _e1815) + ((_e2299 * _e2306) * _e1809.u)) + ((_e2349 * _e2356) * _e1809.v)), ((((_e2238 * _e2259) * _e1815) + ((_e2285 * _e2306) * _e1809.u)) + ((_e2335 * _e2356) * _e1809.v))));
+                let _e2379 = sqrt((((_e2367.x * _e2367.x) + (_e2367.y * _e2367.y)) + (_e2367.z * _e2367.z)));
+                if (_e2379 > 0f) {
+                    let _e2382 = (_e2367.x / _e2379);
+                    let _e2384 = (_e2367.y / _e2379);
+                    let _e2386 = (_e2367.z / _e2379);
+                    if ((((_e2382 * _e1958.x) + (_e2384 * _e1958.y)) + (_e2386 * _e1958.z)) < 0f) {
+                        phi_3107_ = vec3<f32>(-(_e2382), -(_e2384), -(_e2386));
                     } else {
-                        phi_3008_ = (_e2280 / vec3(_e2292));
+                        phi_3107_ = (_e2367 / vec3(_e2379));
                     }
-                    let _e2316 = phi_3008_;
-                    phi_3009_ = _e2316;
+                    let _e2403 = phi_3107_;
+                    phi_3108_ = _e2403;
                 } else {
-                    phi_3009_ = _e1871;
+                    phi_3108_ = _e1958;
                 }
-                let _e2318 = phi_3009_;
-                phi_3010_ = _e2318;
+                let _e2405 = phi_3108_;
+                phi_3109_ = _e2405;
             }
-            let _e2320 = phi_3010_;
-            if (_e2117 > 0f) {
-                if (_e2117 < 1f) {
-                    phi_3019_ = _e2117;
+            let _e2407 = phi_3109_;
+            if (_e2204 > 0f) {
+                if (_e2204 < 1f) {
+                    phi_3118_ = _e2204;
                 } else {
-                    phi_3019_ = 1f;
+                    phi_3118_ = 1f;
                 }
-                let _e2324 = phi_3019_;
-                phi_3020_ = _e2324;
+                let _e2411 = phi_3118_;
+                phi_3119_ = _e2411;
             } else {
-                phi_3020_ = 0f;
+                phi_3119_ = 0f;
             }
-            let _e2326 = phi_3020_;
-            if (_e2119 > 0f) {
-                if (_e2119 < 1f) {
-                    phi_3030_ = _e2119;
+            let _e2413 = phi_3119_;
+            if (_e2206 > 0f) {
+                if (_e2206 < 1f) {
+                    phi_3129_ = _e2206;
                 } else {
-                    phi_3030_ = 1f;
+                    phi_3129_ = 1f;
                 }
-                let _e2331 = phi_3030_;
-                phi_3031_ = _e2331;
+                let _e2418 = phi_3129_;
+                phi_3130_ = _e2418;
             } else {
-                phi_3031_ = 0f;
+                phi_3130_ = 0f;
             }
-            let _e2333 = phi_3031_;
-            if (_e2121 > 0f) {
-                if (_e2121 < 1f) {
-                    phi_3041_ = _e2121;
+            let _e2420 = phi_3130_;
+            if (_e2208 > 0f) {
+                if (_e2208 < 1f) {
+                    phi_3140_ = _e2208;
                 } else {
-                    phi_3041_ = 1f;
+                    phi_3140_ = 1f;
                 }
-                let _e2338 = phi_3041_;
-                phi_3042_ = _e2338;
+                let _e2425 = phi_3140_;
+                phi_3141_ = _e2425;
             } else {
-                phi_3042_ = 0f;
+                phi_3141_ = 0f;
             }
-            let _e2340 = phi_3042_;
-            let _e2343 = ((sqrt(_e2326) * 255f) + 0.5f);
-            let _e2352 = ((sqrt(_e2333) * 255f) + 0.5f);
-            let _e2364 = ((sqrt(_e2340) * 255f) + 0.5f);
-            phi_3077_ = abi_Sample(vec3<f32>(_e1758, _e1759, _e1760), _e2123, _e1871, _e2128, _e2320, ((select(select(u32(_e2343), 0u, (_e2343 < bitcast<f32>(0u))), 4294967295u, (_e2343 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2352), 0u, (_e2352 < bitcast<f32>(0u))), 4294967295u, (_e2352 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2364), 0u, (_e2364 < bitcast<f32>(0u))), 4294967295u, (_e2364 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2427 = phi_3141_;
+            let _e2430 = ((sqrt(_e2413) * 255f) + 0.5f);
+            let _e2439 = ((sqrt(_e2420) * 255f) + 0.5f);
+            let _e2451 = ((sqrt(_e2427) * 255f) + 0.5f);
+            phi_3176_ = abi_Sample(vec3<f32>(_e1845, _e1846, _e1847), _e2210, _e1958, _e2215, _e2407, ((select(select(u32(_e2430), 0u, (_e2430 < bitcast<f32>(0u))), 4294967295u, (_e2430 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2439), 0u, (_e2439 < bitcast<f32>(0u))), 4294967295u, (_e2439 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2451), 0u, (_e2451 < bitcast<f32>(0u))), 4294967295u, (_e2451 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3077_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3176_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2378 = phi_3077_;
+        let _e2465 = phi_3176_;
         if (_e101.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e101.first_primitive)] = _e2378;
+        samples.member[(0u + _e101.first_primitive)] = _e2465;
     }
     return;
 }

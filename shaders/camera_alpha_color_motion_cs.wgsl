@@ -693,136 +693,142 @@ fn function_() {
     var phi_1557_: u32;
     var phi_1603_: vec3<f32>;
     var phi_1604_: vec3<f32>;
-    var phi_1637_: vec3<f32>;
-    var phi_1638_: vec3<f32>;
-    var phi_1671_: vec3<f32>;
-    var phi_1672_: vec3<f32>;
-    var phi_1692_: bool;
-    var phi_1693_: bool;
-    var phi_1697_: f32;
-    var phi_1698_: f32;
-    var phi_1699_: f32;
-    var phi_1700_: f32;
-    var phi_1708_: f32;
-    var phi_1718_: bool;
-    var phi_1719_: bool;
-    var phi_1723_: f32;
-    var phi_1724_: f32;
-    var phi_1725_: f32;
-    var phi_1726_: f32;
-    var phi_1734_: f32;
-    var phi_1744_: bool;
-    var phi_1745_: bool;
-    var phi_1749_: f32;
-    var phi_1750_: f32;
-    var phi_1751_: f32;
-    var phi_1752_: f32;
-    var phi_1760_: f32;
-    var phi_1775_: f32;
-    var phi_1776_: bool;
-    var phi_1777_: f32;
-    var phi_1778_: bool;
-    var phi_1779_: f32;
-    var phi_1780_: bool;
-    var phi_1798_: f32;
-    var phi_1799_: bool;
-    var phi_1800_: bool;
-    var phi_1801_: f32;
-    var phi_1802_: bool;
+    var phi_1635_: vec3<f32>;
+    var phi_1636_: vec3<f32>;
+    var phi_1667_: vec3<f32>;
+    var phi_1668_: vec3<f32>;
+    var phi_1686_: bool;
+    var phi_1687_: bool;
+    var phi_1691_: f32;
+    var phi_1692_: f32;
+    var phi_1693_: f32;
+    var phi_1694_: f32;
+    var phi_1702_: f32;
+    var phi_1712_: bool;
+    var phi_1713_: bool;
+    var phi_1717_: f32;
+    var phi_1718_: f32;
+    var phi_1719_: f32;
+    var phi_1720_: f32;
+    var phi_1728_: f32;
+    var phi_1738_: bool;
+    var phi_1739_: bool;
+    var phi_1743_: f32;
+    var phi_1744_: f32;
+    var phi_1745_: f32;
+    var phi_1746_: f32;
+    var phi_1754_: f32;
+    var phi_1769_: f32;
+    var phi_1770_: bool;
+    var phi_1771_: f32;
+    var phi_1772_: bool;
+    var phi_1773_: f32;
+    var phi_1774_: bool;
+    var phi_1792_: f32;
+    var phi_1793_: bool;
+    var phi_1794_: bool;
+    var phi_1795_: f32;
+    var phi_1796_: bool;
+    var phi_1797_: bool;
+    var phi_1801_: bool;
+    var phi_1802_: f32;
     var phi_1803_: bool;
-    var phi_1807_: bool;
-    var phi_1808_: f32;
-    var phi_1809_: bool;
-    var phi_1845_: f32;
-    var phi_1854_: f32;
-    var phi_1863_: f32;
-    var phi_1872_: f32;
-    var phi_1879_: f32;
-    var phi_1886_: f32;
-    var phi_1899_: f32;
-    var phi_1908_: f32;
-    var phi_1917_: f32;
-    var phi_1926_: f32;
-    var phi_1933_: f32;
-    var phi_1940_: f32;
-    var phi_1963_: f32;
-    var phi_1968_: f32;
-    var phi_1973_: f32;
-    var phi_1981_: f32;
-    var phi_1986_: f32;
-    var phi_1991_: f32;
-    var phi_2003_: f32;
-    var phi_2008_: f32;
-    var phi_2013_: f32;
-    var phi_2018_: f32;
-    var phi_2023_: lt_bvh_triangle_Intersection;
-    var phi_2024_: bool;
-    var phi_2025_: lt_bvh_triangle_Intersection;
-    var phi_2026_: bool;
-    var phi_2030_: lt_bvh_triangle_Intersection;
-    var phi_2031_: bool;
-    var phi_2032_: lt_bvh_triangle_Intersection;
-    var phi_2033_: bool;
-    var phi_2034_: bool;
-    var phi_2038_: bool;
-    var phi_2042_: lt_bvh_triangle_Intersection;
-    var phi_2081_: bool;
-    var phi_2082_: bool;
-    var phi_2083_: bool;
-    var phi_2084_: bool;
-    var phi_2085_: bool;
-    var phi_2086_: bool;
-    var phi_2090_: bool;
-    var phi_2091_: bool;
-    var phi_2294_: f32;
-    var phi_2297_: bool;
-    var phi_2298_: bool;
-    var phi_2302_: bool;
-    var phi_2310_: lt_bvh_Hit;
-    var phi_2311_: lt_bvh_Hit;
-    var phi_2312_: lt_bvh_Hit;
-    var phi_2313_: lt_bvh_Hit;
+    var phi_1833_: vec3<f32>;
+    var phi_1834_: vec3<f32>;
+    var phi_1859_: vec3<f32>;
+    var phi_1860_: vec3<f32>;
+    var phi_1885_: vec3<f32>;
+    var phi_1886_: vec3<f32>;
+    var phi_1944_: f32;
+    var phi_1953_: f32;
+    var phi_1962_: f32;
+    var phi_1971_: f32;
+    var phi_1978_: f32;
+    var phi_1985_: f32;
+    var phi_1998_: f32;
+    var phi_2007_: f32;
+    var phi_2016_: f32;
+    var phi_2025_: f32;
+    var phi_2032_: f32;
+    var phi_2039_: f32;
+    var phi_2062_: f32;
+    var phi_2067_: f32;
+    var phi_2072_: f32;
+    var phi_2080_: f32;
+    var phi_2085_: f32;
+    var phi_2090_: f32;
+    var phi_2102_: f32;
+    var phi_2107_: f32;
+    var phi_2112_: f32;
+    var phi_2117_: f32;
+    var phi_2122_: lt_bvh_triangle_Intersection;
+    var phi_2123_: bool;
+    var phi_2124_: lt_bvh_triangle_Intersection;
+    var phi_2125_: bool;
+    var phi_2129_: lt_bvh_triangle_Intersection;
+    var phi_2130_: bool;
+    var phi_2131_: lt_bvh_triangle_Intersection;
+    var phi_2132_: bool;
+    var phi_2133_: bool;
+    var phi_2137_: bool;
+    var phi_2141_: lt_bvh_triangle_Intersection;
+    var phi_2180_: bool;
+    var phi_2181_: bool;
+    var phi_2182_: bool;
+    var phi_2183_: bool;
+    var phi_2184_: bool;
+    var phi_2185_: bool;
+    var phi_2189_: bool;
+    var phi_2190_: bool;
+    var phi_2393_: f32;
+    var phi_2396_: bool;
+    var phi_2397_: bool;
+    var phi_2401_: bool;
+    var phi_2409_: lt_bvh_Hit;
+    var phi_2410_: lt_bvh_Hit;
+    var phi_2411_: lt_bvh_Hit;
+    var phi_2412_: lt_bvh_Hit;
     var phi_1555_: lt_bvh_Hit;
     var phi_1558_: u32;
-    var phi_2314_: bool;
-    var phi_2353_: bool;
-    var phi_2354_: bool;
-    var phi_2385_: u32;
+    var phi_2413_: bool;
+    var phi_2452_: bool;
+    var phi_2453_: bool;
+    var phi_2484_: u32;
     var phi_1218_: lt_bvh_Hit;
     var phi_1221_: u32;
-    var phi_2386_: lt_bvh_Hit;
-    var phi_2387_: lt_bvh_Hit;
-    var phi_2388_: bool;
-    var phi_2392_: lt_bvh_Hit;
-    var phi_2456_: f32;
-    var phi_2461_: f32;
-    var phi_2466_: f32;
-    var phi_2477_: f32;
-    var phi_2482_: f32;
-    var phi_2487_: f32;
-    var phi_2563_: vec3<f32>;
-    var phi_2806_: vec3<f32>;
-    var phi_2821_: u32;
-    var phi_2848_: f32;
-    var phi_2855_: f32;
-    var phi_2862_: f32;
-    var phi_2897_: f32;
-    var phi_2904_: f32;
-    var phi_2911_: f32;
-    var phi_2949_: f32;
-    var phi_2956_: f32;
-    var phi_2963_: f32;
-    var phi_3022_: vec3<f32>;
-    var phi_3023_: vec3<f32>;
-    var phi_3024_: vec3<f32>;
-    var phi_3033_: f32;
-    var phi_3034_: f32;
-    var phi_3044_: f32;
-    var phi_3045_: f32;
+    var phi_2485_: lt_bvh_Hit;
+    var phi_2486_: lt_bvh_Hit;
+    var phi_2487_: bool;
+    var phi_2491_: lt_bvh_Hit;
+    var phi_2555_: f32;
+    var phi_2560_: f32;
+    var phi_2565_: f32;
+    var phi_2576_: f32;
+    var phi_2581_: f32;
+    var phi_2586_: f32;
+    var phi_2662_: vec3<f32>;
+    var phi_2905_: vec3<f32>;
+    var phi_2920_: u32;
+    var phi_2947_: f32;
+    var phi_2954_: f32;
+    var phi_2961_: f32;
+    var phi_2996_: f32;
+    var phi_3003_: f32;
+    var phi_3010_: f32;
+    var phi_3048_: f32;
     var phi_3055_: f32;
-    var phi_3056_: f32;
-    var phi_3091_: abi_Sample;
-    var phi_3181_: vec3<f32>;
+    var phi_3062_: f32;
+    var phi_3121_: vec3<f32>;
+    var phi_3122_: vec3<f32>;
+    var phi_3123_: vec3<f32>;
+    var phi_3132_: f32;
+    var phi_3133_: f32;
+    var phi_3143_: f32;
+    var phi_3144_: f32;
+    var phi_3154_: f32;
+    var phi_3155_: f32;
+    var phi_3190_: abi_Sample;
+    var phi_3280_: vec3<f32>;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
@@ -957,7 +963,7 @@ fn function_() {
         if _e235 {
             let _e236 = (0u >= _e79);
             if _e236 {
-                phi_2386_ = lt_bvh_Hit();
+                phi_2485_ = lt_bvh_Hit();
             } else {
                 if (0u < _e79) {
                 } else {
@@ -1084,7 +1090,6 @@ fn function_() {
                 let _e421 = phi_1045_;
                 let _e425 = (_e421.x / _e421.z);
                 let _e428 = (_e421.y / _e421.z);
-                let _e430 = (1f / _e421.z);
                 if (_e318 < 0f) {
                     phi_1059_ = 0u;
                 } else {
@@ -1352,7 +1357,7 @@ fn function_() {
                             if (_e1024 == 0u) {
                                 phi_1555_ = lt_bvh_Hit();
                                 phi_1558_ = u32();
-                                phi_2314_ = false;
+                                phi_2413_ = false;
                             } else {
                                 let _e1028 = nodes.member[(0u + _e581)].links[1u];
                                 let _e1033 = ((0u + _e1028) + select(firstTrailingBit(_e1024), 32u, (_e1024 == 0u)));
@@ -1378,994 +1383,1047 @@ fn function_() {
                                 let _e1058 = phi_1604_;
                                 let _e1062 = (_e1058.x - (_e425 * _e1058.z));
                                 let _e1066 = (_e1058.y - (_e428 * _e1058.z));
-                                let _e1070 = triangles.member[(0u + _e1033)].v1_;
-                                let _e1073 = (_e1070.x - _e164.origin.x);
-                                let _e1076 = (_e1070.y - _e164.origin.y);
-                                let _e1079 = (_e1070.z - _e164.origin.z);
+                                let _e1068 = triangles.member[(0u + _e1033)].v1_;
+                                let _e1071 = (_e1068.x - _e164.origin.x);
+                                let _e1074 = (_e1068.y - _e164.origin.y);
+                                let _e1077 = (_e1068.z - _e164.origin.z);
                                 if (_e406 == 0u) {
-                                    phi_1638_ = vec3<f32>(_e1076, _e1079, _e1073);
+                                    phi_1636_ = vec3<f32>(_e1074, _e1077, _e1071);
                                 } else {
                                     if (_e406 == 1u) {
-                                        phi_1637_ = vec3<f32>(_e1079, _e1073, _e1076);
+                                        phi_1635_ = vec3<f32>(_e1077, _e1071, _e1074);
                                     } else {
-                                        phi_1637_ = (_e1070 - _e164.origin);
+                                        phi_1635_ = (_e1068 - _e164.origin);
                                     }
-                                    let _e1086 = phi_1637_;
-                                    phi_1638_ = _e1086;
+                                    let _e1084 = phi_1635_;
+                                    phi_1636_ = _e1084;
                                 }
-                                let _e1088 = phi_1638_;
-                                let _e1092 = (_e1088.x - (_e425 * _e1088.z));
-                                let _e1096 = (_e1088.y - (_e428 * _e1088.z));
-                                let _e1100 = triangles.member[(0u + _e1033)].v2_;
-                                let _e1103 = (_e1100.x - _e164.origin.x);
-                                let _e1106 = (_e1100.y - _e164.origin.y);
-                                let _e1109 = (_e1100.z - _e164.origin.z);
+                                let _e1086 = phi_1636_;
+                                let _e1090 = (_e1086.x - (_e425 * _e1086.z));
+                                let _e1094 = (_e1086.y - (_e428 * _e1086.z));
+                                let _e1096 = triangles.member[(0u + _e1033)].v2_;
+                                let _e1099 = (_e1096.x - _e164.origin.x);
+                                let _e1102 = (_e1096.y - _e164.origin.y);
+                                let _e1105 = (_e1096.z - _e164.origin.z);
                                 if (_e406 == 0u) {
-                                    phi_1672_ = vec3<f32>(_e1106, _e1109, _e1103);
+                                    phi_1668_ = vec3<f32>(_e1102, _e1105, _e1099);
                                 } else {
                                     if (_e406 == 1u) {
-                                        phi_1671_ = vec3<f32>(_e1109, _e1103, _e1106);
+                                        phi_1667_ = vec3<f32>(_e1105, _e1099, _e1102);
                                     } else {
-                                        phi_1671_ = (_e1100 - _e164.origin);
+                                        phi_1667_ = (_e1096 - _e164.origin);
                                     }
-                                    let _e1116 = phi_1671_;
-                                    phi_1672_ = _e1116;
+                                    let _e1112 = phi_1667_;
+                                    phi_1668_ = _e1112;
                                 }
-                                let _e1118 = phi_1672_;
-                                let _e1122 = (_e1118.x - (_e425 * _e1118.z));
-                                let _e1126 = (_e1118.y - (_e428 * _e1118.z));
-                                if (_e1092 < _e1122) {
-                                    phi_1693_ = true;
+                                let _e1114 = phi_1668_;
+                                let _e1118 = (_e1114.x - (_e425 * _e1114.z));
+                                let _e1122 = (_e1114.y - (_e428 * _e1114.z));
+                                if (_e1090 < _e1118) {
+                                    phi_1687_ = true;
                                 } else {
-                                    if (_e1092 == _e1122) {
-                                        phi_1692_ = (_e1096 < _e1126);
+                                    if (_e1090 == _e1118) {
+                                        phi_1686_ = (_e1094 < _e1122);
                                     } else {
-                                        phi_1692_ = false;
+                                        phi_1686_ = false;
                                     }
-                                    let _e1133 = phi_1692_;
-                                    phi_1693_ = _e1133;
+                                    let _e1127 = phi_1686_;
+                                    phi_1687_ = _e1127;
                                 }
+                                let _e1129 = phi_1687_;
+                                if _e1129 {
+                                    phi_1691_ = _e1122;
+                                    phi_1692_ = _e1118;
+                                    phi_1693_ = _e1094;
+                                    phi_1694_ = _e1090;
+                                } else {
+                                    phi_1691_ = _e1094;
+                                    phi_1692_ = _e1090;
+                                    phi_1693_ = _e1122;
+                                    phi_1694_ = _e1118;
+                                }
+                                let _e1131 = phi_1691_;
+                                let _e1133 = phi_1692_;
                                 let _e1135 = phi_1693_;
-                                if _e1135 {
-                                    phi_1697_ = _e1126;
-                                    phi_1698_ = _e1122;
-                                    phi_1699_ = _e1096;
-                                    phi_1700_ = _e1092;
+                                let _e1137 = phi_1694_;
+                                let _e1140 = ((_e1137 * _e1131) - (_e1135 * _e1133));
+                                if _e1129 {
+                                    phi_1702_ = -(_e1140);
                                 } else {
-                                    phi_1697_ = _e1096;
-                                    phi_1698_ = _e1092;
-                                    phi_1699_ = _e1126;
-                                    phi_1700_ = _e1122;
+                                    phi_1702_ = _e1140;
                                 }
-                                let _e1137 = phi_1697_;
-                                let _e1139 = phi_1698_;
-                                let _e1141 = phi_1699_;
-                                let _e1143 = phi_1700_;
-                                let _e1146 = ((_e1143 * _e1137) - (_e1141 * _e1139));
-                                if _e1135 {
-                                    phi_1708_ = -(_e1146);
+                                let _e1143 = phi_1702_;
+                                if (_e1118 < _e1062) {
+                                    phi_1713_ = true;
                                 } else {
-                                    phi_1708_ = _e1146;
-                                }
-                                let _e1149 = phi_1708_;
-                                if (_e1122 < _e1062) {
-                                    phi_1719_ = true;
-                                } else {
-                                    if (_e1122 == _e1062) {
-                                        phi_1718_ = (_e1126 < _e1066);
+                                    if (_e1118 == _e1062) {
+                                        phi_1712_ = (_e1122 < _e1066);
                                     } else {
-                                        phi_1718_ = false;
+                                        phi_1712_ = false;
                                     }
-                                    let _e1154 = phi_1718_;
-                                    phi_1719_ = _e1154;
+                                    let _e1148 = phi_1712_;
+                                    phi_1713_ = _e1148;
                                 }
+                                let _e1150 = phi_1713_;
+                                if _e1150 {
+                                    phi_1717_ = _e1066;
+                                    phi_1718_ = _e1062;
+                                    phi_1719_ = _e1122;
+                                    phi_1720_ = _e1118;
+                                } else {
+                                    phi_1717_ = _e1122;
+                                    phi_1718_ = _e1118;
+                                    phi_1719_ = _e1066;
+                                    phi_1720_ = _e1062;
+                                }
+                                let _e1152 = phi_1717_;
+                                let _e1154 = phi_1718_;
                                 let _e1156 = phi_1719_;
-                                if _e1156 {
-                                    phi_1723_ = _e1066;
-                                    phi_1724_ = _e1062;
-                                    phi_1725_ = _e1126;
-                                    phi_1726_ = _e1122;
+                                let _e1158 = phi_1720_;
+                                let _e1161 = ((_e1158 * _e1152) - (_e1156 * _e1154));
+                                if _e1150 {
+                                    phi_1728_ = -(_e1161);
                                 } else {
-                                    phi_1723_ = _e1126;
-                                    phi_1724_ = _e1122;
-                                    phi_1725_ = _e1066;
-                                    phi_1726_ = _e1062;
+                                    phi_1728_ = _e1161;
                                 }
-                                let _e1158 = phi_1723_;
-                                let _e1160 = phi_1724_;
-                                let _e1162 = phi_1725_;
-                                let _e1164 = phi_1726_;
-                                let _e1167 = ((_e1164 * _e1158) - (_e1162 * _e1160));
-                                if _e1156 {
-                                    phi_1734_ = -(_e1167);
+                                let _e1164 = phi_1728_;
+                                if (_e1062 < _e1090) {
+                                    phi_1739_ = true;
                                 } else {
-                                    phi_1734_ = _e1167;
-                                }
-                                let _e1170 = phi_1734_;
-                                if (_e1062 < _e1092) {
-                                    phi_1745_ = true;
-                                } else {
-                                    if (_e1062 == _e1092) {
-                                        phi_1744_ = (_e1066 < _e1096);
+                                    if (_e1062 == _e1090) {
+                                        phi_1738_ = (_e1066 < _e1094);
                                     } else {
-                                        phi_1744_ = false;
+                                        phi_1738_ = false;
                                     }
-                                    let _e1175 = phi_1744_;
-                                    phi_1745_ = _e1175;
+                                    let _e1169 = phi_1738_;
+                                    phi_1739_ = _e1169;
                                 }
+                                let _e1171 = phi_1739_;
+                                if _e1171 {
+                                    phi_1743_ = _e1094;
+                                    phi_1744_ = _e1090;
+                                    phi_1745_ = _e1066;
+                                    phi_1746_ = _e1062;
+                                } else {
+                                    phi_1743_ = _e1066;
+                                    phi_1744_ = _e1062;
+                                    phi_1745_ = _e1094;
+                                    phi_1746_ = _e1090;
+                                }
+                                let _e1173 = phi_1743_;
+                                let _e1175 = phi_1744_;
                                 let _e1177 = phi_1745_;
-                                if _e1177 {
-                                    phi_1749_ = _e1096;
-                                    phi_1750_ = _e1092;
-                                    phi_1751_ = _e1066;
-                                    phi_1752_ = _e1062;
+                                let _e1179 = phi_1746_;
+                                let _e1182 = ((_e1179 * _e1173) - (_e1177 * _e1175));
+                                if _e1171 {
+                                    phi_1754_ = -(_e1182);
                                 } else {
-                                    phi_1749_ = _e1066;
-                                    phi_1750_ = _e1062;
-                                    phi_1751_ = _e1096;
-                                    phi_1752_ = _e1092;
+                                    phi_1754_ = _e1182;
                                 }
-                                let _e1179 = phi_1749_;
-                                let _e1181 = phi_1750_;
-                                let _e1183 = phi_1751_;
-                                let _e1185 = phi_1752_;
-                                let _e1188 = ((_e1185 * _e1179) - (_e1183 * _e1181));
-                                if _e1177 {
-                                    phi_1760_ = -(_e1188);
-                                } else {
-                                    phi_1760_ = _e1188;
-                                }
-                                let _e1191 = phi_1760_;
-                                if (_e1149 >= 0f) {
-                                    if (_e1170 >= 0f) {
-                                        if (_e1191 >= 0f) {
-                                            phi_1775_ = ((_e1149 + _e1170) + _e1191);
-                                            phi_1776_ = false;
+                                let _e1185 = phi_1754_;
+                                if (_e1143 >= 0f) {
+                                    if (_e1164 >= 0f) {
+                                        if (_e1185 >= 0f) {
+                                            phi_1769_ = ((_e1143 + _e1164) + _e1185);
+                                            phi_1770_ = false;
                                         } else {
-                                            phi_1775_ = f32();
-                                            phi_1776_ = true;
+                                            phi_1769_ = f32();
+                                            phi_1770_ = true;
                                         }
-                                        let _e1198 = phi_1775_;
-                                        let _e1200 = phi_1776_;
-                                        phi_1777_ = _e1198;
-                                        phi_1778_ = _e1200;
+                                        let _e1192 = phi_1769_;
+                                        let _e1194 = phi_1770_;
+                                        phi_1771_ = _e1192;
+                                        phi_1772_ = _e1194;
                                     } else {
-                                        phi_1777_ = f32();
-                                        phi_1778_ = true;
+                                        phi_1771_ = f32();
+                                        phi_1772_ = true;
                                     }
-                                    let _e1202 = phi_1777_;
-                                    let _e1204 = phi_1778_;
-                                    phi_1779_ = _e1202;
-                                    phi_1780_ = _e1204;
+                                    let _e1196 = phi_1771_;
+                                    let _e1198 = phi_1772_;
+                                    phi_1773_ = _e1196;
+                                    phi_1774_ = _e1198;
                                 } else {
-                                    phi_1779_ = f32();
-                                    phi_1780_ = true;
+                                    phi_1773_ = f32();
+                                    phi_1774_ = true;
                                 }
-                                let _e1206 = phi_1779_;
-                                let _e1208 = phi_1780_;
-                                if _e1208 {
-                                    if (_e1149 <= 0f) {
-                                        if (_e1170 <= 0f) {
-                                            let _e1211 = (_e1191 <= 0f);
-                                            if _e1211 {
+                                let _e1200 = phi_1773_;
+                                let _e1202 = phi_1774_;
+                                if _e1202 {
+                                    if (_e1143 <= 0f) {
+                                        if (_e1164 <= 0f) {
+                                            let _e1205 = (_e1185 <= 0f);
+                                            if _e1205 {
                                             }
-                                            phi_1798_ = ((_e1149 + _e1170) + _e1191);
-                                            phi_1799_ = false;
-                                            phi_1800_ = _e1211;
+                                            phi_1792_ = ((_e1143 + _e1164) + _e1185);
+                                            phi_1793_ = false;
+                                            phi_1794_ = _e1205;
                                         } else {
-                                            phi_1798_ = f32();
-                                            phi_1799_ = true;
-                                            phi_1800_ = false;
+                                            phi_1792_ = f32();
+                                            phi_1793_ = true;
+                                            phi_1794_ = false;
                                         }
-                                        let _e1215 = phi_1798_;
-                                        let _e1217 = phi_1799_;
-                                        let _e1219 = phi_1800_;
-                                        phi_1801_ = _e1215;
-                                        phi_1802_ = _e1217;
-                                        phi_1803_ = _e1219;
+                                        let _e1209 = phi_1792_;
+                                        let _e1211 = phi_1793_;
+                                        let _e1213 = phi_1794_;
+                                        phi_1795_ = _e1209;
+                                        phi_1796_ = _e1211;
+                                        phi_1797_ = _e1213;
                                     } else {
-                                        phi_1801_ = f32();
-                                        phi_1802_ = true;
-                                        phi_1803_ = false;
+                                        phi_1795_ = f32();
+                                        phi_1796_ = true;
+                                        phi_1797_ = false;
+                                    }
+                                    let _e1215 = phi_1795_;
+                                    let _e1217 = phi_1796_;
+                                    let _e1219 = phi_1797_;
+                                    if _e1217 {
+                                        phi_1801_ = false;
+                                    } else {
+                                        phi_1801_ = _e1219;
                                     }
                                     let _e1221 = phi_1801_;
-                                    let _e1223 = phi_1802_;
-                                    let _e1225 = phi_1803_;
-                                    if _e1223 {
-                                        phi_1807_ = false;
-                                    } else {
-                                        phi_1807_ = _e1225;
-                                    }
-                                    let _e1227 = phi_1807_;
-                                    phi_1808_ = _e1221;
-                                    phi_1809_ = _e1227;
+                                    phi_1802_ = _e1215;
+                                    phi_1803_ = _e1221;
                                 } else {
-                                    phi_1808_ = _e1206;
-                                    phi_1809_ = true;
+                                    phi_1802_ = _e1200;
+                                    phi_1803_ = true;
                                 }
-                                let _e1229 = phi_1808_;
-                                let _e1231 = phi_1809_;
-                                if _e1231 {
-                                    let _e1232 = (_e1229 == 0f);
-                                    if _e1232 {
-                                        phi_2030_ = lt_bvh_triangle_Intersection();
-                                        phi_2031_ = false;
+                                let _e1223 = phi_1802_;
+                                let _e1225 = phi_1803_;
+                                if _e1225 {
+                                    let _e1226 = (_e1223 == 0f);
+                                    if _e1226 {
+                                        phi_2129_ = lt_bvh_triangle_Intersection();
+                                        phi_2130_ = false;
                                     } else {
-                                        let _e1238 = ((((_e1149 * (_e430 * _e1058.z)) + (_e1170 * (_e430 * _e1088.z))) + (_e1191 * (_e430 * _e1118.z))) / _e1229);
-                                        if (_e1238 > _e164.tmin) {
-                                            if (_e1238 < _e164.tmax) {
-                                                let _e1244 = triangles.member[(0u + _e1033)].v0_;
-                                                let _e1246 = triangles.member[(0u + _e1033)].v1_;
-                                                if (_e1244.x < _e1246.x) {
-                                                    phi_1845_ = _e1244.x;
-                                                } else {
-                                                    phi_1845_ = _e1246.x;
-                                                }
-                                                let _e1253 = phi_1845_;
-                                                if (_e1244.y < _e1246.y) {
-                                                    phi_1854_ = _e1244.y;
-                                                } else {
-                                                    phi_1854_ = _e1246.y;
-                                                }
-                                                let _e1260 = phi_1854_;
-                                                if (_e1244.z < _e1246.z) {
-                                                    phi_1863_ = _e1244.z;
-                                                } else {
-                                                    phi_1863_ = _e1246.z;
-                                                }
-                                                let _e1267 = phi_1863_;
-                                                let _e1269 = triangles.member[(0u + _e1033)].v2_;
-                                                if (_e1253 < _e1269.x) {
-                                                    phi_1872_ = _e1253;
-                                                } else {
-                                                    phi_1872_ = _e1269.x;
-                                                }
-                                                let _e1274 = phi_1872_;
-                                                if (_e1260 < _e1269.y) {
-                                                    phi_1879_ = _e1260;
-                                                } else {
-                                                    phi_1879_ = _e1269.y;
-                                                }
-                                                let _e1279 = phi_1879_;
-                                                if (_e1267 < _e1269.z) {
-                                                    phi_1886_ = _e1267;
-                                                } else {
-                                                    phi_1886_ = _e1269.z;
-                                                }
-                                                let _e1284 = phi_1886_;
-                                                let _e1286 = triangles.member[(0u + _e1033)].v0_;
-                                                let _e1288 = triangles.member[(0u + _e1033)].v1_;
-                                                if (_e1286.x > _e1288.x) {
-                                                    phi_1899_ = _e1286.x;
-                                                } else {
-                                                    phi_1899_ = _e1288.x;
-                                                }
-                                                let _e1295 = phi_1899_;
-                                                if (_e1286.y > _e1288.y) {
-                                                    phi_1908_ = _e1286.y;
-                                                } else {
-                                                    phi_1908_ = _e1288.y;
-                                                }
-                                                let _e1302 = phi_1908_;
-                                                if (_e1286.z > _e1288.z) {
-                                                    phi_1917_ = _e1286.z;
-                                                } else {
-                                                    phi_1917_ = _e1288.z;
-                                                }
-                                                let _e1309 = phi_1917_;
-                                                let _e1311 = triangles.member[(0u + _e1033)].v2_;
-                                                if (_e1295 > _e1311.x) {
-                                                    phi_1926_ = _e1295;
-                                                } else {
-                                                    phi_1926_ = _e1311.x;
-                                                }
-                                                let _e1316 = phi_1926_;
-                                                if (_e1302 > _e1311.y) {
-                                                    phi_1933_ = _e1302;
-                                                } else {
-                                                    phi_1933_ = _e1311.y;
-                                                }
-                                                let _e1321 = phi_1933_;
-                                                if (_e1309 > _e1311.z) {
-                                                    phi_1940_ = _e1309;
-                                                } else {
-                                                    phi_1940_ = _e1311.z;
-                                                }
-                                                let _e1326 = phi_1940_;
-                                                let _e1333 = ((_e1274 - _e164.origin.x) * _e318);
-                                                let _e1334 = ((_e1279 - _e164.origin.y) * _e330);
-                                                let _e1335 = ((_e1284 - _e164.origin.z) * _e342);
-                                                let _e1342 = ((_e1316 - _e164.origin.x) * _e318);
-                                                let _e1343 = ((_e1321 - _e164.origin.y) * _e330);
-                                                let _e1344 = ((_e1326 - _e164.origin.z) * _e342);
-                                                if (_e1333 < _e1342) {
-                                                    phi_1963_ = _e1333;
-                                                } else {
-                                                    phi_1963_ = _e1342;
-                                                }
-                                                let _e1347 = phi_1963_;
-                                                if (_e1334 < _e1343) {
-                                                    phi_1968_ = _e1334;
-                                                } else {
-                                                    phi_1968_ = _e1343;
-                                                }
-                                                let _e1350 = phi_1968_;
-                                                if (_e1335 < _e1344) {
-                                                    phi_1973_ = _e1335;
-                                                } else {
-                                                    phi_1973_ = _e1344;
-                                                }
-                                                let _e1353 = phi_1973_;
-                                                if (_e1333 > _e1342) {
-                                                    phi_1981_ = _e1333;
-                                                } else {
-                                                    phi_1981_ = _e1342;
-                                                }
-                                                let _e1359 = phi_1981_;
-                                                if (_e1334 > _e1343) {
-                                                    phi_1986_ = _e1334;
-                                                } else {
-                                                    phi_1986_ = _e1343;
-                                                }
-                                                let _e1362 = phi_1986_;
-                                                if (_e1335 > _e1344) {
-                                                    phi_1991_ = _e1335;
-                                                } else {
-                                                    phi_1991_ = _e1344;
-                                                }
-                                                let _e1365 = phi_1991_;
-                                                let _e1369 = core_intrinsics_maximum_number_nsz_f32_((_e1347 - _e386), (_e1350 - _e387));
-                                                let _e1370 = core_intrinsics_maximum_number_nsz_f32_(_e1369, (_e1353 - _e388));
-                                                let _e1371 = core_intrinsics_minimum_number_nsz_f32_((_e1359 + _e386), (_e1362 + _e387));
-                                                let _e1372 = core_intrinsics_minimum_number_nsz_f32_(_e1371, (_e1365 + _e388));
-                                                if (_e1370 > -300000000000000000000000000000000000000f) {
-                                                    phi_2003_ = _e1370;
-                                                } else {
-                                                    phi_2003_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1375 = phi_2003_;
-                                                if (_e1372 < 300000000000000000000000000000000000000f) {
-                                                    phi_2008_ = _e1372;
-                                                } else {
-                                                    phi_2008_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1378 = phi_2008_;
-                                                if (_e1238 < _e1375) {
-                                                    phi_2013_ = _e1375;
-                                                } else {
-                                                    phi_2013_ = _e1238;
-                                                }
-                                                let _e1381 = phi_2013_;
-                                                if (_e1381 > _e1378) {
-                                                    phi_2018_ = _e1378;
-                                                } else {
-                                                    phi_2018_ = _e1381;
-                                                }
-                                                let _e1384 = phi_2018_;
-                                                phi_2023_ = lt_bvh_triangle_Intersection(_e1384, (_e1170 / _e1229), (_e1191 / _e1229), (_e1375 <= _e1378));
-                                                phi_2024_ = false;
+                                        let _e1228 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1231 = (_e1228.x - _e164.origin.x);
+                                        let _e1234 = (_e1228.y - _e164.origin.y);
+                                        let _e1237 = (_e1228.z - _e164.origin.z);
+                                        if (_e406 == 0u) {
+                                            phi_1834_ = vec3<f32>(_e1234, _e1237, _e1231);
+                                        } else {
+                                            if (_e406 == 1u) {
+                                                phi_1833_ = vec3<f32>(_e1237, _e1231, _e1234);
                                             } else {
-                                                phi_2023_ = lt_bvh_triangle_Intersection();
-                                                phi_2024_ = true;
+                                                phi_1833_ = (_e1228 - _e164.origin);
                                             }
-                                            let _e1390 = phi_2023_;
-                                            let _e1392 = phi_2024_;
-                                            phi_2025_ = _e1390;
-                                            phi_2026_ = _e1392;
+                                            let _e1244 = phi_1833_;
+                                            phi_1834_ = _e1244;
+                                        }
+                                        let _e1246 = phi_1834_;
+                                        let _e1248 = triangles.member[(0u + _e1033)].v1_;
+                                        let _e1250 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1253 = (_e1248.x - _e1250.x);
+                                        let _e1256 = (_e1248.y - _e1250.y);
+                                        let _e1259 = (_e1248.z - _e1250.z);
+                                        if (_e406 == 0u) {
+                                            phi_1860_ = vec3<f32>(_e1256, _e1259, _e1253);
                                         } else {
-                                            phi_2025_ = lt_bvh_triangle_Intersection();
-                                            phi_2026_ = true;
+                                            if (_e406 == 1u) {
+                                                phi_1859_ = vec3<f32>(_e1259, _e1253, _e1256);
+                                            } else {
+                                                phi_1859_ = (_e1248 - _e1250);
+                                            }
+                                            let _e1266 = phi_1859_;
+                                            phi_1860_ = _e1266;
                                         }
-                                        let _e1394 = phi_2025_;
-                                        let _e1396 = phi_2026_;
-                                        if _e1396 {
+                                        let _e1268 = phi_1860_;
+                                        let _e1270 = triangles.member[(0u + _e1033)].v2_;
+                                        let _e1272 = triangles.member[(0u + _e1033)].v0_;
+                                        let _e1275 = (_e1270.x - _e1272.x);
+                                        let _e1278 = (_e1270.y - _e1272.y);
+                                        let _e1281 = (_e1270.z - _e1272.z);
+                                        if (_e406 == 0u) {
+                                            phi_1886_ = vec3<f32>(_e1278, _e1281, _e1275);
+                                        } else {
+                                            if (_e406 == 1u) {
+                                                phi_1885_ = vec3<f32>(_e1281, _e1275, _e1278);
+                                            } else {
+                                                phi_1885_ = (_e1270 - _e1272);
+                                            }
+                                            let _e1288 = phi_1885_;
+                                            phi_1886_ = _e1288;
                                         }
-                                        phi_2030_ = _e1394;
-                                        phi_2031_ = _e1396;
+                                        let _e1290 = phi_1886_;
+                                        let _e1297 = ((_e1268.y * _e1290.z) - (_e1268.z * _e1290.y));
+                                        let _e1304 = ((_e1268.z * _e1290.x) - (_e1268.x * _e1290.z));
+                                        let _e1311 = ((_e1268.x * _e1290.y) - (_e1268.y * _e1290.x));
+                                        let _e1325 = (((1f / _e421.z) * (((_e1297 * _e1246.x) + (_e1304 * _e1246.y)) + (_e1311 * _e1246.z))) / (((_e1297 * _e425) + (_e1304 * _e428)) + _e1311));
+                                        if (_e1325 > _e164.tmin) {
+                                            if (_e1325 < _e164.tmax) {
+                                                let _e1331 = triangles.member[(0u + _e1033)].v0_;
+                                                let _e1333 = triangles.member[(0u + _e1033)].v1_;
+                                                if (_e1331.x < _e1333.x) {
+                                                    phi_1944_ = _e1331.x;
+                                                } else {
+                                                    phi_1944_ = _e1333.x;
+                                                }
+                                                let _e1340 = phi_1944_;
+                                                if (_e1331.y < _e1333.y) {
+                                                    phi_1953_ = _e1331.y;
+                                                } else {
+                                                    phi_1953_ = _e1333.y;
+                                                }
+                                                let _e1347 = phi_1953_;
+                                                if (_e1331.z < _e1333.z) {
+                                                    phi_1962_ = _e1331.z;
+                                                } else {
+                                                    phi_1962_ = _e1333.z;
+                                                }
+                                                let _e1354 = phi_1962_;
+                                                let _e1356 = triangles.member[(0u + _e1033)].v2_;
+                                                if (_e1340 < _e1356.x) {
+                                                    phi_1971_ = _e1340;
+                                                } else {
+                                                    phi_1971_ = _e1356.x;
+                                                }
+                                                let _e1361 = phi_1971_;
+                                                if (_e1347 < _e1356.y) {
+                                                    phi_1978_ = _e1347;
+                                                } else {
+                                                    phi_1978_ = _e1356.y;
+                                                }
+                                                let _e1366 = phi_1978_;
+                                                if (_e1354 < _e1356.z) {
+                                                    phi_1985_ = _e1354;
+                                                } else {
+                                                    phi_1985_ = _e1356.z;
+                                                }
+                                                let _e1371 = phi_1985_;
+                                                let _e1373 = triangles.member[(0u + _e1033)].v0_;
+                                                let _e1375 = triangles.member[(0u + _e1033)].v1_;
+                                                if (_e1373.x > _e1375.x) {
+                                                    phi_1998_ = _e1373.x;
+                                                } else {
+                                                    phi_1998_ = _e1375.x;
+                                                }
+                                                let _e1382 = phi_1998_;
+                                                if (_e1373.y > _e1375.y) {
+                                                    phi_2007_ = _e1373.y;
+                                                } else {
+                                                    phi_2007_ = _e1375.y;
+                                                }
+                                                let _e1389 = phi_2007_;
+                                                if (_e1373.z > _e1375.z) {
+                                                    phi_2016_ = _e1373.z;
+                                                } else {
+                                                    phi_2016_ = _e1375.z;
+                                                }
+                                                let _e1396 = phi_2016_;
+                                                let _e1398 = triangles.member[(0u + _e1033)].v2_;
+                                                if (_e1382 > _e1398.x) {
+                                                    phi_2025_ = _e1382;
+                                                } else {
+                                                    phi_2025_ = _e1398.x;
+                                                }
+                                                let _e1403 = phi_2025_;
+                                                if (_e1389 > _e1398.y) {
+                                                    phi_2032_ = _e1389;
+                                                } else {
+                                                    phi_2032_ = _e1398.y;
+                                                }
+                                                let _e1408 = phi_2032_;
+                                                if (_e1396 > _e1398.z) {
+                                                    phi_2039_ = _e1396;
+                                                } else {
+                                                    phi_2039_ = _e1398.z;
+                                                }
+                                                let _e1413 = phi_2039_;
+                                                let _e1420 = ((_e1361 - _e164.origin.x) * _e318);
+                                                let _e1421 = ((_e1366 - _e164.origin.y) * _e330);
+                                                let _e1422 = ((_e1371 - _e164.origin.z) * _e342);
+                                                let _e1429 = ((_e1403 - _e164.origin.x) * _e318);
+                                                let _e1430 = ((_e1408 - _e164.origin.y) * _e330);
+                                                let _e1431 = ((_e1413 - _e164.origin.z) * _e342);
+                                                if (_e1420 < _e1429) {
+                                                    phi_2062_ = _e1420;
+                                                } else {
+                                                    phi_2062_ = _e1429;
+                                                }
+                                                let _e1434 = phi_2062_;
+                                                if (_e1421 < _e1430) {
+                                                    phi_2067_ = _e1421;
+                                                } else {
+                                                    phi_2067_ = _e1430;
+                                                }
+                                                let _e1437 = phi_2067_;
+                                                if (_e1422 < _e1431) {
+                                                    phi_2072_ = _e1422;
+                                                } else {
+                                                    phi_2072_ = _e1431;
+                                                }
+                                                let _e1440 = phi_2072_;
+                                                if (_e1420 > _e1429) {
+                                                    phi_2080_ = _e1420;
+                                                } else {
+                                                    phi_2080_ = _e1429;
+                                                }
+                                                let _e1446 = phi_2080_;
+                                                if (_e1421 > _e1430) {
+                                                    phi_2085_ = _e1421;
+                                                } else {
+                                                    phi_2085_ = _e1430;
+                                                }
+                                                let _e1449 = phi_2085_;
+                                                if (_e1422 > _e1431) {
+                                                    phi_2090_ = _e1422;
+                                                } else {
+                                                    phi_2090_ = _e1431;
+                                                }
+                                                let _e1452 = phi_2090_;
+                                                let _e1456 = core_intrinsics_maximum_number_nsz_f32_((_e1434 - _e386), (_e1437 - _e387));
+                                                let _e1457 = core_intrinsics_maximum_number_nsz_f32_(_e1456, (_e1440 - _e388));
+                                                let _e1458 = core_intrinsics_minimum_number_nsz_f32_((_e1446 + _e386), (_e1449 + _e387));
+                                                let _e1459 = core_intrinsics_minimum_number_nsz_f32_(_e1458, (_e1452 + _e388));
+                                                if (_e1457 > -300000000000000000000000000000000000000f) {
+                                                    phi_2102_ = _e1457;
+                                                } else {
+                                                    phi_2102_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1462 = phi_2102_;
+                                                if (_e1459 < 300000000000000000000000000000000000000f) {
+                                                    phi_2107_ = _e1459;
+                                                } else {
+                                                    phi_2107_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1465 = phi_2107_;
+                                                if (_e1325 < _e1462) {
+                                                    phi_2112_ = _e1462;
+                                                } else {
+                                                    phi_2112_ = _e1325;
+                                                }
+                                                let _e1468 = phi_2112_;
+                                                if (_e1468 > _e1465) {
+                                                    phi_2117_ = _e1465;
+                                                } else {
+                                                    phi_2117_ = _e1468;
+                                                }
+                                                let _e1471 = phi_2117_;
+                                                phi_2122_ = lt_bvh_triangle_Intersection(_e1471, (_e1164 / _e1223), (_e1185 / _e1223), (_e1462 <= _e1465));
+                                                phi_2123_ = false;
+                                            } else {
+                                                phi_2122_ = lt_bvh_triangle_Intersection();
+                                                phi_2123_ = true;
+                                            }
+                                            let _e1477 = phi_2122_;
+                                            let _e1479 = phi_2123_;
+                                            phi_2124_ = _e1477;
+                                            phi_2125_ = _e1479;
+                                        } else {
+                                            phi_2124_ = lt_bvh_triangle_Intersection();
+                                            phi_2125_ = true;
+                                        }
+                                        let _e1481 = phi_2124_;
+                                        let _e1483 = phi_2125_;
+                                        if _e1483 {
+                                        }
+                                        phi_2129_ = _e1481;
+                                        phi_2130_ = _e1483;
                                     }
-                                    let _e1398 = phi_2030_;
-                                    let _e1400 = phi_2031_;
-                                    phi_2032_ = _e1398;
-                                    phi_2033_ = _e1232;
-                                    phi_2034_ = _e1400;
+                                    let _e1485 = phi_2129_;
+                                    let _e1487 = phi_2130_;
+                                    phi_2131_ = _e1485;
+                                    phi_2132_ = _e1226;
+                                    phi_2133_ = _e1487;
                                 } else {
-                                    phi_2032_ = lt_bvh_triangle_Intersection();
-                                    phi_2033_ = true;
-                                    phi_2034_ = false;
+                                    phi_2131_ = lt_bvh_triangle_Intersection();
+                                    phi_2132_ = true;
+                                    phi_2133_ = false;
                                 }
-                                let _e1402 = phi_2032_;
-                                let _e1404 = phi_2033_;
-                                let _e1406 = phi_2034_;
-                                if _e1404 {
-                                    phi_2038_ = true;
+                                let _e1489 = phi_2131_;
+                                let _e1491 = phi_2132_;
+                                let _e1493 = phi_2133_;
+                                if _e1491 {
+                                    phi_2137_ = true;
                                 } else {
-                                    phi_2038_ = _e1406;
+                                    phi_2137_ = _e1493;
                                 }
-                                let _e1408 = phi_2038_;
-                                if _e1408 {
-                                    phi_2042_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1495 = phi_2137_;
+                                if _e1495 {
+                                    phi_2141_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2042_ = _e1402;
+                                    phi_2141_ = _e1489;
                                 }
-                                let _e1410 = phi_2042_;
-                                if _e1410.is_hit {
-                                    if (_e1410.t > _e164.tmin) {
-                                        if (_e1410.t < _e1022.t) {
-                                            phi_2091_ = true;
+                                let _e1497 = phi_2141_;
+                                if _e1497.is_hit {
+                                    if (_e1497.t > _e164.tmin) {
+                                        if (_e1497.t < _e1022.t) {
+                                            phi_2190_ = true;
                                         } else {
-                                            if (_e1410.t == _e1022.t) {
+                                            if (_e1497.t == _e1022.t) {
                                                 if (_e1022.triangle != 4294967295u) {
                                                     if (_e1033 < _e1022.triangle) {
-                                                        phi_2082_ = true;
+                                                        phi_2181_ = true;
                                                     } else {
                                                         if (_e1033 == _e1022.triangle) {
-                                                            phi_2081_ = (4294967295u < _e1022.instance);
+                                                            phi_2180_ = (4294967295u < _e1022.instance);
                                                         } else {
-                                                            phi_2081_ = false;
+                                                            phi_2180_ = false;
                                                         }
-                                                        let _e1429 = phi_2081_;
-                                                        phi_2082_ = _e1429;
+                                                        let _e1516 = phi_2180_;
+                                                        phi_2181_ = _e1516;
                                                     }
-                                                    let _e1431 = phi_2082_;
-                                                    phi_2083_ = _e1431;
-                                                    phi_2084_ = false;
+                                                    let _e1518 = phi_2181_;
+                                                    phi_2182_ = _e1518;
+                                                    phi_2183_ = false;
                                                 } else {
-                                                    phi_2083_ = bool();
-                                                    phi_2084_ = true;
+                                                    phi_2182_ = bool();
+                                                    phi_2183_ = true;
                                                 }
-                                                let _e1433 = phi_2083_;
-                                                let _e1435 = phi_2084_;
-                                                phi_2085_ = _e1433;
-                                                phi_2086_ = _e1435;
+                                                let _e1520 = phi_2182_;
+                                                let _e1522 = phi_2183_;
+                                                phi_2184_ = _e1520;
+                                                phi_2185_ = _e1522;
                                             } else {
-                                                phi_2085_ = bool();
-                                                phi_2086_ = true;
+                                                phi_2184_ = bool();
+                                                phi_2185_ = true;
                                             }
-                                            let _e1437 = phi_2085_;
-                                            let _e1439 = phi_2086_;
-                                            if _e1439 {
-                                                phi_2090_ = false;
+                                            let _e1524 = phi_2184_;
+                                            let _e1526 = phi_2185_;
+                                            if _e1526 {
+                                                phi_2189_ = false;
                                             } else {
-                                                phi_2090_ = _e1437;
+                                                phi_2189_ = _e1524;
                                             }
-                                            let _e1441 = phi_2090_;
-                                            phi_2091_ = _e1441;
+                                            let _e1528 = phi_2189_;
+                                            phi_2190_ = _e1528;
                                         }
-                                        let _e1443 = phi_2091_;
-                                        if _e1443 {
-                                            let _e1445 = triangles.member[(0u + _e1033)].i0_;
-                                            if ((_e1445 & 2147483648u) == 0u) {
-                                                phi_2302_ = true;
+                                        let _e1530 = phi_2190_;
+                                        if _e1530 {
+                                            let _e1532 = triangles.member[(0u + _e1033)].i0_;
+                                            if ((_e1532 & 2147483648u) == 0u) {
+                                                phi_2401_ = true;
                                             } else {
                                                 if (_e1033 < _e82) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1454 = triangles.member[(0u + _e1033)].i0_;
-                                                let _e1455 = (_e1454 & 2147483647u);
-                                                let _e1457 = triangles.member[(0u + _e1033)].i1_;
-                                                let _e1459 = triangles.member[(0u + _e1033)].i2_;
-                                                if (_e1455 < _e85) {
+                                                let _e1541 = triangles.member[(0u + _e1033)].i0_;
+                                                let _e1542 = (_e1541 & 2147483647u);
+                                                let _e1544 = triangles.member[(0u + _e1033)].i1_;
+                                                let _e1546 = triangles.member[(0u + _e1033)].i2_;
+                                                if (_e1542 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1463 = vertices.member[(0u + _e1455)];
-                                                if (_e1457 < _e85) {
+                                                let _e1550 = vertices.member[(0u + _e1542)];
+                                                if (_e1544 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1467 = vertices.member[(0u + _e1457)];
-                                                if (_e1459 < _e85) {
+                                                let _e1554 = vertices.member[(0u + _e1544)];
+                                                if (_e1546 < _e85) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1471 = vertices.member[(0u + _e1459)];
-                                                let _e1472 = array<abi_Vertex, 3>(_e1463, _e1467, _e1471);
-                                                if (_e1472[0].material < _e88) {
+                                                let _e1558 = vertices.member[(0u + _e1546)];
+                                                let _e1559 = array<abi_Vertex, 3>(_e1550, _e1554, _e1558);
+                                                if (_e1559[0].material < _e88) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1478 = materials.member[(0u + _e1472[0].material)];
-                                                if ((_e1478.flags & 0u) == 0u) {
-                                                    let _e1483 = ((1f - _e1410.u) - _e1410.v);
-                                                    if (_e1478.cutoff <= 0f) {
-                                                        phi_2297_ = true;
+                                                let _e1565 = materials.member[(0u + _e1559[0].material)];
+                                                if ((_e1565.flags & 0u) == 0u) {
+                                                    let _e1570 = ((1f - _e1497.u) - _e1497.v);
+                                                    if (_e1565.cutoff <= 0f) {
+                                                        phi_2396_ = true;
                                                     } else {
-                                                        let _e1510 = (_e1478.base_color.w * ((((f32((_e1472[0].color >> bitcast<u32>(24i))) * _e1483) + (f32((_e1472[1].color >> bitcast<u32>(24i))) * _e1410.u)) + (f32((_e1472[2].color >> bitcast<u32>(24i))) * _e1410.v)) * (1f / 255f)));
-                                                        if (_e1478.alpha_size == 0u) {
-                                                            phi_2294_ = _e1510;
+                                                        let _e1597 = (_e1565.base_color.w * ((((f32((_e1559[0].color >> bitcast<u32>(24i))) * _e1570) + (f32((_e1559[1].color >> bitcast<u32>(24i))) * _e1497.u)) + (f32((_e1559[2].color >> bitcast<u32>(24i))) * _e1497.v)) * (1f / 255f)));
+                                                        if (_e1565.alpha_size == 0u) {
+                                                            phi_2393_ = _e1597;
                                                         } else {
-                                                            local_1.offset = _e1478.alpha_offset;
-                                                            local_1.size = _e1478.alpha_size;
-                                                            local_1.flags = _e1478.flags;
-                                                            let _e1541 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1472[0].u * _e1483) + (_e1472[1].u * _e1410.u)) + (_e1472[2].u * _e1410.v)), (((_e1472[0].v * _e1483) + (_e1472[1].v * _e1410.u)) + (_e1472[2].v * _e1410.v)));
-                                                            let _e1545 = (_e1541.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1545 < _e94) {
+                                                            local_1.offset = _e1565.alpha_offset;
+                                                            local_1.size = _e1565.alpha_size;
+                                                            local_1.flags = _e1565.flags;
+                                                            let _e1628 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e1559[0].u * _e1570) + (_e1559[1].u * _e1497.u)) + (_e1559[2].u * _e1497.v)), (((_e1559[0].v * _e1570) + (_e1559[1].v * _e1497.u)) + (_e1559[2].v * _e1497.v)));
+                                                            let _e1632 = (_e1628.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1632 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1549 = alpha_texels.member[(0u + _e1545)];
-                                                            let _e1565 = (_e1541.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1565 < _e94) {
+                                                            let _e1636 = alpha_texels.member[(0u + _e1632)];
+                                                            let _e1652 = (_e1628.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1652 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1569 = alpha_texels.member[(0u + _e1565)];
-                                                            let _e1586 = (_e1541.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1586 < _e94) {
+                                                            let _e1656 = alpha_texels.member[(0u + _e1652)];
+                                                            let _e1673 = (_e1628.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1673 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1590 = alpha_texels.member[(0u + _e1586)];
-                                                            let _e1607 = (_e1541.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1607 < _e94) {
+                                                            let _e1677 = alpha_texels.member[(0u + _e1673)];
+                                                            let _e1694 = (_e1628.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1694 < _e94) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1611 = alpha_texels.member[(0u + _e1607)];
-                                                            phi_2294_ = (_e1510 * (((((f32(((_e1549 >> bitcast<u32>((((_e1541.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1541.weights.x) + ((f32(((_e1569 >> bitcast<u32>((((_e1541.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1541.weights.y)) + ((f32(((_e1590 >> bitcast<u32>((((_e1541.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1541.weights.z)) + ((f32(((_e1611 >> bitcast<u32>((((_e1541.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1541.weights.w)));
+                                                            let _e1698 = alpha_texels.member[(0u + _e1694)];
+                                                            phi_2393_ = (_e1597 * (((((f32(((_e1636 >> bitcast<u32>((((_e1628.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.x) + ((f32(((_e1656 >> bitcast<u32>((((_e1628.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.y)) + ((f32(((_e1677 >> bitcast<u32>((((_e1628.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.z)) + ((f32(((_e1698 >> bitcast<u32>((((_e1628.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1628.weights.w)));
                                                         }
-                                                        let _e1627 = phi_2294_;
-                                                        phi_2297_ = (_e1627 >= _e1478.cutoff);
+                                                        let _e1714 = phi_2393_;
+                                                        phi_2396_ = (_e1714 >= _e1565.cutoff);
                                                     }
-                                                    let _e1631 = phi_2297_;
-                                                    phi_2298_ = _e1631;
+                                                    let _e1718 = phi_2396_;
+                                                    phi_2397_ = _e1718;
                                                 } else {
-                                                    phi_2298_ = false;
+                                                    phi_2397_ = false;
                                                 }
-                                                let _e1633 = phi_2298_;
-                                                if _e1633 {
+                                                let _e1720 = phi_2397_;
+                                                if _e1720 {
                                                 }
-                                                phi_2302_ = _e1633;
+                                                phi_2401_ = _e1720;
                                             }
-                                            let _e1635 = phi_2302_;
-                                            if _e1635 {
-                                                phi_2310_ = lt_bvh_Hit(_e1410.t, _e1410.u, _e1410.v, _e1033, 4294967295u);
+                                            let _e1722 = phi_2401_;
+                                            if _e1722 {
+                                                phi_2409_ = lt_bvh_Hit(_e1497.t, _e1497.u, _e1497.v, _e1033, 4294967295u);
                                             } else {
-                                                phi_2310_ = _e1022;
+                                                phi_2409_ = _e1022;
                                             }
-                                            let _e1641 = phi_2310_;
-                                            phi_2311_ = _e1641;
+                                            let _e1728 = phi_2409_;
+                                            phi_2410_ = _e1728;
                                         } else {
-                                            phi_2311_ = _e1022;
+                                            phi_2410_ = _e1022;
                                         }
-                                        let _e1643 = phi_2311_;
-                                        phi_2312_ = _e1643;
+                                        let _e1730 = phi_2410_;
+                                        phi_2411_ = _e1730;
                                     } else {
-                                        phi_2312_ = _e1022;
+                                        phi_2411_ = _e1022;
                                     }
-                                    let _e1645 = phi_2312_;
-                                    phi_2313_ = _e1645;
+                                    let _e1732 = phi_2411_;
+                                    phi_2412_ = _e1732;
                                 } else {
-                                    phi_2313_ = _e1022;
+                                    phi_2412_ = _e1022;
                                 }
-                                let _e1647 = phi_2313_;
-                                phi_1555_ = _e1647;
+                                let _e1734 = phi_2412_;
+                                phi_1555_ = _e1734;
                                 phi_1558_ = (_e1024 & (_e1024 - 1u));
-                                phi_2314_ = true;
+                                phi_2413_ = true;
                             }
-                            let _e1649 = phi_1555_;
-                            let _e1651 = phi_1558_;
-                            let _e1653 = phi_2314_;
+                            let _e1736 = phi_1555_;
+                            let _e1738 = phi_1558_;
+                            let _e1740 = phi_2413_;
                             continue;
                             continuing {
-                                phi_1554_ = _e1649;
-                                phi_1557_ = _e1651;
-                                break if !(_e1653);
+                                phi_1554_ = _e1736;
+                                phi_1557_ = _e1738;
+                                break if !(_e1740);
                             }
                         }
-                        let _e1656 = local_2.group_mask;
-                        if ((_e1656 & 4278190080u) == 0u) {
-                            let _e1660 = local_2.len;
-                            if (_e1660 == 0u) {
-                                phi_2353_ = false;
+                        let _e1743 = local_2.group_mask;
+                        if ((_e1743 & 4278190080u) == 0u) {
+                            let _e1747 = local_2.len;
+                            if (_e1747 == 0u) {
+                                phi_2452_ = false;
                             } else {
-                                let _e1664 = local_2.len;
-                                local_2.len = (_e1664 - 1u);
-                                let _e1667 = local_2.len;
-                                if (_e1667 < 32u) {
+                                let _e1751 = local_2.len;
+                                local_2.len = (_e1751 - 1u);
+                                let _e1754 = local_2.len;
+                                if (_e1754 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1672 = local_2.first[(0u + _e1667)];
-                                local_2.group = _e1672;
-                                let _e1675 = local_2.len;
-                                if (_e1675 < 32u) {
+                                let _e1759 = local_2.first[(0u + _e1754)];
+                                local_2.group = _e1759;
+                                let _e1762 = local_2.len;
+                                if (_e1762 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1680 = local_2.mask[(0u + _e1675)];
-                                local_2.group_mask = _e1680;
-                                phi_2353_ = true;
+                                let _e1767 = local_2.mask[(0u + _e1762)];
+                                local_2.group_mask = _e1767;
+                                phi_2452_ = true;
                             }
-                            let _e1683 = phi_2353_;
-                            phi_2354_ = _e1683;
+                            let _e1770 = phi_2452_;
+                            phi_2453_ = _e1770;
                         } else {
-                            phi_2354_ = true;
+                            phi_2453_ = true;
                         }
-                        let _e1685 = phi_2354_;
-                        if _e1685 {
-                            let _e1687 = local_2.group_mask;
-                            let _e1693 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1687)), 32u, (_e1687 == 0u)));
-                            let _e1697 = local_2.group_mask;
-                            let _e1711 = local_2.group_mask;
-                            local_2.group_mask = (_e1711 & ~((1u << bitcast<u32>((_e1693 & 31u)))));
-                            let _e1714 = local_2.group;
-                            phi_2385_ = (_e1714 + countOneBits(((_e1697 & ~((4294967295u << bitcast<u32>((((_e1693 - 24u) ^ _e441) & 31u))))) & 255u)));
+                        let _e1772 = phi_2453_;
+                        if _e1772 {
+                            let _e1774 = local_2.group_mask;
+                            let _e1780 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1774)), 32u, (_e1774 == 0u)));
+                            let _e1784 = local_2.group_mask;
+                            let _e1798 = local_2.group_mask;
+                            local_2.group_mask = (_e1798 & ~((1u << bitcast<u32>((_e1780 & 31u)))));
+                            let _e1801 = local_2.group;
+                            phi_2484_ = (_e1801 + countOneBits(((_e1784 & ~((4294967295u << bitcast<u32>((((_e1780 - 24u) ^ _e441) & 31u))))) & 255u)));
                         } else {
-                            phi_2385_ = 4294967295u;
+                            phi_2484_ = 4294967295u;
                         }
-                        let _e1717 = phi_2385_;
-                        let _e2633 = local_6;
-                        phi_1218_ = _e2633;
-                        phi_1221_ = _e1717;
+                        let _e1804 = phi_2484_;
+                        let _e2726 = local_6;
+                        phi_1218_ = _e2726;
+                        phi_1221_ = _e1804;
                     } else {
                         phi_1218_ = lt_bvh_Hit();
                         phi_1221_ = u32();
                     }
-                    let _e1719 = phi_1218_;
-                    let _e1721 = phi_1221_;
+                    let _e1806 = phi_1218_;
+                    let _e1808 = phi_1221_;
                     continue;
                     continuing {
-                        phi_1217_ = _e1719;
-                        phi_1220_ = _e1721;
+                        phi_1217_ = _e1806;
+                        phi_1220_ = _e1808;
                         break if !(_e582);
                     }
                 }
-                let _e2637 = local_7;
-                phi_2386_ = _e2637;
+                let _e2730 = local_7;
+                phi_2485_ = _e2730;
             }
-            let _e1724 = phi_2386_;
-            phi_2387_ = _e1724;
-            phi_2388_ = _e236;
+            let _e1811 = phi_2485_;
+            phi_2486_ = _e1811;
+            phi_2487_ = _e236;
         } else {
-            phi_2387_ = lt_bvh_Hit();
-            phi_2388_ = true;
+            phi_2486_ = lt_bvh_Hit();
+            phi_2487_ = true;
         }
-        let _e1726 = phi_2387_;
-        let _e1728 = phi_2388_;
-        if _e1728 {
-            phi_2392_ = _e166;
+        let _e1813 = phi_2486_;
+        let _e1815 = phi_2487_;
+        if _e1815 {
+            phi_2491_ = _e166;
         } else {
-            phi_2392_ = _e1726;
+            phi_2491_ = _e1813;
         }
-        let _e1730 = phi_2392_;
-        if (_e1730.triangle != 4294967295u) {
-            let _e1736 = ((1f - _e1730.u) - _e1730.v);
-            if (_e1730.triangle < _e82) {
+        let _e1817 = phi_2491_;
+        if (_e1817.triangle != 4294967295u) {
+            let _e1823 = ((1f - _e1817.u) - _e1817.v);
+            if (_e1817.triangle < _e82) {
             } else {
                 return;
             }
-            let _e1741 = triangles.member[(0u + _e1730.triangle)];
-            let _e1766 = (((_e1741.v0_.x * _e1736) + (_e1741.v1_.x * _e1730.u)) + (_e1741.v2_.x * _e1730.v));
-            let _e1767 = (((_e1741.v0_.y * _e1736) + (_e1741.v1_.y * _e1730.u)) + (_e1741.v2_.y * _e1730.v));
-            let _e1768 = (((_e1741.v0_.z * _e1736) + (_e1741.v1_.z * _e1730.u)) + (_e1741.v2_.z * _e1730.v));
-            let _e1771 = abs(_e1741.v0_.x);
-            let _e1773 = abs(_e1741.v0_.y);
-            let _e1775 = abs(_e1741.v0_.z);
-            let _e1777 = abs(_e1741.v1_.x);
-            let _e1779 = abs(_e1741.v1_.y);
-            let _e1781 = abs(_e1741.v1_.z);
-            if (_e1771 > _e1777) {
-                phi_2456_ = _e1771;
+            let _e1828 = triangles.member[(0u + _e1817.triangle)];
+            let _e1853 = (((_e1828.v0_.x * _e1823) + (_e1828.v1_.x * _e1817.u)) + (_e1828.v2_.x * _e1817.v));
+            let _e1854 = (((_e1828.v0_.y * _e1823) + (_e1828.v1_.y * _e1817.u)) + (_e1828.v2_.y * _e1817.v));
+            let _e1855 = (((_e1828.v0_.z * _e1823) + (_e1828.v1_.z * _e1817.u)) + (_e1828.v2_.z * _e1817.v));
+            let _e1858 = abs(_e1828.v0_.x);
+            let _e1860 = abs(_e1828.v0_.y);
+            let _e1862 = abs(_e1828.v0_.z);
+            let _e1864 = abs(_e1828.v1_.x);
+            let _e1866 = abs(_e1828.v1_.y);
+            let _e1868 = abs(_e1828.v1_.z);
+            if (_e1858 > _e1864) {
+                phi_2555_ = _e1858;
             } else {
-                phi_2456_ = _e1777;
+                phi_2555_ = _e1864;
             }
-            let _e1784 = phi_2456_;
-            if (_e1773 > _e1779) {
-                phi_2461_ = _e1773;
+            let _e1871 = phi_2555_;
+            if (_e1860 > _e1866) {
+                phi_2560_ = _e1860;
             } else {
-                phi_2461_ = _e1779;
+                phi_2560_ = _e1866;
             }
-            let _e1787 = phi_2461_;
-            if (_e1775 > _e1781) {
-                phi_2466_ = _e1775;
+            let _e1874 = phi_2560_;
+            if (_e1862 > _e1868) {
+                phi_2565_ = _e1862;
             } else {
-                phi_2466_ = _e1781;
+                phi_2565_ = _e1868;
             }
-            let _e1790 = phi_2466_;
-            let _e1792 = abs(_e1741.v2_.x);
-            let _e1794 = abs(_e1741.v2_.y);
-            let _e1796 = abs(_e1741.v2_.z);
-            if (_e1784 > _e1792) {
-                phi_2477_ = _e1784;
+            let _e1877 = phi_2565_;
+            let _e1879 = abs(_e1828.v2_.x);
+            let _e1881 = abs(_e1828.v2_.y);
+            let _e1883 = abs(_e1828.v2_.z);
+            if (_e1871 > _e1879) {
+                phi_2576_ = _e1871;
             } else {
-                phi_2477_ = _e1792;
+                phi_2576_ = _e1879;
             }
-            let _e1799 = phi_2477_;
-            if (_e1787 > _e1794) {
-                phi_2482_ = _e1787;
+            let _e1886 = phi_2576_;
+            if (_e1874 > _e1881) {
+                phi_2581_ = _e1874;
             } else {
-                phi_2482_ = _e1794;
+                phi_2581_ = _e1881;
             }
-            let _e1802 = phi_2482_;
-            if (_e1790 > _e1796) {
-                phi_2487_ = _e1790;
+            let _e1889 = phi_2581_;
+            if (_e1877 > _e1883) {
+                phi_2586_ = _e1877;
             } else {
-                phi_2487_ = _e1796;
+                phi_2586_ = _e1883;
             }
-            let _e1805 = phi_2487_;
-            let _e1808 = (_e1741.v1_.x - _e1741.v0_.x);
-            let _e1811 = (_e1741.v1_.y - _e1741.v0_.y);
-            let _e1814 = (_e1741.v1_.z - _e1741.v0_.z);
-            let _e1817 = (_e1741.v2_.x - _e1741.v0_.x);
-            let _e1820 = (_e1741.v2_.y - _e1741.v0_.y);
-            let _e1823 = (_e1741.v2_.z - _e1741.v0_.z);
-            let _e1827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1811), abs(_e1814));
-            let _e1828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1808), _e1827);
-            let _e1829 = (_e1808 / _e1828);
-            let _e1830 = (_e1811 / _e1828);
-            let _e1831 = (_e1814 / _e1828);
-            let _e1835 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1820), abs(_e1823));
-            let _e1836 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1817), _e1835);
-            let _e1837 = (_e1817 / _e1836);
-            let _e1838 = (_e1820 / _e1836);
-            let _e1839 = (_e1823 / _e1836);
-            let _e1842 = ((_e1830 * _e1839) - (_e1838 * _e1831));
-            let _e1845 = ((_e1831 * _e1837) - (_e1839 * _e1829));
-            let _e1848 = ((_e1829 * _e1838) - (_e1837 * _e1830));
-            let _e1850 = p.member.eye;
-            let _e1863 = (1f / sqrt((((_e1842 * _e1842) + (_e1845 * _e1845)) + (_e1848 * _e1848))));
-            let _e1864 = (_e1842 * _e1863);
-            let _e1865 = (_e1845 * _e1863);
-            let _e1866 = (_e1848 * _e1863);
-            if ((((_e1864 * (_e1850.x - _e1766)) + (_e1865 * (_e1850.y - _e1767))) + (_e1866 * (_e1850.z - _e1768))) < 0f) {
-                phi_2563_ = vec3<f32>(-(_e1864), -(_e1865), -(_e1866));
+            let _e1892 = phi_2586_;
+            let _e1895 = (_e1828.v1_.x - _e1828.v0_.x);
+            let _e1898 = (_e1828.v1_.y - _e1828.v0_.y);
+            let _e1901 = (_e1828.v1_.z - _e1828.v0_.z);
+            let _e1904 = (_e1828.v2_.x - _e1828.v0_.x);
+            let _e1907 = (_e1828.v2_.y - _e1828.v0_.y);
+            let _e1910 = (_e1828.v2_.z - _e1828.v0_.z);
+            let _e1914 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1898), abs(_e1901));
+            let _e1915 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), _e1914);
+            let _e1916 = (_e1895 / _e1915);
+            let _e1917 = (_e1898 / _e1915);
+            let _e1918 = (_e1901 / _e1915);
+            let _e1922 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1907), abs(_e1910));
+            let _e1923 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1904), _e1922);
+            let _e1924 = (_e1904 / _e1923);
+            let _e1925 = (_e1907 / _e1923);
+            let _e1926 = (_e1910 / _e1923);
+            let _e1929 = ((_e1917 * _e1926) - (_e1925 * _e1918));
+            let _e1932 = ((_e1918 * _e1924) - (_e1926 * _e1916));
+            let _e1935 = ((_e1916 * _e1925) - (_e1924 * _e1917));
+            let _e1937 = p.member.eye;
+            let _e1950 = (1f / sqrt((((_e1929 * _e1929) + (_e1932 * _e1932)) + (_e1935 * _e1935))));
+            let _e1951 = (_e1929 * _e1950);
+            let _e1952 = (_e1932 * _e1950);
+            let _e1953 = (_e1935 * _e1950);
+            if ((((_e1951 * (_e1937.x - _e1853)) + (_e1952 * (_e1937.y - _e1854))) + (_e1953 * (_e1937.z - _e1855))) < 0f) {
+                phi_2662_ = vec3<f32>(-(_e1951), -(_e1952), -(_e1953));
             } else {
-                phi_2563_ = vec3<f32>(_e1864, _e1865, _e1866);
+                phi_2662_ = vec3<f32>(_e1951, _e1952, _e1953);
             }
-            let _e1879 = phi_2563_;
-            if (_e1730.triangle < _e82) {
+            let _e1966 = phi_2662_;
+            if (_e1817.triangle < _e82) {
             } else {
                 return;
             }
-            let _e1884 = triangles.member[(0u + _e1730.triangle)];
-            let _e1886 = (_e1884.i0_ & 2147483647u);
-            if (_e1886 < _e85) {
+            let _e1971 = triangles.member[(0u + _e1817.triangle)];
+            let _e1973 = (_e1971.i0_ & 2147483647u);
+            if (_e1973 < _e85) {
             } else {
                 return;
             }
-            let _e1892 = vertices.member[(0u + _e1886)];
-            if (_e1884.i1_ < _e85) {
+            let _e1979 = vertices.member[(0u + _e1973)];
+            if (_e1971.i1_ < _e85) {
             } else {
                 return;
             }
-            let _e1896 = vertices.member[(0u + _e1884.i1_)];
-            if (_e1884.i2_ < _e85) {
+            let _e1983 = vertices.member[(0u + _e1971.i1_)];
+            if (_e1971.i2_ < _e85) {
             } else {
                 return;
             }
-            let _e1900 = vertices.member[(0u + _e1884.i2_)];
-            let _e1901 = array<abi_Vertex, 3>(_e1892, _e1896, _e1900);
-            if (_e1901[0].material < _e88) {
+            let _e1987 = vertices.member[(0u + _e1971.i2_)];
+            let _e1988 = array<abi_Vertex, 3>(_e1979, _e1983, _e1987);
+            if (_e1988[0].material < _e88) {
             } else {
                 return;
             }
-            let _e1907 = materials.member[(0u + _e1901[0].material)];
-            let _e1924 = (1f / 255f);
-            let _e1943 = (1f / 255f);
-            let _e1965 = (1f / 255f);
-            if (_e1907.color_size == 0u) {
-                phi_2806_ = vec3<f32>(1f, 1f, 1f);
+            let _e1994 = materials.member[(0u + _e1988[0].material)];
+            let _e2011 = (1f / 255f);
+            let _e2030 = (1f / 255f);
+            let _e2052 = (1f / 255f);
+            if (_e1994.color_size == 0u) {
+                phi_2905_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1907.color_offset;
-                local.size = _e1907.color_size;
-                local.flags = _e1907.flags;
-                let _e2008 = _lt_shaders_texture_TextureView_quad((&local), (((_e1901[0].u * _e1736) + (_e1901[1].u * _e1730.u)) + (_e1901[2].u * _e1730.v)), (((_e1901[0].v * _e1736) + (_e1901[1].v * _e1730.u)) + (_e1901[2].v * _e1730.v)));
-                if (_e2008.indices[0] < _e97) {
+                local.offset = _e1994.color_offset;
+                local.size = _e1994.color_size;
+                local.flags = _e1994.flags;
+                let _e2095 = _lt_shaders_texture_TextureView_quad((&local), (((_e1988[0].u * _e1823) + (_e1988[1].u * _e1817.u)) + (_e1988[2].u * _e1817.v)), (((_e1988[0].v * _e1823) + (_e1988[1].v * _e1817.u)) + (_e1988[2].v * _e1817.v)));
+                if (_e2095.indices[0] < _e97) {
                 } else {
                     return;
                 }
-                let _e2014 = color_texels.member[(0u + _e2008.indices[0])];
-                let _e2025 = (1f / 255f);
-                if (_e2008.indices[1] < _e97) {
+                let _e2101 = color_texels.member[(0u + _e2095.indices[0])];
+                let _e2112 = (1f / 255f);
+                if (_e2095.indices[1] < _e97) {
                 } else {
                     return;
                 }
-                let _e2039 = color_texels.member[(0u + _e2008.indices[1])];
-                let _e2050 = (1f / 255f);
-                if (_e2008.indices[2] < _e97) {
+                let _e2126 = color_texels.member[(0u + _e2095.indices[1])];
+                let _e2137 = (1f / 255f);
+                if (_e2095.indices[2] < _e97) {
                 } else {
                     return;
                 }
-                let _e2067 = color_texels.member[(0u + _e2008.indices[2])];
-                let _e2078 = (1f / 255f);
-                if (_e2008.indices[3] < _e97) {
+                let _e2154 = color_texels.member[(0u + _e2095.indices[2])];
+                let _e2165 = (1f / 255f);
+                if (_e2095.indices[3] < _e97) {
                 } else {
                     return;
                 }
-                let _e2095 = color_texels.member[(0u + _e2008.indices[3])];
-                let _e2106 = (1f / 255f);
-                let _e2115 = (((((f32((_e2014 & 255u)) * _e2025) * _e2008.weights.x) + ((f32((_e2039 & 255u)) * _e2050) * _e2008.weights.y)) + ((f32((_e2067 & 255u)) * _e2078) * _e2008.weights.z)) + ((f32((_e2095 & 255u)) * _e2106) * _e2008.weights.w));
-                let _e2116 = (((((f32(((_e2014 >> bitcast<u32>(8i)) & 255u)) * _e2025) * _e2008.weights.x) + ((f32(((_e2039 >> bitcast<u32>(8i)) & 255u)) * _e2050) * _e2008.weights.y)) + ((f32(((_e2067 >> bitcast<u32>(8i)) & 255u)) * _e2078) * _e2008.weights.z)) + ((f32(((_e2095 >> bitcast<u32>(8i)) & 255u)) * _e2106) * _e2008.weights.w));
-                let _e2117 = (((((f32(((_e2014 >> bitcast<u32>(16i)) & 255u)) * _e2025) * _e2008.weights.x) + ((f32(((_e2039 >> bitcast<u32>(16i)) & 255u)) * _e2050) * _e2008.weights.y)) + ((f32(((_e2067 >> bitcast<u32>(16i)) & 255u)) * _e2078) * _e2008.weights.z)) + ((f32(((_e2095 >> bitcast<u32>(16i)) & 255u)) * _e2106) * _e2008.weights.w));
-                phi_2806_ = vec3<f32>((_e2115 * _e2115), (_e2116 * _e2116), (_e2117 * _e2117));
+                let _e2182 = color_texels.member[(0u + _e2095.indices[3])];
+                let _e2193 = (1f / 255f);
+                let _e2202 = (((((f32((_e2101 & 255u)) * _e2112) * _e2095.weights.x) + ((f32((_e2126 & 255u)) * _e2137) * _e2095.weights.y)) + ((f32((_e2154 & 255u)) * _e2165) * _e2095.weights.z)) + ((f32((_e2182 & 255u)) * _e2193) * _e2095.weights.w));
+                let _e2203 = (((((f32(((_e2101 >> bitcast<u32>(8i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(8i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(8i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(8i)) & 255u)) * _e2193) * _e2095.weights.w));
+                let _e2204 = (((((f32(((_e2101 >> bitcast<u32>(16i)) & 255u)) * _e2112) * _e2095.weights.x) + ((f32(((_e2126 >> bitcast<u32>(16i)) & 255u)) * _e2137) * _e2095.weights.y)) + ((f32(((_e2154 >> bitcast<u32>(16i)) & 255u)) * _e2165) * _e2095.weights.z)) + ((f32(((_e2182 >> bitcast<u32>(16i)) & 255u)) * _e2193) * _e2095.weights.w));
+                phi_2905_ = vec3<f32>((_e2202 * _e2202), (_e2203 * _e2203), (_e2204 * _e2204));
             }
-            let _e2123 = phi_2806_;
-            let _e2125 = ((_e1907.base_color.x * ((((f32((_e1901[0].color & 255u)) * _e1924) * _e1736) + ((f32((_e1901[1].color & 255u)) * _e1943) * _e1730.u)) + ((f32((_e1901[2].color & 255u)) * _e1965) * _e1730.v))) * _e2123.x);
-            let _e2127 = ((_e1907.base_color.y * ((((f32(((_e1901[0].color >> bitcast<u32>(8i)) & 255u)) * _e1924) * _e1736) + ((f32(((_e1901[1].color >> bitcast<u32>(8i)) & 255u)) * _e1943) * _e1730.u)) + ((f32(((_e1901[2].color >> bitcast<u32>(8i)) & 255u)) * _e1965) * _e1730.v))) * _e2123.y);
-            let _e2129 = ((_e1907.base_color.z * ((((f32(((_e1901[0].color >> bitcast<u32>(16i)) & 255u)) * _e1924) * _e1736) + ((f32(((_e1901[1].color >> bitcast<u32>(16i)) & 255u)) * _e1943) * _e1730.u)) + ((f32(((_e1901[2].color >> bitcast<u32>(16i)) & 255u)) * _e1965) * _e1730.v))) * _e2123.z);
-            let _e2130 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1802, _e1805);
-            let _e2131 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1799, _e2130);
-            if ((_e1907.flags & 2u) == 0u) {
-                phi_2821_ = 0u;
+            let _e2210 = phi_2905_;
+            let _e2212 = ((_e1994.base_color.x * ((((f32((_e1988[0].color & 255u)) * _e2011) * _e1823) + ((f32((_e1988[1].color & 255u)) * _e2030) * _e1817.u)) + ((f32((_e1988[2].color & 255u)) * _e2052) * _e1817.v))) * _e2210.x);
+            let _e2214 = ((_e1994.base_color.y * ((((f32(((_e1988[0].color >> bitcast<u32>(8i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(8i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(8i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.y);
+            let _e2216 = ((_e1994.base_color.z * ((((f32(((_e1988[0].color >> bitcast<u32>(16i)) & 255u)) * _e2011) * _e1823) + ((f32(((_e1988[1].color >> bitcast<u32>(16i)) & 255u)) * _e2030) * _e1817.u)) + ((f32(((_e1988[2].color >> bitcast<u32>(16i)) & 255u)) * _e2052) * _e1817.v))) * _e2210.z);
+            let _e2217 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1889, _e1892);
+            let _e2218 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1886, _e2217);
+            if ((_e1994.flags & 2u) == 0u) {
+                phi_2920_ = 0u;
             } else {
-                phi_2821_ = 1u;
+                phi_2920_ = 1u;
             }
-            let _e2136 = phi_2821_;
-            if (_e1901[0].normal == 2147516416u) {
-                phi_3024_ = _e1879;
+            let _e2223 = phi_2920_;
+            if (_e1988[0].normal == 2147516416u) {
+                phi_3123_ = _e1966;
             } else {
-                let _e2149 = (f32((bitcast<i32>((_e1901[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2155 = (f32((bitcast<i32>(_e1901[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2159 = ((1f - abs(_e2149)) - abs(_e2155));
-                if (_e2159 < 0f) {
-                    phi_2848_ = -(_e2159);
-                } else {
-                    phi_2848_ = 0f;
-                }
-                let _e2163 = phi_2848_;
-                if (_e2149 < 0f) {
-                    phi_2855_ = (_e2149 + _e2163);
-                } else {
-                    phi_2855_ = (_e2149 - _e2163);
-                }
-                let _e2168 = phi_2855_;
-                if (_e2155 < 0f) {
-                    phi_2862_ = (_e2155 + _e2163);
-                } else {
-                    phi_2862_ = (_e2155 - _e2163);
-                }
-                let _e2173 = phi_2862_;
-                let _e2180 = (1f / sqrt((((_e2168 * _e2168) + (_e2173 * _e2173)) + (_e2159 * _e2159))));
-                let _e2196 = (f32((bitcast<i32>((_e1901[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2202 = (f32((bitcast<i32>(_e1901[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2206 = ((1f - abs(_e2196)) - abs(_e2202));
-                if (_e2206 < 0f) {
-                    phi_2897_ = -(_e2206);
-                } else {
-                    phi_2897_ = 0f;
-                }
-                let _e2210 = phi_2897_;
-                if (_e2196 < 0f) {
-                    phi_2904_ = (_e2196 + _e2210);
-                } else {
-                    phi_2904_ = (_e2196 - _e2210);
-                }
-                let _e2215 = phi_2904_;
-                if (_e2202 < 0f) {
-                    phi_2911_ = (_e2202 + _e2210);
-                } else {
-                    phi_2911_ = (_e2202 - _e2210);
-                }
-                let _e2220 = phi_2911_;
-                let _e2227 = (1f / sqrt((((_e2215 * _e2215) + (_e2220 * _e2220)) + (_e2206 * _e2206))));
-                let _e2246 = (f32((bitcast<i32>((_e1901[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2252 = (f32((bitcast<i32>(_e1901[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2256 = ((1f - abs(_e2246)) - abs(_e2252));
-                if (_e2256 < 0f) {
-                    phi_2949_ = -(_e2256);
-                } else {
-                    phi_2949_ = 0f;
-                }
-                let _e2260 = phi_2949_;
+                let _e2236 = (f32((bitcast<i32>((_e1988[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2242 = (f32((bitcast<i32>(_e1988[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2246 = ((1f - abs(_e2236)) - abs(_e2242));
                 if (_e2246 < 0f) {
-                    phi_2956_ = (_e2246 + _e2260);
+                    phi_2947_ = -(_e2246);
                 } else {
-                    phi_2956_ = (_e2246 - _e2260);
+                    phi_2947_ = 0f;
                 }
-                let _e2265 = phi_2956_;
-                if (_e2252 < 0f) {
-                    phi_2963_ = (_e2252 + _e2260);
+                let _e2250 = phi_2947_;
+                if (_e2236 < 0f) {
+                    phi_2954_ = (_e2236 + _e2250);
                 } else {
-                    phi_2963_ = (_e2252 - _e2260);
+                    phi_2954_ = (_e2236 - _e2250);
                 }
-                let _e2270 = phi_2963_;
-                let _e2277 = (1f / sqrt((((_e2265 * _e2265) + (_e2270 * _e2270)) + (_e2256 * _e2256))));
-                let _e2288 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2168 * _e2180) * _e1736) + ((_e2215 * _e2227) * _e1730.u)) + ((_e2265 * _e2277) * _e1730.v)), ((((_e2173 * _e2180) * _e1736) + ((_e2220 * _e2227) * _e1730.u)) + ((_e2270 * _e2277) * _e1730.v)), ((((_e2159 * _e2180) * _e1736) + ((_e2206 * _e2227) * _e1730.u)) + ((_e2256 * _e2277) * _e1730.v))));
-                let _e2300 = sqrt((((_e2288.x * _e2288.x) + (_e2288.y * _e2288.y)) + (_e2288.z * _e2288.z)));
-                if (_e2300 > 0f) {
-                    let _e2303 = (_e2288.x / _e2300);
-                    let _e2305 = (_e2288.y / _e2300);
-                    let _e2307 = (_e2288.z / _e2300);
-                    if ((((_e2303 * _e1879.x) + (_e2305 * _e1879.y)) + (_e2307 * _e1879.z)) < 0f) {
-                        phi_3022_ = vec3<f32>(-(_e2303), -(_e2305), -(_e2307));
+                let _e2255 = phi_2954_;
+                if (_e2242 < 0f) {
+                    phi_2961_ = (_e2242 + _e2250);
+                } else {
+                    phi_2961_ = (_e2242 - _e2250);
+                }
+                let _e2260 = phi_2961_;
+                let _e2267 = (1f / sqrt((((_e2255 * _e2255) + (_e2260 * _e2260)) + (_e2246 * _e2246))));
+                let _e2283 = (f32((bitcast<i32>((_e1988[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2289 = (f32((bitcast<i32>(_e1988[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2293 = ((1f - abs(_e2283)) - abs(_e2289));
+                if (_e2293 < 0f) {
+                    phi_2996_ = -(_e2293);
+                } else {
+                    phi_2996_ = 0f;
+                }
+                let _e2297 = phi_2996_;
+                if (_e2283 < 0f) {
+                    phi_3003_ = (_e2283 + _e2297);
+                } else {
+                    phi_3003_ = (_e2283 - _e2297);
+                }
+                let _e2302 = phi_3003_;
+                if (_e2289 < 0f) {
+                    phi_3010_ = (_e2289 + _e2297);
+                } else {
+                    phi_3010_ = (_e2289 - _e2297);
+                }
+                let _e2307 = phi_3010_;
+                let _e2314 = (1f / sqrt((((_e2302 * _e2302) + (_e2307 * _e2307)) + (_e2293 * _e2293))));
+                let _e2333 = (f32((bitcast<i32>((_e1988[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2339 = (f32((bitcast<i32>(_e1988[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2343 = ((1f - abs(_e2333)) - abs(_e2339));
+                if (_e2343 < 0f) {
+                    phi_3048_ = -(_e2343);
+                } else {
+                    phi_3048_ = 0f;
+                }
+                let _e2347 = phi_3048_;
+                if (_e2333 < 0f) {
+                    phi_3055_ = (_e2333 + _e2347);
+                } else {
+                    phi_3055_ = (_e2333 - _e2347);
+                }
+                let _e2352 = phi_3055_;
+                if (_e2339 < 0f) {
+                    phi_3062_ = (_e2339 + _e2347);
+                } else {
+                    phi_3062_ = (_e2339 - _e2347);
+                }
+                let _e2357 = phi_3062_;
+                let _e2364 = (1f / sqrt((((_e2352 * _e2352) + (_e2357 * _e2357)) + (_e2343 * _e2343))));
+                let _e2375 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2255 * _e2267) * _e1823) + ((_e2302 * _e2314) * _e1817.u)) + ((_e2352 * _e2364) * _e1817.v)), ((((_e2260 * _e2267) * _e1823) + ((_e2307 * _e2314) * _e1817.u)) + ((_e2357 * _e2364) * _e1817.v)), ((((_e2246 * _e2267) * _e1823) + ((_e2293 * _e2314) * _e1817.u)) + ((_e2343 * _e2364) * _e1817.v))));
+                let _e2387 = sqrt((((_e2375.x * _e2375.x) + (_e2375.y * _e2375.y)) + (_e2375.z * _e2375.z)));
+                if (_e2387 > 0f) {
+                    let _e2390 = (_e2375.x / _e2387);
+                    let _e2392 = (_e2375.y / _e2387);
+                    let _e2394 = (_e2375.z / _e2387);
+                    if ((((_e2390 * _e1966.x) + (_e2392 * _e1966.y)) + (_e2394 * _e1966.z)) < 0f) {
+                        phi_3121_ = vec3<f32>(-(_e2390), -(_e2392), -(_e2394));
                     } else {
-                        phi_3022_ = (_e2288 / vec3(_e2300));
+                        phi_3121_ = (_e2375 / vec3(_e2387));
                     }
-                    let _e2324 = phi_3022_;
-                    phi_3023_ = _e2324;
+                    let _e2411 = phi_3121_;
+                    phi_3122_ = _e2411;
                 } else {
-                    phi_3023_ = _e1879;
+                    phi_3122_ = _e1966;
                 }
-                let _e2326 = phi_3023_;
-                phi_3024_ = _e2326;
+                let _e2413 = phi_3122_;
+                phi_3123_ = _e2413;
             }
-            let _e2328 = phi_3024_;
-            if (_e2125 > 0f) {
-                if (_e2125 < 1f) {
-                    phi_3033_ = _e2125;
+            let _e2415 = phi_3123_;
+            if (_e2212 > 0f) {
+                if (_e2212 < 1f) {
+                    phi_3132_ = _e2212;
                 } else {
-                    phi_3033_ = 1f;
+                    phi_3132_ = 1f;
                 }
-                let _e2332 = phi_3033_;
-                phi_3034_ = _e2332;
+                let _e2419 = phi_3132_;
+                phi_3133_ = _e2419;
             } else {
-                phi_3034_ = 0f;
+                phi_3133_ = 0f;
             }
-            let _e2334 = phi_3034_;
-            if (_e2127 > 0f) {
-                if (_e2127 < 1f) {
-                    phi_3044_ = _e2127;
+            let _e2421 = phi_3133_;
+            if (_e2214 > 0f) {
+                if (_e2214 < 1f) {
+                    phi_3143_ = _e2214;
                 } else {
-                    phi_3044_ = 1f;
+                    phi_3143_ = 1f;
                 }
-                let _e2339 = phi_3044_;
-                phi_3045_ = _e2339;
+                let _e2426 = phi_3143_;
+                phi_3144_ = _e2426;
             } else {
-                phi_3045_ = 0f;
+                phi_3144_ = 0f;
             }
-            let _e2341 = phi_3045_;
-            if (_e2129 > 0f) {
-                if (_e2129 < 1f) {
-                    phi_3055_ = _e2129;
+            let _e2428 = phi_3144_;
+            if (_e2216 > 0f) {
+                if (_e2216 < 1f) {
+                    phi_3154_ = _e2216;
                 } else {
-                    phi_3055_ = 1f;
+                    phi_3154_ = 1f;
                 }
-                let _e2346 = phi_3055_;
-                phi_3056_ = _e2346;
+                let _e2433 = phi_3154_;
+                phi_3155_ = _e2433;
             } else {
-                phi_3056_ = 0f;
+                phi_3155_ = 0f;
             }
-            let _e2348 = phi_3056_;
-            let _e2351 = ((sqrt(_e2334) * 255f) + 0.5f);
-            let _e2360 = ((sqrt(_e2341) * 255f) + 0.5f);
-            let _e2372 = ((sqrt(_e2348) * 255f) + 0.5f);
-            phi_3091_ = abi_Sample(vec3<f32>(_e1766, _e1767, _e1768), _e2131, _e1879, _e2136, _e2328, ((select(select(u32(_e2351), 0u, (_e2351 < bitcast<f32>(0u))), 4294967295u, (_e2351 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2360), 0u, (_e2360 < bitcast<f32>(0u))), 4294967295u, (_e2360 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2372), 0u, (_e2372 < bitcast<f32>(0u))), 4294967295u, (_e2372 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2435 = phi_3155_;
+            let _e2438 = ((sqrt(_e2421) * 255f) + 0.5f);
+            let _e2447 = ((sqrt(_e2428) * 255f) + 0.5f);
+            let _e2459 = ((sqrt(_e2435) * 255f) + 0.5f);
+            phi_3190_ = abi_Sample(vec3<f32>(_e1853, _e1854, _e1855), _e2218, _e1966, _e2223, _e2415, ((select(select(u32(_e2438), 0u, (_e2438 < bitcast<f32>(0u))), 4294967295u, (_e2438 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2447), 0u, (_e2447 < bitcast<f32>(0u))), 4294967295u, (_e2447 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2459), 0u, (_e2459 < bitcast<f32>(0u))), 4294967295u, (_e2459 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3091_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3190_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2386 = phi_3091_;
+        let _e2473 = phi_3190_;
         if (_e109.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e109.first_primitive)] = _e2386;
-        if (_e1730.triangle != 4294967295u) {
-            let _e2395 = ((1f - _e1730.u) - _e1730.v);
-            if (_e1730.triangle < _e82) {
+        samples.member[(0u + _e109.first_primitive)] = _e2473;
+        if (_e1817.triangle != 4294967295u) {
+            let _e2482 = ((1f - _e1817.u) - _e1817.v);
+            if (_e1817.triangle < _e82) {
             } else {
                 return;
             }
-            let _e2400 = triangles.member[(0u + _e1730.triangle)];
-            if (_e2400.i0_ < _e100) {
+            let _e2487 = triangles.member[(0u + _e1817.triangle)];
+            if (_e2487.i0_ < _e100) {
             } else {
                 return;
             }
-            let _e2405 = before.member[(0u + _e2400.i0_)];
-            if (_e2400.i1_ < _e100) {
+            let _e2492 = before.member[(0u + _e2487.i0_)];
+            if (_e2487.i1_ < _e100) {
             } else {
                 return;
             }
-            let _e2410 = before.member[(0u + _e2400.i1_)];
-            if (_e2400.i2_ < _e100) {
+            let _e2497 = before.member[(0u + _e2487.i1_)];
+            if (_e2487.i2_ < _e100) {
             } else {
                 return;
             }
-            let _e2415 = before.member[(0u + _e2400.i2_)];
-            let _e2420 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2405.x, _e2405.y, _e2405.z));
-            let _e2431 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2410.x, _e2410.y, _e2410.z));
-            let _e2445 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2415.x, _e2415.y, _e2415.z));
-            phi_3181_ = vec3<f32>((((_e2420.x * _e2395) + (_e2431.x * _e1730.u)) + (_e2445.x * _e1730.v)), (((_e2420.y * _e2395) + (_e2431.y * _e1730.u)) + (_e2445.y * _e1730.v)), (((_e2420.z * _e2395) + (_e2431.z * _e1730.u)) + (_e2445.z * _e1730.v)));
+            let _e2502 = before.member[(0u + _e2487.i2_)];
+            let _e2507 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2492.x, _e2492.y, _e2492.z));
+            let _e2518 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2497.x, _e2497.y, _e2497.z));
+            let _e2532 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2502.x, _e2502.y, _e2502.z));
+            phi_3280_ = vec3<f32>((((_e2507.x * _e2482) + (_e2518.x * _e1817.u)) + (_e2532.x * _e1817.v)), (((_e2507.y * _e2482) + (_e2518.y * _e1817.u)) + (_e2532.y * _e1817.v)), (((_e2507.z * _e2482) + (_e2518.z * _e1817.u)) + (_e2532.z * _e1817.v)));
         } else {
-            phi_3181_ = vec3<f32>(0f, 0f, 0f);
+            phi_3280_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2457 = phi_3181_;
+        let _e2544 = phi_3280_;
         if (_e109.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2457.x, _e2457.y, _e2457.z, 1f);
+        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2544.x, _e2544.y, _e2544.z, 1f);
     }
     return;
 }

@@ -549,58 +549,58 @@ fn _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSour
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_8: f32, param_9: f32) -> f32 {
-    var phi_2942_: f32;
+    var phi_3041_: f32;
 
     if (param_8 > param_9) {
-        phi_2942_ = param_8;
+        phi_3041_ = param_8;
     } else {
-        phi_2942_ = param_9;
+        phi_3041_ = param_9;
     }
-    let _e73 = phi_2942_;
+    let _e73 = phi_3041_;
     return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_10: f32, param_11: f32) -> f32 {
-    var phi_2930_: bool;
-    var phi_2934_: f32;
+    var phi_3029_: bool;
+    var phi_3033_: f32;
 
     if (param_10 != param_10) {
-        phi_2930_ = true;
+        phi_3029_ = true;
     } else {
         let _e72 = (param_11 <= param_10);
         if _e72 {
         }
-        phi_2930_ = _e72;
+        phi_3029_ = _e72;
     }
-    let _e74 = phi_2930_;
+    let _e74 = phi_3029_;
     if _e74 {
-        phi_2934_ = param_11;
+        phi_3033_ = param_11;
     } else {
-        phi_2934_ = param_10;
+        phi_3033_ = param_10;
     }
-    let _e76 = phi_2934_;
+    let _e76 = phi_3033_;
     return _e76;
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_12: f32, param_13: f32) -> f32 {
-    var phi_2914_: bool;
-    var phi_2918_: f32;
+    var phi_3013_: bool;
+    var phi_3017_: f32;
 
     if (param_12 != param_12) {
-        phi_2914_ = true;
+        phi_3013_ = true;
     } else {
         let _e72 = (param_13 >= param_12);
         if _e72 {
         }
-        phi_2914_ = _e72;
+        phi_3013_ = _e72;
     }
-    let _e74 = phi_2914_;
+    let _e74 = phi_3013_;
     if _e74 {
-        phi_2918_ = param_13;
+        phi_3017_ = param_13;
     } else {
-        phi_2918_ = param_12;
+        phi_3017_ = param_12;
     }
-    let _e76 = phi_2918_;
+    let _e76 = phi_3017_;
     return _e76;
 }
 
@@ -682,134 +682,140 @@ fn function_() {
     var phi_1494_: u32;
     var phi_1540_: vec3<f32>;
     var phi_1541_: vec3<f32>;
-    var phi_1574_: vec3<f32>;
-    var phi_1575_: vec3<f32>;
-    var phi_1608_: vec3<f32>;
-    var phi_1609_: vec3<f32>;
-    var phi_1629_: bool;
-    var phi_1630_: bool;
-    var phi_1634_: f32;
-    var phi_1635_: f32;
-    var phi_1636_: f32;
-    var phi_1637_: f32;
-    var phi_1645_: f32;
-    var phi_1655_: bool;
-    var phi_1656_: bool;
-    var phi_1660_: f32;
-    var phi_1661_: f32;
-    var phi_1662_: f32;
-    var phi_1663_: f32;
-    var phi_1671_: f32;
-    var phi_1681_: bool;
-    var phi_1682_: bool;
-    var phi_1686_: f32;
-    var phi_1687_: f32;
-    var phi_1688_: f32;
-    var phi_1689_: f32;
-    var phi_1697_: f32;
-    var phi_1712_: f32;
-    var phi_1713_: bool;
-    var phi_1714_: f32;
-    var phi_1715_: bool;
-    var phi_1716_: f32;
-    var phi_1717_: bool;
-    var phi_1735_: f32;
-    var phi_1736_: bool;
-    var phi_1737_: bool;
-    var phi_1738_: f32;
-    var phi_1739_: bool;
+    var phi_1572_: vec3<f32>;
+    var phi_1573_: vec3<f32>;
+    var phi_1604_: vec3<f32>;
+    var phi_1605_: vec3<f32>;
+    var phi_1623_: bool;
+    var phi_1624_: bool;
+    var phi_1628_: f32;
+    var phi_1629_: f32;
+    var phi_1630_: f32;
+    var phi_1631_: f32;
+    var phi_1639_: f32;
+    var phi_1649_: bool;
+    var phi_1650_: bool;
+    var phi_1654_: f32;
+    var phi_1655_: f32;
+    var phi_1656_: f32;
+    var phi_1657_: f32;
+    var phi_1665_: f32;
+    var phi_1675_: bool;
+    var phi_1676_: bool;
+    var phi_1680_: f32;
+    var phi_1681_: f32;
+    var phi_1682_: f32;
+    var phi_1683_: f32;
+    var phi_1691_: f32;
+    var phi_1706_: f32;
+    var phi_1707_: bool;
+    var phi_1708_: f32;
+    var phi_1709_: bool;
+    var phi_1710_: f32;
+    var phi_1711_: bool;
+    var phi_1729_: f32;
+    var phi_1730_: bool;
+    var phi_1731_: bool;
+    var phi_1732_: f32;
+    var phi_1733_: bool;
+    var phi_1734_: bool;
+    var phi_1738_: bool;
+    var phi_1739_: f32;
     var phi_1740_: bool;
-    var phi_1744_: bool;
-    var phi_1745_: f32;
-    var phi_1746_: bool;
-    var phi_1782_: f32;
-    var phi_1791_: f32;
-    var phi_1800_: f32;
-    var phi_1809_: f32;
-    var phi_1816_: f32;
-    var phi_1823_: f32;
-    var phi_1836_: f32;
-    var phi_1845_: f32;
-    var phi_1854_: f32;
-    var phi_1863_: f32;
-    var phi_1870_: f32;
-    var phi_1877_: f32;
-    var phi_1900_: f32;
-    var phi_1905_: f32;
-    var phi_1910_: f32;
-    var phi_1918_: f32;
-    var phi_1923_: f32;
-    var phi_1928_: f32;
-    var phi_1940_: f32;
-    var phi_1945_: f32;
-    var phi_1950_: f32;
-    var phi_1955_: f32;
-    var phi_1960_: lt_bvh_triangle_Intersection;
-    var phi_1961_: bool;
-    var phi_1962_: lt_bvh_triangle_Intersection;
-    var phi_1963_: bool;
-    var phi_1967_: lt_bvh_triangle_Intersection;
-    var phi_1968_: bool;
-    var phi_1969_: lt_bvh_triangle_Intersection;
-    var phi_1970_: bool;
-    var phi_1971_: bool;
-    var phi_1975_: bool;
-    var phi_1979_: lt_bvh_triangle_Intersection;
-    var phi_2018_: bool;
-    var phi_2019_: bool;
-    var phi_2020_: bool;
-    var phi_2021_: bool;
-    var phi_2022_: bool;
-    var phi_2023_: bool;
-    var phi_2027_: bool;
-    var phi_2028_: bool;
-    var phi_2231_: f32;
-    var phi_2234_: bool;
-    var phi_2235_: bool;
-    var phi_2239_: bool;
-    var phi_2247_: lt_bvh_Hit;
-    var phi_2248_: lt_bvh_Hit;
-    var phi_2249_: lt_bvh_Hit;
-    var phi_2250_: lt_bvh_Hit;
+    var phi_1770_: vec3<f32>;
+    var phi_1771_: vec3<f32>;
+    var phi_1796_: vec3<f32>;
+    var phi_1797_: vec3<f32>;
+    var phi_1822_: vec3<f32>;
+    var phi_1823_: vec3<f32>;
+    var phi_1881_: f32;
+    var phi_1890_: f32;
+    var phi_1899_: f32;
+    var phi_1908_: f32;
+    var phi_1915_: f32;
+    var phi_1922_: f32;
+    var phi_1935_: f32;
+    var phi_1944_: f32;
+    var phi_1953_: f32;
+    var phi_1962_: f32;
+    var phi_1969_: f32;
+    var phi_1976_: f32;
+    var phi_1999_: f32;
+    var phi_2004_: f32;
+    var phi_2009_: f32;
+    var phi_2017_: f32;
+    var phi_2022_: f32;
+    var phi_2027_: f32;
+    var phi_2039_: f32;
+    var phi_2044_: f32;
+    var phi_2049_: f32;
+    var phi_2054_: f32;
+    var phi_2059_: lt_bvh_triangle_Intersection;
+    var phi_2060_: bool;
+    var phi_2061_: lt_bvh_triangle_Intersection;
+    var phi_2062_: bool;
+    var phi_2066_: lt_bvh_triangle_Intersection;
+    var phi_2067_: bool;
+    var phi_2068_: lt_bvh_triangle_Intersection;
+    var phi_2069_: bool;
+    var phi_2070_: bool;
+    var phi_2074_: bool;
+    var phi_2078_: lt_bvh_triangle_Intersection;
+    var phi_2117_: bool;
+    var phi_2118_: bool;
+    var phi_2119_: bool;
+    var phi_2120_: bool;
+    var phi_2121_: bool;
+    var phi_2122_: bool;
+    var phi_2126_: bool;
+    var phi_2127_: bool;
+    var phi_2330_: f32;
+    var phi_2333_: bool;
+    var phi_2334_: bool;
+    var phi_2338_: bool;
+    var phi_2346_: lt_bvh_Hit;
+    var phi_2347_: lt_bvh_Hit;
+    var phi_2348_: lt_bvh_Hit;
+    var phi_2349_: lt_bvh_Hit;
     var phi_1492_: lt_bvh_Hit;
     var phi_1495_: u32;
-    var phi_2251_: bool;
-    var phi_2290_: bool;
-    var phi_2291_: bool;
-    var phi_2322_: u32;
+    var phi_2350_: bool;
+    var phi_2389_: bool;
+    var phi_2390_: bool;
+    var phi_2421_: u32;
     var phi_1155_: lt_bvh_Hit;
     var phi_1158_: u32;
-    var phi_2323_: lt_bvh_Hit;
-    var phi_2324_: lt_bvh_Hit;
-    var phi_2325_: bool;
-    var phi_2329_: lt_bvh_Hit;
-    var phi_2394_: f32;
-    var phi_2399_: f32;
-    var phi_2404_: f32;
-    var phi_2415_: f32;
-    var phi_2420_: f32;
-    var phi_2425_: f32;
-    var phi_2501_: vec3<f32>;
-    var phi_2622_: u32;
-    var phi_2649_: f32;
-    var phi_2656_: f32;
-    var phi_2663_: f32;
-    var phi_2698_: f32;
-    var phi_2705_: f32;
-    var phi_2712_: f32;
-    var phi_2750_: f32;
-    var phi_2757_: f32;
-    var phi_2764_: f32;
-    var phi_2823_: vec3<f32>;
-    var phi_2824_: vec3<f32>;
-    var phi_2825_: vec3<f32>;
-    var phi_2834_: f32;
-    var phi_2835_: f32;
-    var phi_2845_: f32;
-    var phi_2846_: f32;
+    var phi_2422_: lt_bvh_Hit;
+    var phi_2423_: lt_bvh_Hit;
+    var phi_2424_: bool;
+    var phi_2428_: lt_bvh_Hit;
+    var phi_2493_: f32;
+    var phi_2498_: f32;
+    var phi_2503_: f32;
+    var phi_2514_: f32;
+    var phi_2519_: f32;
+    var phi_2524_: f32;
+    var phi_2600_: vec3<f32>;
+    var phi_2721_: u32;
+    var phi_2748_: f32;
+    var phi_2755_: f32;
+    var phi_2762_: f32;
+    var phi_2797_: f32;
+    var phi_2804_: f32;
+    var phi_2811_: f32;
+    var phi_2849_: f32;
     var phi_2856_: f32;
-    var phi_2857_: f32;
-    var phi_2892_: abi_Sample;
+    var phi_2863_: f32;
+    var phi_2922_: vec3<f32>;
+    var phi_2923_: vec3<f32>;
+    var phi_2924_: vec3<f32>;
+    var phi_2933_: f32;
+    var phi_2934_: f32;
+    var phi_2944_: f32;
+    var phi_2945_: f32;
+    var phi_2955_: f32;
+    var phi_2956_: f32;
+    var phi_2991_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -942,7 +948,7 @@ fn function_() {
         if _e222 {
             let _e223 = (0u >= _e75);
             if _e223 {
-                phi_2323_ = lt_bvh_Hit();
+                phi_2422_ = lt_bvh_Hit();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -1069,7 +1075,6 @@ fn function_() {
                 let _e408 = phi_982_;
                 let _e412 = (_e408.x / _e408.z);
                 let _e415 = (_e408.y / _e408.z);
-                let _e417 = (1f / _e408.z);
                 if (_e305 < 0f) {
                     phi_996_ = 0u;
                 } else {
@@ -1337,7 +1342,7 @@ fn function_() {
                             if (_e1011 == 0u) {
                                 phi_1492_ = lt_bvh_Hit();
                                 phi_1495_ = u32();
-                                phi_2251_ = false;
+                                phi_2350_ = false;
                             } else {
                                 let _e1015 = nodes.member[(0u + _e568)].links[1u];
                                 let _e1020 = ((0u + _e1015) + select(firstTrailingBit(_e1011), 32u, (_e1011 == 0u)));
@@ -1363,923 +1368,976 @@ fn function_() {
                                 let _e1045 = phi_1541_;
                                 let _e1049 = (_e1045.x - (_e412 * _e1045.z));
                                 let _e1053 = (_e1045.y - (_e415 * _e1045.z));
-                                let _e1057 = triangles.member[(0u + _e1020)].v1_;
-                                let _e1060 = (_e1057.x - _e151.origin.x);
-                                let _e1063 = (_e1057.y - _e151.origin.y);
-                                let _e1066 = (_e1057.z - _e151.origin.z);
+                                let _e1055 = triangles.member[(0u + _e1020)].v1_;
+                                let _e1058 = (_e1055.x - _e151.origin.x);
+                                let _e1061 = (_e1055.y - _e151.origin.y);
+                                let _e1064 = (_e1055.z - _e151.origin.z);
                                 if (_e393 == 0u) {
-                                    phi_1575_ = vec3<f32>(_e1063, _e1066, _e1060);
+                                    phi_1573_ = vec3<f32>(_e1061, _e1064, _e1058);
                                 } else {
                                     if (_e393 == 1u) {
-                                        phi_1574_ = vec3<f32>(_e1066, _e1060, _e1063);
+                                        phi_1572_ = vec3<f32>(_e1064, _e1058, _e1061);
                                     } else {
-                                        phi_1574_ = (_e1057 - _e151.origin);
+                                        phi_1572_ = (_e1055 - _e151.origin);
                                     }
-                                    let _e1073 = phi_1574_;
-                                    phi_1575_ = _e1073;
+                                    let _e1071 = phi_1572_;
+                                    phi_1573_ = _e1071;
                                 }
-                                let _e1075 = phi_1575_;
-                                let _e1079 = (_e1075.x - (_e412 * _e1075.z));
-                                let _e1083 = (_e1075.y - (_e415 * _e1075.z));
-                                let _e1087 = triangles.member[(0u + _e1020)].v2_;
-                                let _e1090 = (_e1087.x - _e151.origin.x);
-                                let _e1093 = (_e1087.y - _e151.origin.y);
-                                let _e1096 = (_e1087.z - _e151.origin.z);
+                                let _e1073 = phi_1573_;
+                                let _e1077 = (_e1073.x - (_e412 * _e1073.z));
+                                let _e1081 = (_e1073.y - (_e415 * _e1073.z));
+                                let _e1083 = triangles.member[(0u + _e1020)].v2_;
+                                let _e1086 = (_e1083.x - _e151.origin.x);
+                                let _e1089 = (_e1083.y - _e151.origin.y);
+                                let _e1092 = (_e1083.z - _e151.origin.z);
                                 if (_e393 == 0u) {
-                                    phi_1609_ = vec3<f32>(_e1093, _e1096, _e1090);
+                                    phi_1605_ = vec3<f32>(_e1089, _e1092, _e1086);
                                 } else {
                                     if (_e393 == 1u) {
-                                        phi_1608_ = vec3<f32>(_e1096, _e1090, _e1093);
+                                        phi_1604_ = vec3<f32>(_e1092, _e1086, _e1089);
                                     } else {
-                                        phi_1608_ = (_e1087 - _e151.origin);
+                                        phi_1604_ = (_e1083 - _e151.origin);
                                     }
-                                    let _e1103 = phi_1608_;
-                                    phi_1609_ = _e1103;
+                                    let _e1099 = phi_1604_;
+                                    phi_1605_ = _e1099;
                                 }
-                                let _e1105 = phi_1609_;
-                                let _e1109 = (_e1105.x - (_e412 * _e1105.z));
-                                let _e1113 = (_e1105.y - (_e415 * _e1105.z));
-                                if (_e1079 < _e1109) {
-                                    phi_1630_ = true;
+                                let _e1101 = phi_1605_;
+                                let _e1105 = (_e1101.x - (_e412 * _e1101.z));
+                                let _e1109 = (_e1101.y - (_e415 * _e1101.z));
+                                if (_e1077 < _e1105) {
+                                    phi_1624_ = true;
                                 } else {
-                                    if (_e1079 == _e1109) {
-                                        phi_1629_ = (_e1083 < _e1113);
+                                    if (_e1077 == _e1105) {
+                                        phi_1623_ = (_e1081 < _e1109);
                                     } else {
-                                        phi_1629_ = false;
+                                        phi_1623_ = false;
                                     }
-                                    let _e1120 = phi_1629_;
-                                    phi_1630_ = _e1120;
+                                    let _e1114 = phi_1623_;
+                                    phi_1624_ = _e1114;
                                 }
+                                let _e1116 = phi_1624_;
+                                if _e1116 {
+                                    phi_1628_ = _e1109;
+                                    phi_1629_ = _e1105;
+                                    phi_1630_ = _e1081;
+                                    phi_1631_ = _e1077;
+                                } else {
+                                    phi_1628_ = _e1081;
+                                    phi_1629_ = _e1077;
+                                    phi_1630_ = _e1109;
+                                    phi_1631_ = _e1105;
+                                }
+                                let _e1118 = phi_1628_;
+                                let _e1120 = phi_1629_;
                                 let _e1122 = phi_1630_;
-                                if _e1122 {
-                                    phi_1634_ = _e1113;
-                                    phi_1635_ = _e1109;
-                                    phi_1636_ = _e1083;
-                                    phi_1637_ = _e1079;
+                                let _e1124 = phi_1631_;
+                                let _e1127 = ((_e1124 * _e1118) - (_e1122 * _e1120));
+                                if _e1116 {
+                                    phi_1639_ = -(_e1127);
                                 } else {
-                                    phi_1634_ = _e1083;
-                                    phi_1635_ = _e1079;
-                                    phi_1636_ = _e1113;
-                                    phi_1637_ = _e1109;
+                                    phi_1639_ = _e1127;
                                 }
-                                let _e1124 = phi_1634_;
-                                let _e1126 = phi_1635_;
-                                let _e1128 = phi_1636_;
-                                let _e1130 = phi_1637_;
-                                let _e1133 = ((_e1130 * _e1124) - (_e1128 * _e1126));
-                                if _e1122 {
-                                    phi_1645_ = -(_e1133);
+                                let _e1130 = phi_1639_;
+                                if (_e1105 < _e1049) {
+                                    phi_1650_ = true;
                                 } else {
-                                    phi_1645_ = _e1133;
-                                }
-                                let _e1136 = phi_1645_;
-                                if (_e1109 < _e1049) {
-                                    phi_1656_ = true;
-                                } else {
-                                    if (_e1109 == _e1049) {
-                                        phi_1655_ = (_e1113 < _e1053);
+                                    if (_e1105 == _e1049) {
+                                        phi_1649_ = (_e1109 < _e1053);
                                     } else {
-                                        phi_1655_ = false;
+                                        phi_1649_ = false;
                                     }
-                                    let _e1141 = phi_1655_;
-                                    phi_1656_ = _e1141;
+                                    let _e1135 = phi_1649_;
+                                    phi_1650_ = _e1135;
                                 }
+                                let _e1137 = phi_1650_;
+                                if _e1137 {
+                                    phi_1654_ = _e1053;
+                                    phi_1655_ = _e1049;
+                                    phi_1656_ = _e1109;
+                                    phi_1657_ = _e1105;
+                                } else {
+                                    phi_1654_ = _e1109;
+                                    phi_1655_ = _e1105;
+                                    phi_1656_ = _e1053;
+                                    phi_1657_ = _e1049;
+                                }
+                                let _e1139 = phi_1654_;
+                                let _e1141 = phi_1655_;
                                 let _e1143 = phi_1656_;
-                                if _e1143 {
-                                    phi_1660_ = _e1053;
-                                    phi_1661_ = _e1049;
-                                    phi_1662_ = _e1113;
-                                    phi_1663_ = _e1109;
+                                let _e1145 = phi_1657_;
+                                let _e1148 = ((_e1145 * _e1139) - (_e1143 * _e1141));
+                                if _e1137 {
+                                    phi_1665_ = -(_e1148);
                                 } else {
-                                    phi_1660_ = _e1113;
-                                    phi_1661_ = _e1109;
-                                    phi_1662_ = _e1053;
-                                    phi_1663_ = _e1049;
+                                    phi_1665_ = _e1148;
                                 }
-                                let _e1145 = phi_1660_;
-                                let _e1147 = phi_1661_;
-                                let _e1149 = phi_1662_;
-                                let _e1151 = phi_1663_;
-                                let _e1154 = ((_e1151 * _e1145) - (_e1149 * _e1147));
-                                if _e1143 {
-                                    phi_1671_ = -(_e1154);
+                                let _e1151 = phi_1665_;
+                                if (_e1049 < _e1077) {
+                                    phi_1676_ = true;
                                 } else {
-                                    phi_1671_ = _e1154;
-                                }
-                                let _e1157 = phi_1671_;
-                                if (_e1049 < _e1079) {
-                                    phi_1682_ = true;
-                                } else {
-                                    if (_e1049 == _e1079) {
-                                        phi_1681_ = (_e1053 < _e1083);
+                                    if (_e1049 == _e1077) {
+                                        phi_1675_ = (_e1053 < _e1081);
                                     } else {
-                                        phi_1681_ = false;
+                                        phi_1675_ = false;
                                     }
-                                    let _e1162 = phi_1681_;
-                                    phi_1682_ = _e1162;
+                                    let _e1156 = phi_1675_;
+                                    phi_1676_ = _e1156;
                                 }
+                                let _e1158 = phi_1676_;
+                                if _e1158 {
+                                    phi_1680_ = _e1081;
+                                    phi_1681_ = _e1077;
+                                    phi_1682_ = _e1053;
+                                    phi_1683_ = _e1049;
+                                } else {
+                                    phi_1680_ = _e1053;
+                                    phi_1681_ = _e1049;
+                                    phi_1682_ = _e1081;
+                                    phi_1683_ = _e1077;
+                                }
+                                let _e1160 = phi_1680_;
+                                let _e1162 = phi_1681_;
                                 let _e1164 = phi_1682_;
-                                if _e1164 {
-                                    phi_1686_ = _e1083;
-                                    phi_1687_ = _e1079;
-                                    phi_1688_ = _e1053;
-                                    phi_1689_ = _e1049;
+                                let _e1166 = phi_1683_;
+                                let _e1169 = ((_e1166 * _e1160) - (_e1164 * _e1162));
+                                if _e1158 {
+                                    phi_1691_ = -(_e1169);
                                 } else {
-                                    phi_1686_ = _e1053;
-                                    phi_1687_ = _e1049;
-                                    phi_1688_ = _e1083;
-                                    phi_1689_ = _e1079;
+                                    phi_1691_ = _e1169;
                                 }
-                                let _e1166 = phi_1686_;
-                                let _e1168 = phi_1687_;
-                                let _e1170 = phi_1688_;
-                                let _e1172 = phi_1689_;
-                                let _e1175 = ((_e1172 * _e1166) - (_e1170 * _e1168));
-                                if _e1164 {
-                                    phi_1697_ = -(_e1175);
-                                } else {
-                                    phi_1697_ = _e1175;
-                                }
-                                let _e1178 = phi_1697_;
-                                if (_e1136 >= 0f) {
-                                    if (_e1157 >= 0f) {
-                                        if (_e1178 >= 0f) {
-                                            phi_1712_ = ((_e1136 + _e1157) + _e1178);
-                                            phi_1713_ = false;
+                                let _e1172 = phi_1691_;
+                                if (_e1130 >= 0f) {
+                                    if (_e1151 >= 0f) {
+                                        if (_e1172 >= 0f) {
+                                            phi_1706_ = ((_e1130 + _e1151) + _e1172);
+                                            phi_1707_ = false;
                                         } else {
-                                            phi_1712_ = f32();
-                                            phi_1713_ = true;
+                                            phi_1706_ = f32();
+                                            phi_1707_ = true;
                                         }
-                                        let _e1185 = phi_1712_;
-                                        let _e1187 = phi_1713_;
-                                        phi_1714_ = _e1185;
-                                        phi_1715_ = _e1187;
+                                        let _e1179 = phi_1706_;
+                                        let _e1181 = phi_1707_;
+                                        phi_1708_ = _e1179;
+                                        phi_1709_ = _e1181;
                                     } else {
-                                        phi_1714_ = f32();
-                                        phi_1715_ = true;
+                                        phi_1708_ = f32();
+                                        phi_1709_ = true;
                                     }
-                                    let _e1189 = phi_1714_;
-                                    let _e1191 = phi_1715_;
-                                    phi_1716_ = _e1189;
-                                    phi_1717_ = _e1191;
+                                    let _e1183 = phi_1708_;
+                                    let _e1185 = phi_1709_;
+                                    phi_1710_ = _e1183;
+                                    phi_1711_ = _e1185;
                                 } else {
-                                    phi_1716_ = f32();
-                                    phi_1717_ = true;
+                                    phi_1710_ = f32();
+                                    phi_1711_ = true;
                                 }
-                                let _e1193 = phi_1716_;
-                                let _e1195 = phi_1717_;
-                                if _e1195 {
-                                    if (_e1136 <= 0f) {
-                                        if (_e1157 <= 0f) {
-                                            let _e1198 = (_e1178 <= 0f);
-                                            if _e1198 {
+                                let _e1187 = phi_1710_;
+                                let _e1189 = phi_1711_;
+                                if _e1189 {
+                                    if (_e1130 <= 0f) {
+                                        if (_e1151 <= 0f) {
+                                            let _e1192 = (_e1172 <= 0f);
+                                            if _e1192 {
                                             }
-                                            phi_1735_ = ((_e1136 + _e1157) + _e1178);
-                                            phi_1736_ = false;
-                                            phi_1737_ = _e1198;
+                                            phi_1729_ = ((_e1130 + _e1151) + _e1172);
+                                            phi_1730_ = false;
+                                            phi_1731_ = _e1192;
                                         } else {
-                                            phi_1735_ = f32();
-                                            phi_1736_ = true;
-                                            phi_1737_ = false;
+                                            phi_1729_ = f32();
+                                            phi_1730_ = true;
+                                            phi_1731_ = false;
                                         }
-                                        let _e1202 = phi_1735_;
-                                        let _e1204 = phi_1736_;
-                                        let _e1206 = phi_1737_;
-                                        phi_1738_ = _e1202;
-                                        phi_1739_ = _e1204;
-                                        phi_1740_ = _e1206;
+                                        let _e1196 = phi_1729_;
+                                        let _e1198 = phi_1730_;
+                                        let _e1200 = phi_1731_;
+                                        phi_1732_ = _e1196;
+                                        phi_1733_ = _e1198;
+                                        phi_1734_ = _e1200;
                                     } else {
-                                        phi_1738_ = f32();
-                                        phi_1739_ = true;
-                                        phi_1740_ = false;
+                                        phi_1732_ = f32();
+                                        phi_1733_ = true;
+                                        phi_1734_ = false;
+                                    }
+                                    let _e1202 = phi_1732_;
+                                    let _e1204 = phi_1733_;
+                                    let _e1206 = phi_1734_;
+                                    if _e1204 {
+                                        phi_1738_ = false;
+                                    } else {
+                                        phi_1738_ = _e1206;
                                     }
                                     let _e1208 = phi_1738_;
-                                    let _e1210 = phi_1739_;
-                                    let _e1212 = phi_1740_;
-                                    if _e1210 {
-                                        phi_1744_ = false;
-                                    } else {
-                                        phi_1744_ = _e1212;
-                                    }
-                                    let _e1214 = phi_1744_;
-                                    phi_1745_ = _e1208;
-                                    phi_1746_ = _e1214;
+                                    phi_1739_ = _e1202;
+                                    phi_1740_ = _e1208;
                                 } else {
-                                    phi_1745_ = _e1193;
-                                    phi_1746_ = true;
+                                    phi_1739_ = _e1187;
+                                    phi_1740_ = true;
                                 }
-                                let _e1216 = phi_1745_;
-                                let _e1218 = phi_1746_;
-                                if _e1218 {
-                                    let _e1219 = (_e1216 == 0f);
-                                    if _e1219 {
-                                        phi_1967_ = lt_bvh_triangle_Intersection();
-                                        phi_1968_ = false;
+                                let _e1210 = phi_1739_;
+                                let _e1212 = phi_1740_;
+                                if _e1212 {
+                                    let _e1213 = (_e1210 == 0f);
+                                    if _e1213 {
+                                        phi_2066_ = lt_bvh_triangle_Intersection();
+                                        phi_2067_ = false;
                                     } else {
-                                        let _e1225 = ((((_e1136 * (_e417 * _e1045.z)) + (_e1157 * (_e417 * _e1075.z))) + (_e1178 * (_e417 * _e1105.z))) / _e1216);
-                                        if (_e1225 > _e151.tmin) {
-                                            if (_e1225 < _e151.tmax) {
-                                                let _e1231 = triangles.member[(0u + _e1020)].v0_;
-                                                let _e1233 = triangles.member[(0u + _e1020)].v1_;
-                                                if (_e1231.x < _e1233.x) {
-                                                    phi_1782_ = _e1231.x;
-                                                } else {
-                                                    phi_1782_ = _e1233.x;
-                                                }
-                                                let _e1240 = phi_1782_;
-                                                if (_e1231.y < _e1233.y) {
-                                                    phi_1791_ = _e1231.y;
-                                                } else {
-                                                    phi_1791_ = _e1233.y;
-                                                }
-                                                let _e1247 = phi_1791_;
-                                                if (_e1231.z < _e1233.z) {
-                                                    phi_1800_ = _e1231.z;
-                                                } else {
-                                                    phi_1800_ = _e1233.z;
-                                                }
-                                                let _e1254 = phi_1800_;
-                                                let _e1256 = triangles.member[(0u + _e1020)].v2_;
-                                                if (_e1240 < _e1256.x) {
-                                                    phi_1809_ = _e1240;
-                                                } else {
-                                                    phi_1809_ = _e1256.x;
-                                                }
-                                                let _e1261 = phi_1809_;
-                                                if (_e1247 < _e1256.y) {
-                                                    phi_1816_ = _e1247;
-                                                } else {
-                                                    phi_1816_ = _e1256.y;
-                                                }
-                                                let _e1266 = phi_1816_;
-                                                if (_e1254 < _e1256.z) {
-                                                    phi_1823_ = _e1254;
-                                                } else {
-                                                    phi_1823_ = _e1256.z;
-                                                }
-                                                let _e1271 = phi_1823_;
-                                                let _e1273 = triangles.member[(0u + _e1020)].v0_;
-                                                let _e1275 = triangles.member[(0u + _e1020)].v1_;
-                                                if (_e1273.x > _e1275.x) {
-                                                    phi_1836_ = _e1273.x;
-                                                } else {
-                                                    phi_1836_ = _e1275.x;
-                                                }
-                                                let _e1282 = phi_1836_;
-                                                if (_e1273.y > _e1275.y) {
-                                                    phi_1845_ = _e1273.y;
-                                                } else {
-                                                    phi_1845_ = _e1275.y;
-                                                }
-                                                let _e1289 = phi_1845_;
-                                                if (_e1273.z > _e1275.z) {
-                                                    phi_1854_ = _e1273.z;
-                                                } else {
-                                                    phi_1854_ = _e1275.z;
-                                                }
-                                                let _e1296 = phi_1854_;
-                                                let _e1298 = triangles.member[(0u + _e1020)].v2_;
-                                                if (_e1282 > _e1298.x) {
-                                                    phi_1863_ = _e1282;
-                                                } else {
-                                                    phi_1863_ = _e1298.x;
-                                                }
-                                                let _e1303 = phi_1863_;
-                                                if (_e1289 > _e1298.y) {
-                                                    phi_1870_ = _e1289;
-                                                } else {
-                                                    phi_1870_ = _e1298.y;
-                                                }
-                                                let _e1308 = phi_1870_;
-                                                if (_e1296 > _e1298.z) {
-                                                    phi_1877_ = _e1296;
-                                                } else {
-                                                    phi_1877_ = _e1298.z;
-                                                }
-                                                let _e1313 = phi_1877_;
-                                                let _e1320 = ((_e1261 - _e151.origin.x) * _e305);
-                                                let _e1321 = ((_e1266 - _e151.origin.y) * _e317);
-                                                let _e1322 = ((_e1271 - _e151.origin.z) * _e329);
-                                                let _e1329 = ((_e1303 - _e151.origin.x) * _e305);
-                                                let _e1330 = ((_e1308 - _e151.origin.y) * _e317);
-                                                let _e1331 = ((_e1313 - _e151.origin.z) * _e329);
-                                                if (_e1320 < _e1329) {
-                                                    phi_1900_ = _e1320;
-                                                } else {
-                                                    phi_1900_ = _e1329;
-                                                }
-                                                let _e1334 = phi_1900_;
-                                                if (_e1321 < _e1330) {
-                                                    phi_1905_ = _e1321;
-                                                } else {
-                                                    phi_1905_ = _e1330;
-                                                }
-                                                let _e1337 = phi_1905_;
-                                                if (_e1322 < _e1331) {
-                                                    phi_1910_ = _e1322;
-                                                } else {
-                                                    phi_1910_ = _e1331;
-                                                }
-                                                let _e1340 = phi_1910_;
-                                                if (_e1320 > _e1329) {
-                                                    phi_1918_ = _e1320;
-                                                } else {
-                                                    phi_1918_ = _e1329;
-                                                }
-                                                let _e1346 = phi_1918_;
-                                                if (_e1321 > _e1330) {
-                                                    phi_1923_ = _e1321;
-                                                } else {
-                                                    phi_1923_ = _e1330;
-                                                }
-                                                let _e1349 = phi_1923_;
-                                                if (_e1322 > _e1331) {
-                                                    phi_1928_ = _e1322;
-                                                } else {
-                                                    phi_1928_ = _e1331;
-                                                }
-                                                let _e1352 = phi_1928_;
-                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_((_e1334 - _e373), (_e1337 - _e374));
-                                                let _e1357 = core_intrinsics_maximum_number_nsz_f32_(_e1356, (_e1340 - _e375));
-                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_((_e1346 + _e373), (_e1349 + _e374));
-                                                let _e1359 = core_intrinsics_minimum_number_nsz_f32_(_e1358, (_e1352 + _e375));
-                                                if (_e1357 > -300000000000000000000000000000000000000f) {
-                                                    phi_1940_ = _e1357;
-                                                } else {
-                                                    phi_1940_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1362 = phi_1940_;
-                                                if (_e1359 < 300000000000000000000000000000000000000f) {
-                                                    phi_1945_ = _e1359;
-                                                } else {
-                                                    phi_1945_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1365 = phi_1945_;
-                                                if (_e1225 < _e1362) {
-                                                    phi_1950_ = _e1362;
-                                                } else {
-                                                    phi_1950_ = _e1225;
-                                                }
-                                                let _e1368 = phi_1950_;
-                                                if (_e1368 > _e1365) {
-                                                    phi_1955_ = _e1365;
-                                                } else {
-                                                    phi_1955_ = _e1368;
-                                                }
-                                                let _e1371 = phi_1955_;
-                                                phi_1960_ = lt_bvh_triangle_Intersection(_e1371, (_e1157 / _e1216), (_e1178 / _e1216), (_e1362 <= _e1365));
-                                                phi_1961_ = false;
+                                        let _e1215 = triangles.member[(0u + _e1020)].v0_;
+                                        let _e1218 = (_e1215.x - _e151.origin.x);
+                                        let _e1221 = (_e1215.y - _e151.origin.y);
+                                        let _e1224 = (_e1215.z - _e151.origin.z);
+                                        if (_e393 == 0u) {
+                                            phi_1771_ = vec3<f32>(_e1221, _e1224, _e1218);
+                                        } else {
+                                            if (_e393 == 1u) {
+                                                phi_1770_ = vec3<f32>(_e1224, _e1218, _e1221);
                                             } else {
-                                                phi_1960_ = lt_bvh_triangle_Intersection();
-                                                phi_1961_ = true;
+                                                phi_1770_ = (_e1215 - _e151.origin);
                                             }
-                                            let _e1377 = phi_1960_;
-                                            let _e1379 = phi_1961_;
-                                            phi_1962_ = _e1377;
-                                            phi_1963_ = _e1379;
+                                            let _e1231 = phi_1770_;
+                                            phi_1771_ = _e1231;
+                                        }
+                                        let _e1233 = phi_1771_;
+                                        let _e1235 = triangles.member[(0u + _e1020)].v1_;
+                                        let _e1237 = triangles.member[(0u + _e1020)].v0_;
+                                        let _e1240 = (_e1235.x - _e1237.x);
+                                        let _e1243 = (_e1235.y - _e1237.y);
+                                        let _e1246 = (_e1235.z - _e1237.z);
+                                        if (_e393 == 0u) {
+                                            phi_1797_ = vec3<f32>(_e1243, _e1246, _e1240);
                                         } else {
-                                            phi_1962_ = lt_bvh_triangle_Intersection();
-                                            phi_1963_ = true;
+                                            if (_e393 == 1u) {
+                                                phi_1796_ = vec3<f32>(_e1246, _e1240, _e1243);
+                                            } else {
+                                                phi_1796_ = (_e1235 - _e1237);
+                                            }
+                                            let _e1253 = phi_1796_;
+                                            phi_1797_ = _e1253;
                                         }
-                                        let _e1381 = phi_1962_;
-                                        let _e1383 = phi_1963_;
-                                        if _e1383 {
+                                        let _e1255 = phi_1797_;
+                                        let _e1257 = triangles.member[(0u + _e1020)].v2_;
+                                        let _e1259 = triangles.member[(0u + _e1020)].v0_;
+                                        let _e1262 = (_e1257.x - _e1259.x);
+                                        let _e1265 = (_e1257.y - _e1259.y);
+                                        let _e1268 = (_e1257.z - _e1259.z);
+                                        if (_e393 == 0u) {
+                                            phi_1823_ = vec3<f32>(_e1265, _e1268, _e1262);
+                                        } else {
+                                            if (_e393 == 1u) {
+                                                phi_1822_ = vec3<f32>(_e1268, _e1262, _e1265);
+                                            } else {
+                                                phi_1822_ = (_e1257 - _e1259);
+                                            }
+                                            let _e1275 = phi_1822_;
+                                            phi_1823_ = _e1275;
                                         }
-                                        phi_1967_ = _e1381;
-                                        phi_1968_ = _e1383;
+                                        let _e1277 = phi_1823_;
+                                        let _e1284 = ((_e1255.y * _e1277.z) - (_e1255.z * _e1277.y));
+                                        let _e1291 = ((_e1255.z * _e1277.x) - (_e1255.x * _e1277.z));
+                                        let _e1298 = ((_e1255.x * _e1277.y) - (_e1255.y * _e1277.x));
+                                        let _e1312 = (((1f / _e408.z) * (((_e1284 * _e1233.x) + (_e1291 * _e1233.y)) + (_e1298 * _e1233.z))) / (((_e1284 * _e412) + (_e1291 * _e415)) + _e1298));
+                                        if (_e1312 > _e151.tmin) {
+                                            if (_e1312 < _e151.tmax) {
+                                                let _e1318 = triangles.member[(0u + _e1020)].v0_;
+                                                let _e1320 = triangles.member[(0u + _e1020)].v1_;
+                                                if (_e1318.x < _e1320.x) {
+                                                    phi_1881_ = _e1318.x;
+                                                } else {
+                                                    phi_1881_ = _e1320.x;
+                                                }
+                                                let _e1327 = phi_1881_;
+                                                if (_e1318.y < _e1320.y) {
+                                                    phi_1890_ = _e1318.y;
+                                                } else {
+                                                    phi_1890_ = _e1320.y;
+                                                }
+                                                let _e1334 = phi_1890_;
+                                                if (_e1318.z < _e1320.z) {
+                                                    phi_1899_ = _e1318.z;
+                                                } else {
+                                                    phi_1899_ = _e1320.z;
+                                                }
+                                                let _e1341 = phi_1899_;
+                                                let _e1343 = triangles.member[(0u + _e1020)].v2_;
+                                                if (_e1327 < _e1343.x) {
+                                                    phi_1908_ = _e1327;
+                                                } else {
+                                                    phi_1908_ = _e1343.x;
+                                                }
+                                                let _e1348 = phi_1908_;
+                                                if (_e1334 < _e1343.y) {
+                                                    phi_1915_ = _e1334;
+                                                } else {
+                                                    phi_1915_ = _e1343.y;
+                                                }
+                                                let _e1353 = phi_1915_;
+                                                if (_e1341 < _e1343.z) {
+                                                    phi_1922_ = _e1341;
+                                                } else {
+                                                    phi_1922_ = _e1343.z;
+                                                }
+                                                let _e1358 = phi_1922_;
+                                                let _e1360 = triangles.member[(0u + _e1020)].v0_;
+                                                let _e1362 = triangles.member[(0u + _e1020)].v1_;
+                                                if (_e1360.x > _e1362.x) {
+                                                    phi_1935_ = _e1360.x;
+                                                } else {
+                                                    phi_1935_ = _e1362.x;
+                                                }
+                                                let _e1369 = phi_1935_;
+                                                if (_e1360.y > _e1362.y) {
+                                                    phi_1944_ = _e1360.y;
+                                                } else {
+                                                    phi_1944_ = _e1362.y;
+                                                }
+                                                let _e1376 = phi_1944_;
+                                                if (_e1360.z > _e1362.z) {
+                                                    phi_1953_ = _e1360.z;
+                                                } else {
+                                                    phi_1953_ = _e1362.z;
+                                                }
+                                                let _e1383 = phi_1953_;
+                                                let _e1385 = triangles.member[(0u + _e1020)].v2_;
+                                                if (_e1369 > _e1385.x) {
+                                                    phi_1962_ = _e1369;
+                                                } else {
+                                                    phi_1962_ = _e1385.x;
+                                                }
+                                                let _e1390 = phi_1962_;
+                                                if (_e1376 > _e1385.y) {
+                                                    phi_1969_ = _e1376;
+                                                } else {
+                                                    phi_1969_ = _e1385.y;
+                                                }
+                                                let _e1395 = phi_1969_;
+                                                if (_e1383 > _e1385.z) {
+                                                    phi_1976_ = _e1383;
+                                                } else {
+                                                    phi_1976_ = _e1385.z;
+                                                }
+                                                let _e1400 = phi_1976_;
+                                                let _e1407 = ((_e1348 - _e151.origin.x) * _e305);
+                                                let _e1408 = ((_e1353 - _e151.origin.y) * _e317);
+                                                let _e1409 = ((_e1358 - _e151.origin.z) * _e329);
+                                                let _e1416 = ((_e1390 - _e151.origin.x) * _e305);
+                                                let _e1417 = ((_e1395 - _e151.origin.y) * _e317);
+                                                let _e1418 = ((_e1400 - _e151.origin.z) * _e329);
+                                                if (_e1407 < _e1416) {
+                                                    phi_1999_ = _e1407;
+                                                } else {
+                                                    phi_1999_ = _e1416;
+                                                }
+                                                let _e1421 = phi_1999_;
+                                                if (_e1408 < _e1417) {
+                                                    phi_2004_ = _e1408;
+                                                } else {
+                                                    phi_2004_ = _e1417;
+                                                }
+                                                let _e1424 = phi_2004_;
+                                                if (_e1409 < _e1418) {
+                                                    phi_2009_ = _e1409;
+                                                } else {
+                                                    phi_2009_ = _e1418;
+                                                }
+                                                let _e1427 = phi_2009_;
+                                                if (_e1407 > _e1416) {
+                                                    phi_2017_ = _e1407;
+                                                } else {
+                                                    phi_2017_ = _e1416;
+                                                }
+                                                let _e1433 = phi_2017_;
+                                                if (_e1408 > _e1417) {
+                                                    phi_2022_ = _e1408;
+                                                } else {
+                                                    phi_2022_ = _e1417;
+                                                }
+                                                let _e1436 = phi_2022_;
+                                                if (_e1409 > _e1418) {
+                                                    phi_2027_ = _e1409;
+                                                } else {
+                                                    phi_2027_ = _e1418;
+                                                }
+                                                let _e1439 = phi_2027_;
+                                                let _e1443 = core_intrinsics_maximum_number_nsz_f32_((_e1421 - _e373), (_e1424 - _e374));
+                                                let _e1444 = core_intrinsics_maximum_number_nsz_f32_(_e1443, (_e1427 - _e375));
+                                                let _e1445 = core_intrinsics_minimum_number_nsz_f32_((_e1433 + _e373), (_e1436 + _e374));
+                                                let _e1446 = core_intrinsics_minimum_number_nsz_f32_(_e1445, (_e1439 + _e375));
+                                                if (_e1444 > -300000000000000000000000000000000000000f) {
+                                                    phi_2039_ = _e1444;
+                                                } else {
+                                                    phi_2039_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1449 = phi_2039_;
+                                                if (_e1446 < 300000000000000000000000000000000000000f) {
+                                                    phi_2044_ = _e1446;
+                                                } else {
+                                                    phi_2044_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1452 = phi_2044_;
+                                                if (_e1312 < _e1449) {
+                                                    phi_2049_ = _e1449;
+                                                } else {
+                                                    phi_2049_ = _e1312;
+                                                }
+                                                let _e1455 = phi_2049_;
+                                                if (_e1455 > _e1452) {
+                                                    phi_2054_ = _e1452;
+                                                } else {
+                                                    phi_2054_ = _e1455;
+                                                }
+                                                let _e1458 = phi_2054_;
+                                                phi_2059_ = lt_bvh_triangle_Intersection(_e1458, (_e1151 / _e1210), (_e1172 / _e1210), (_e1449 <= _e1452));
+                                                phi_2060_ = false;
+                                            } else {
+                                                phi_2059_ = lt_bvh_triangle_Intersection();
+                                                phi_2060_ = true;
+                                            }
+                                            let _e1464 = phi_2059_;
+                                            let _e1466 = phi_2060_;
+                                            phi_2061_ = _e1464;
+                                            phi_2062_ = _e1466;
+                                        } else {
+                                            phi_2061_ = lt_bvh_triangle_Intersection();
+                                            phi_2062_ = true;
+                                        }
+                                        let _e1468 = phi_2061_;
+                                        let _e1470 = phi_2062_;
+                                        if _e1470 {
+                                        }
+                                        phi_2066_ = _e1468;
+                                        phi_2067_ = _e1470;
                                     }
-                                    let _e1385 = phi_1967_;
-                                    let _e1387 = phi_1968_;
-                                    phi_1969_ = _e1385;
-                                    phi_1970_ = _e1219;
-                                    phi_1971_ = _e1387;
+                                    let _e1472 = phi_2066_;
+                                    let _e1474 = phi_2067_;
+                                    phi_2068_ = _e1472;
+                                    phi_2069_ = _e1213;
+                                    phi_2070_ = _e1474;
                                 } else {
-                                    phi_1969_ = lt_bvh_triangle_Intersection();
-                                    phi_1970_ = true;
-                                    phi_1971_ = false;
+                                    phi_2068_ = lt_bvh_triangle_Intersection();
+                                    phi_2069_ = true;
+                                    phi_2070_ = false;
                                 }
-                                let _e1389 = phi_1969_;
-                                let _e1391 = phi_1970_;
-                                let _e1393 = phi_1971_;
-                                if _e1391 {
-                                    phi_1975_ = true;
+                                let _e1476 = phi_2068_;
+                                let _e1478 = phi_2069_;
+                                let _e1480 = phi_2070_;
+                                if _e1478 {
+                                    phi_2074_ = true;
                                 } else {
-                                    phi_1975_ = _e1393;
+                                    phi_2074_ = _e1480;
                                 }
-                                let _e1395 = phi_1975_;
-                                if _e1395 {
-                                    phi_1979_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1482 = phi_2074_;
+                                if _e1482 {
+                                    phi_2078_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1979_ = _e1389;
+                                    phi_2078_ = _e1476;
                                 }
-                                let _e1397 = phi_1979_;
-                                if _e1397.is_hit {
-                                    if (_e1397.t > _e151.tmin) {
-                                        if (_e1397.t < _e1009.t) {
-                                            phi_2028_ = true;
+                                let _e1484 = phi_2078_;
+                                if _e1484.is_hit {
+                                    if (_e1484.t > _e151.tmin) {
+                                        if (_e1484.t < _e1009.t) {
+                                            phi_2127_ = true;
                                         } else {
-                                            if (_e1397.t == _e1009.t) {
+                                            if (_e1484.t == _e1009.t) {
                                                 if (_e1009.triangle != 4294967295u) {
                                                     if (_e1020 < _e1009.triangle) {
-                                                        phi_2019_ = true;
+                                                        phi_2118_ = true;
                                                     } else {
                                                         if (_e1020 == _e1009.triangle) {
-                                                            phi_2018_ = (4294967295u < _e1009.instance);
+                                                            phi_2117_ = (4294967295u < _e1009.instance);
                                                         } else {
-                                                            phi_2018_ = false;
+                                                            phi_2117_ = false;
                                                         }
-                                                        let _e1416 = phi_2018_;
-                                                        phi_2019_ = _e1416;
+                                                        let _e1503 = phi_2117_;
+                                                        phi_2118_ = _e1503;
                                                     }
-                                                    let _e1418 = phi_2019_;
-                                                    phi_2020_ = _e1418;
-                                                    phi_2021_ = false;
+                                                    let _e1505 = phi_2118_;
+                                                    phi_2119_ = _e1505;
+                                                    phi_2120_ = false;
                                                 } else {
-                                                    phi_2020_ = bool();
-                                                    phi_2021_ = true;
+                                                    phi_2119_ = bool();
+                                                    phi_2120_ = true;
                                                 }
-                                                let _e1420 = phi_2020_;
-                                                let _e1422 = phi_2021_;
-                                                phi_2022_ = _e1420;
-                                                phi_2023_ = _e1422;
+                                                let _e1507 = phi_2119_;
+                                                let _e1509 = phi_2120_;
+                                                phi_2121_ = _e1507;
+                                                phi_2122_ = _e1509;
                                             } else {
-                                                phi_2022_ = bool();
-                                                phi_2023_ = true;
+                                                phi_2121_ = bool();
+                                                phi_2122_ = true;
                                             }
-                                            let _e1424 = phi_2022_;
-                                            let _e1426 = phi_2023_;
-                                            if _e1426 {
-                                                phi_2027_ = false;
+                                            let _e1511 = phi_2121_;
+                                            let _e1513 = phi_2122_;
+                                            if _e1513 {
+                                                phi_2126_ = false;
                                             } else {
-                                                phi_2027_ = _e1424;
+                                                phi_2126_ = _e1511;
                                             }
-                                            let _e1428 = phi_2027_;
-                                            phi_2028_ = _e1428;
+                                            let _e1515 = phi_2126_;
+                                            phi_2127_ = _e1515;
                                         }
-                                        let _e1430 = phi_2028_;
-                                        if _e1430 {
-                                            let _e1432 = triangles.member[(0u + _e1020)].i0_;
-                                            if ((_e1432 & 2147483648u) == 0u) {
-                                                phi_2239_ = true;
+                                        let _e1517 = phi_2127_;
+                                        if _e1517 {
+                                            let _e1519 = triangles.member[(0u + _e1020)].i0_;
+                                            if ((_e1519 & 2147483648u) == 0u) {
+                                                phi_2338_ = true;
                                             } else {
                                                 if (_e1020 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1441 = triangles.member[(0u + _e1020)].i0_;
-                                                let _e1442 = (_e1441 & 2147483647u);
-                                                let _e1444 = triangles.member[(0u + _e1020)].i1_;
-                                                let _e1446 = triangles.member[(0u + _e1020)].i2_;
-                                                if (_e1442 < _e81) {
+                                                let _e1528 = triangles.member[(0u + _e1020)].i0_;
+                                                let _e1529 = (_e1528 & 2147483647u);
+                                                let _e1531 = triangles.member[(0u + _e1020)].i1_;
+                                                let _e1533 = triangles.member[(0u + _e1020)].i2_;
+                                                if (_e1529 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1450 = vertices.member[(0u + _e1442)];
-                                                if (_e1444 < _e81) {
+                                                let _e1537 = vertices.member[(0u + _e1529)];
+                                                if (_e1531 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1454 = vertices.member[(0u + _e1444)];
-                                                if (_e1446 < _e81) {
+                                                let _e1541 = vertices.member[(0u + _e1531)];
+                                                if (_e1533 < _e81) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1458 = vertices.member[(0u + _e1446)];
-                                                let _e1459 = array<abi_Vertex, 3>(_e1450, _e1454, _e1458);
-                                                if (_e1459[0].material < _e84) {
+                                                let _e1545 = vertices.member[(0u + _e1533)];
+                                                let _e1546 = array<abi_Vertex, 3>(_e1537, _e1541, _e1545);
+                                                if (_e1546[0].material < _e84) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1465 = materials.member[(0u + _e1459[0].material)];
-                                                if ((_e1465.flags & 0u) == 0u) {
-                                                    let _e1470 = ((1f - _e1397.u) - _e1397.v);
-                                                    if (_e1465.cutoff <= 0f) {
-                                                        phi_2234_ = true;
+                                                let _e1552 = materials.member[(0u + _e1546[0].material)];
+                                                if ((_e1552.flags & 0u) == 0u) {
+                                                    let _e1557 = ((1f - _e1484.u) - _e1484.v);
+                                                    if (_e1552.cutoff <= 0f) {
+                                                        phi_2333_ = true;
                                                     } else {
-                                                        let _e1497 = (_e1465.base_color.w * ((((f32((_e1459[0].color >> bitcast<u32>(24i))) * _e1470) + (f32((_e1459[1].color >> bitcast<u32>(24i))) * _e1397.u)) + (f32((_e1459[2].color >> bitcast<u32>(24i))) * _e1397.v)) * (1f / 255f)));
-                                                        if (_e1465.alpha_size == 0u) {
-                                                            phi_2231_ = _e1497;
+                                                        let _e1584 = (_e1552.base_color.w * ((((f32((_e1546[0].color >> bitcast<u32>(24i))) * _e1557) + (f32((_e1546[1].color >> bitcast<u32>(24i))) * _e1484.u)) + (f32((_e1546[2].color >> bitcast<u32>(24i))) * _e1484.v)) * (1f / 255f)));
+                                                        if (_e1552.alpha_size == 0u) {
+                                                            phi_2330_ = _e1584;
                                                         } else {
-                                                            local.offset = _e1465.alpha_offset;
-                                                            local.size = _e1465.alpha_size;
-                                                            local.flags = _e1465.flags;
-                                                            let _e1528 = _lt_shaders_texture_TextureView_quad((&local), (((_e1459[0].u * _e1470) + (_e1459[1].u * _e1397.u)) + (_e1459[2].u * _e1397.v)), (((_e1459[0].v * _e1470) + (_e1459[1].v * _e1397.u)) + (_e1459[2].v * _e1397.v)));
-                                                            let _e1532 = (_e1528.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1532 < _e90) {
+                                                            local.offset = _e1552.alpha_offset;
+                                                            local.size = _e1552.alpha_size;
+                                                            local.flags = _e1552.flags;
+                                                            let _e1615 = _lt_shaders_texture_TextureView_quad((&local), (((_e1546[0].u * _e1557) + (_e1546[1].u * _e1484.u)) + (_e1546[2].u * _e1484.v)), (((_e1546[0].v * _e1557) + (_e1546[1].v * _e1484.u)) + (_e1546[2].v * _e1484.v)));
+                                                            let _e1619 = (_e1615.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1619 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1536 = alpha_texels.member[(0u + _e1532)];
-                                                            let _e1552 = (_e1528.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1552 < _e90) {
+                                                            let _e1623 = alpha_texels.member[(0u + _e1619)];
+                                                            let _e1639 = (_e1615.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1639 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1556 = alpha_texels.member[(0u + _e1552)];
-                                                            let _e1573 = (_e1528.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1573 < _e90) {
+                                                            let _e1643 = alpha_texels.member[(0u + _e1639)];
+                                                            let _e1660 = (_e1615.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1660 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1577 = alpha_texels.member[(0u + _e1573)];
-                                                            let _e1594 = (_e1528.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1594 < _e90) {
+                                                            let _e1664 = alpha_texels.member[(0u + _e1660)];
+                                                            let _e1681 = (_e1615.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1681 < _e90) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1598 = alpha_texels.member[(0u + _e1594)];
-                                                            phi_2231_ = (_e1497 * (((((f32(((_e1536 >> bitcast<u32>((((_e1528.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.x) + ((f32(((_e1556 >> bitcast<u32>((((_e1528.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.y)) + ((f32(((_e1577 >> bitcast<u32>((((_e1528.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.z)) + ((f32(((_e1598 >> bitcast<u32>((((_e1528.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1528.weights.w)));
+                                                            let _e1685 = alpha_texels.member[(0u + _e1681)];
+                                                            phi_2330_ = (_e1584 * (((((f32(((_e1623 >> bitcast<u32>((((_e1615.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.x) + ((f32(((_e1643 >> bitcast<u32>((((_e1615.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.y)) + ((f32(((_e1664 >> bitcast<u32>((((_e1615.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.z)) + ((f32(((_e1685 >> bitcast<u32>((((_e1615.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1615.weights.w)));
                                                         }
-                                                        let _e1614 = phi_2231_;
-                                                        phi_2234_ = (_e1614 >= _e1465.cutoff);
+                                                        let _e1701 = phi_2330_;
+                                                        phi_2333_ = (_e1701 >= _e1552.cutoff);
                                                     }
-                                                    let _e1618 = phi_2234_;
-                                                    phi_2235_ = _e1618;
+                                                    let _e1705 = phi_2333_;
+                                                    phi_2334_ = _e1705;
                                                 } else {
-                                                    phi_2235_ = false;
+                                                    phi_2334_ = false;
                                                 }
-                                                let _e1620 = phi_2235_;
-                                                if _e1620 {
+                                                let _e1707 = phi_2334_;
+                                                if _e1707 {
                                                 }
-                                                phi_2239_ = _e1620;
+                                                phi_2338_ = _e1707;
                                             }
-                                            let _e1622 = phi_2239_;
-                                            if _e1622 {
-                                                phi_2247_ = lt_bvh_Hit(_e1397.t, _e1397.u, _e1397.v, _e1020, 4294967295u);
+                                            let _e1709 = phi_2338_;
+                                            if _e1709 {
+                                                phi_2346_ = lt_bvh_Hit(_e1484.t, _e1484.u, _e1484.v, _e1020, 4294967295u);
                                             } else {
-                                                phi_2247_ = _e1009;
+                                                phi_2346_ = _e1009;
                                             }
-                                            let _e1628 = phi_2247_;
-                                            phi_2248_ = _e1628;
+                                            let _e1715 = phi_2346_;
+                                            phi_2347_ = _e1715;
                                         } else {
-                                            phi_2248_ = _e1009;
+                                            phi_2347_ = _e1009;
                                         }
-                                        let _e1630 = phi_2248_;
-                                        phi_2249_ = _e1630;
+                                        let _e1717 = phi_2347_;
+                                        phi_2348_ = _e1717;
                                     } else {
-                                        phi_2249_ = _e1009;
+                                        phi_2348_ = _e1009;
                                     }
-                                    let _e1632 = phi_2249_;
-                                    phi_2250_ = _e1632;
+                                    let _e1719 = phi_2348_;
+                                    phi_2349_ = _e1719;
                                 } else {
-                                    phi_2250_ = _e1009;
+                                    phi_2349_ = _e1009;
                                 }
-                                let _e1634 = phi_2250_;
-                                phi_1492_ = _e1634;
+                                let _e1721 = phi_2349_;
+                                phi_1492_ = _e1721;
                                 phi_1495_ = (_e1011 & (_e1011 - 1u));
-                                phi_2251_ = true;
+                                phi_2350_ = true;
                             }
-                            let _e1636 = phi_1492_;
-                            let _e1638 = phi_1495_;
-                            let _e1640 = phi_2251_;
+                            let _e1723 = phi_1492_;
+                            let _e1725 = phi_1495_;
+                            let _e1727 = phi_2350_;
                             continue;
                             continuing {
-                                phi_1491_ = _e1636;
-                                phi_1494_ = _e1638;
-                                break if !(_e1640);
+                                phi_1491_ = _e1723;
+                                phi_1494_ = _e1725;
+                                break if !(_e1727);
                             }
                         }
-                        let _e1643 = local_1.group_mask;
-                        if ((_e1643 & 4278190080u) == 0u) {
-                            let _e1647 = local_1.len;
-                            if (_e1647 == 0u) {
-                                phi_2290_ = false;
+                        let _e1730 = local_1.group_mask;
+                        if ((_e1730 & 4278190080u) == 0u) {
+                            let _e1734 = local_1.len;
+                            if (_e1734 == 0u) {
+                                phi_2389_ = false;
                             } else {
-                                let _e1651 = local_1.len;
-                                local_1.len = (_e1651 - 1u);
-                                let _e1654 = local_1.len;
-                                if (_e1654 < 32u) {
+                                let _e1738 = local_1.len;
+                                local_1.len = (_e1738 - 1u);
+                                let _e1741 = local_1.len;
+                                if (_e1741 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1659 = local_1.first[(0u + _e1654)];
-                                local_1.group = _e1659;
-                                let _e1662 = local_1.len;
-                                if (_e1662 < 32u) {
+                                let _e1746 = local_1.first[(0u + _e1741)];
+                                local_1.group = _e1746;
+                                let _e1749 = local_1.len;
+                                if (_e1749 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1667 = local_1.mask[(0u + _e1662)];
-                                local_1.group_mask = _e1667;
-                                phi_2290_ = true;
+                                let _e1754 = local_1.mask[(0u + _e1749)];
+                                local_1.group_mask = _e1754;
+                                phi_2389_ = true;
                             }
-                            let _e1670 = phi_2290_;
-                            phi_2291_ = _e1670;
+                            let _e1757 = phi_2389_;
+                            phi_2390_ = _e1757;
                         } else {
-                            phi_2291_ = true;
+                            phi_2390_ = true;
                         }
-                        let _e1672 = phi_2291_;
-                        if _e1672 {
-                            let _e1674 = local_1.group_mask;
-                            let _e1680 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1674)), 32u, (_e1674 == 0u)));
-                            let _e1684 = local_1.group_mask;
-                            let _e1698 = local_1.group_mask;
-                            local_1.group_mask = (_e1698 & ~((1u << bitcast<u32>((_e1680 & 31u)))));
-                            let _e1701 = local_1.group;
-                            phi_2322_ = (_e1701 + countOneBits(((_e1684 & ~((4294967295u << bitcast<u32>((((_e1680 - 24u) ^ _e428) & 31u))))) & 255u)));
+                        let _e1759 = phi_2390_;
+                        if _e1759 {
+                            let _e1761 = local_1.group_mask;
+                            let _e1767 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1761)), 32u, (_e1761 == 0u)));
+                            let _e1771 = local_1.group_mask;
+                            let _e1785 = local_1.group_mask;
+                            local_1.group_mask = (_e1785 & ~((1u << bitcast<u32>((_e1767 & 31u)))));
+                            let _e1788 = local_1.group;
+                            phi_2421_ = (_e1788 + countOneBits(((_e1771 & ~((4294967295u << bitcast<u32>((((_e1767 - 24u) ^ _e428) & 31u))))) & 255u)));
                         } else {
-                            phi_2322_ = 4294967295u;
+                            phi_2421_ = 4294967295u;
                         }
-                        let _e1704 = phi_2322_;
-                        let _e2401 = local_5;
-                        phi_1155_ = _e2401;
-                        phi_1158_ = _e1704;
+                        let _e1791 = phi_2421_;
+                        let _e2494 = local_5;
+                        phi_1155_ = _e2494;
+                        phi_1158_ = _e1791;
                     } else {
                         phi_1155_ = lt_bvh_Hit();
                         phi_1158_ = u32();
                     }
-                    let _e1706 = phi_1155_;
-                    let _e1708 = phi_1158_;
+                    let _e1793 = phi_1155_;
+                    let _e1795 = phi_1158_;
                     continue;
                     continuing {
-                        phi_1154_ = _e1706;
-                        phi_1157_ = _e1708;
+                        phi_1154_ = _e1793;
+                        phi_1157_ = _e1795;
                         break if !(_e569);
                     }
                 }
-                let _e2405 = local_6;
-                phi_2323_ = _e2405;
+                let _e2498 = local_6;
+                phi_2422_ = _e2498;
             }
-            let _e1711 = phi_2323_;
-            phi_2324_ = _e1711;
-            phi_2325_ = _e223;
+            let _e1798 = phi_2422_;
+            phi_2423_ = _e1798;
+            phi_2424_ = _e223;
         } else {
-            phi_2324_ = lt_bvh_Hit();
-            phi_2325_ = true;
+            phi_2423_ = lt_bvh_Hit();
+            phi_2424_ = true;
         }
-        let _e1713 = phi_2324_;
-        let _e1715 = phi_2325_;
-        if _e1715 {
-            phi_2329_ = _e153;
+        let _e1800 = phi_2423_;
+        let _e1802 = phi_2424_;
+        if _e1802 {
+            phi_2428_ = _e153;
         } else {
-            phi_2329_ = _e1713;
+            phi_2428_ = _e1800;
         }
-        let _e1717 = phi_2329_;
-        if (_e1717.triangle != 4294967295u) {
-            let _e1723 = ((1f - _e1717.u) - _e1717.v);
-            if (_e1717.triangle < _e78) {
+        let _e1804 = phi_2428_;
+        if (_e1804.triangle != 4294967295u) {
+            let _e1810 = ((1f - _e1804.u) - _e1804.v);
+            if (_e1804.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1729 = triangles.member[(0u + _e1717.triangle)];
-            let _e1754 = (((_e1729.v0_.x * _e1723) + (_e1729.v1_.x * _e1717.u)) + (_e1729.v2_.x * _e1717.v));
-            let _e1755 = (((_e1729.v0_.y * _e1723) + (_e1729.v1_.y * _e1717.u)) + (_e1729.v2_.y * _e1717.v));
-            let _e1756 = (((_e1729.v0_.z * _e1723) + (_e1729.v1_.z * _e1717.u)) + (_e1729.v2_.z * _e1717.v));
-            let _e1759 = abs(_e1729.v0_.x);
-            let _e1761 = abs(_e1729.v0_.y);
-            let _e1763 = abs(_e1729.v0_.z);
-            let _e1765 = abs(_e1729.v1_.x);
-            let _e1767 = abs(_e1729.v1_.y);
-            let _e1769 = abs(_e1729.v1_.z);
-            if (_e1759 > _e1765) {
-                phi_2394_ = _e1759;
+            let _e1816 = triangles.member[(0u + _e1804.triangle)];
+            let _e1841 = (((_e1816.v0_.x * _e1810) + (_e1816.v1_.x * _e1804.u)) + (_e1816.v2_.x * _e1804.v));
+            let _e1842 = (((_e1816.v0_.y * _e1810) + (_e1816.v1_.y * _e1804.u)) + (_e1816.v2_.y * _e1804.v));
+            let _e1843 = (((_e1816.v0_.z * _e1810) + (_e1816.v1_.z * _e1804.u)) + (_e1816.v2_.z * _e1804.v));
+            let _e1846 = abs(_e1816.v0_.x);
+            let _e1848 = abs(_e1816.v0_.y);
+            let _e1850 = abs(_e1816.v0_.z);
+            let _e1852 = abs(_e1816.v1_.x);
+            let _e1854 = abs(_e1816.v1_.y);
+            let _e1856 = abs(_e1816.v1_.z);
+            if (_e1846 > _e1852) {
+                phi_2493_ = _e1846;
             } else {
-                phi_2394_ = _e1765;
+                phi_2493_ = _e1852;
             }
-            let _e1772 = phi_2394_;
-            if (_e1761 > _e1767) {
-                phi_2399_ = _e1761;
+            let _e1859 = phi_2493_;
+            if (_e1848 > _e1854) {
+                phi_2498_ = _e1848;
             } else {
-                phi_2399_ = _e1767;
+                phi_2498_ = _e1854;
             }
-            let _e1775 = phi_2399_;
-            if (_e1763 > _e1769) {
-                phi_2404_ = _e1763;
+            let _e1862 = phi_2498_;
+            if (_e1850 > _e1856) {
+                phi_2503_ = _e1850;
             } else {
-                phi_2404_ = _e1769;
+                phi_2503_ = _e1856;
             }
-            let _e1778 = phi_2404_;
-            let _e1780 = abs(_e1729.v2_.x);
-            let _e1782 = abs(_e1729.v2_.y);
-            let _e1784 = abs(_e1729.v2_.z);
-            if (_e1772 > _e1780) {
-                phi_2415_ = _e1772;
+            let _e1865 = phi_2503_;
+            let _e1867 = abs(_e1816.v2_.x);
+            let _e1869 = abs(_e1816.v2_.y);
+            let _e1871 = abs(_e1816.v2_.z);
+            if (_e1859 > _e1867) {
+                phi_2514_ = _e1859;
             } else {
-                phi_2415_ = _e1780;
+                phi_2514_ = _e1867;
             }
-            let _e1787 = phi_2415_;
-            if (_e1775 > _e1782) {
-                phi_2420_ = _e1775;
+            let _e1874 = phi_2514_;
+            if (_e1862 > _e1869) {
+                phi_2519_ = _e1862;
             } else {
-                phi_2420_ = _e1782;
+                phi_2519_ = _e1869;
             }
-            let _e1790 = phi_2420_;
-            if (_e1778 > _e1784) {
-                phi_2425_ = _e1778;
+            let _e1877 = phi_2519_;
+            if (_e1865 > _e1871) {
+                phi_2524_ = _e1865;
             } else {
-                phi_2425_ = _e1784;
+                phi_2524_ = _e1871;
             }
-            let _e1793 = phi_2425_;
-            let _e1796 = (_e1729.v1_.x - _e1729.v0_.x);
-            let _e1799 = (_e1729.v1_.y - _e1729.v0_.y);
-            let _e1802 = (_e1729.v1_.z - _e1729.v0_.z);
-            let _e1805 = (_e1729.v2_.x - _e1729.v0_.x);
-            let _e1808 = (_e1729.v2_.y - _e1729.v0_.y);
-            let _e1811 = (_e1729.v2_.z - _e1729.v0_.z);
-            let _e1815 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1799), abs(_e1802));
-            let _e1816 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1796), _e1815);
-            let _e1817 = (_e1796 / _e1816);
-            let _e1818 = (_e1799 / _e1816);
-            let _e1819 = (_e1802 / _e1816);
-            let _e1823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1808), abs(_e1811));
-            let _e1824 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1805), _e1823);
-            let _e1825 = (_e1805 / _e1824);
-            let _e1826 = (_e1808 / _e1824);
-            let _e1827 = (_e1811 / _e1824);
-            let _e1830 = ((_e1818 * _e1827) - (_e1826 * _e1819));
-            let _e1833 = ((_e1819 * _e1825) - (_e1827 * _e1817));
-            let _e1836 = ((_e1817 * _e1826) - (_e1825 * _e1818));
-            let _e1838 = p.member.eye;
-            let _e1851 = (1f / sqrt((((_e1830 * _e1830) + (_e1833 * _e1833)) + (_e1836 * _e1836))));
-            let _e1852 = (_e1830 * _e1851);
-            let _e1853 = (_e1833 * _e1851);
-            let _e1854 = (_e1836 * _e1851);
-            if ((((_e1852 * (_e1838.x - _e1754)) + (_e1853 * (_e1838.y - _e1755))) + (_e1854 * (_e1838.z - _e1756))) < 0f) {
-                phi_2501_ = vec3<f32>(-(_e1852), -(_e1853), -(_e1854));
+            let _e1880 = phi_2524_;
+            let _e1883 = (_e1816.v1_.x - _e1816.v0_.x);
+            let _e1886 = (_e1816.v1_.y - _e1816.v0_.y);
+            let _e1889 = (_e1816.v1_.z - _e1816.v0_.z);
+            let _e1892 = (_e1816.v2_.x - _e1816.v0_.x);
+            let _e1895 = (_e1816.v2_.y - _e1816.v0_.y);
+            let _e1898 = (_e1816.v2_.z - _e1816.v0_.z);
+            let _e1902 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1886), abs(_e1889));
+            let _e1903 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1883), _e1902);
+            let _e1904 = (_e1883 / _e1903);
+            let _e1905 = (_e1886 / _e1903);
+            let _e1906 = (_e1889 / _e1903);
+            let _e1910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1895), abs(_e1898));
+            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1892), _e1910);
+            let _e1912 = (_e1892 / _e1911);
+            let _e1913 = (_e1895 / _e1911);
+            let _e1914 = (_e1898 / _e1911);
+            let _e1917 = ((_e1905 * _e1914) - (_e1913 * _e1906));
+            let _e1920 = ((_e1906 * _e1912) - (_e1914 * _e1904));
+            let _e1923 = ((_e1904 * _e1913) - (_e1912 * _e1905));
+            let _e1925 = p.member.eye;
+            let _e1938 = (1f / sqrt((((_e1917 * _e1917) + (_e1920 * _e1920)) + (_e1923 * _e1923))));
+            let _e1939 = (_e1917 * _e1938);
+            let _e1940 = (_e1920 * _e1938);
+            let _e1941 = (_e1923 * _e1938);
+            if ((((_e1939 * (_e1925.x - _e1841)) + (_e1940 * (_e1925.y - _e1842))) + (_e1941 * (_e1925.z - _e1843))) < 0f) {
+                phi_2600_ = vec3<f32>(-(_e1939), -(_e1940), -(_e1941));
             } else {
-                phi_2501_ = vec3<f32>(_e1852, _e1853, _e1854);
+                phi_2600_ = vec3<f32>(_e1939, _e1940, _e1941);
             }
-            let _e1867 = phi_2501_;
-            if (_e1717.triangle < _e78) {
+            let _e1954 = phi_2600_;
+            if (_e1804.triangle < _e78) {
             } else {
                 return;
             }
-            let _e1872 = triangles.member[(0u + _e1717.triangle)];
-            let _e1874 = (_e1872.i0_ & 2147483647u);
-            if (_e1874 < _e81) {
+            let _e1959 = triangles.member[(0u + _e1804.triangle)];
+            let _e1961 = (_e1959.i0_ & 2147483647u);
+            if (_e1961 < _e81) {
             } else {
                 return;
             }
-            let _e1880 = vertices.member[(0u + _e1874)];
-            if (_e1872.i1_ < _e81) {
+            let _e1967 = vertices.member[(0u + _e1961)];
+            if (_e1959.i1_ < _e81) {
             } else {
                 return;
             }
-            let _e1884 = vertices.member[(0u + _e1872.i1_)];
-            if (_e1872.i2_ < _e81) {
+            let _e1971 = vertices.member[(0u + _e1959.i1_)];
+            if (_e1959.i2_ < _e81) {
             } else {
                 return;
             }
-            let _e1888 = vertices.member[(0u + _e1872.i2_)];
-            let _e1889 = array<abi_Vertex, 3>(_e1880, _e1884, _e1888);
-            if (_e1889[0].material < _e84) {
+            let _e1975 = vertices.member[(0u + _e1959.i2_)];
+            let _e1976 = array<abi_Vertex, 3>(_e1967, _e1971, _e1975);
+            if (_e1976[0].material < _e84) {
             } else {
                 return;
             }
-            let _e1895 = materials.member[(0u + _e1889[0].material)];
-            let _e1912 = (1f / 255f);
-            let _e1931 = (1f / 255f);
-            let _e1953 = (1f / 255f);
-            let _e1966 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1723, _e1717.u, _e1717.v));
-            let _e1968 = ((_e1895.base_color.x * ((((f32((_e1889[0].color & 255u)) * _e1912) * _e1723) + ((f32((_e1889[1].color & 255u)) * _e1931) * _e1717.u)) + ((f32((_e1889[2].color & 255u)) * _e1953) * _e1717.v))) * _e1966.x);
-            let _e1970 = ((_e1895.base_color.y * ((((f32(((_e1889[0].color >> bitcast<u32>(8i)) & 255u)) * _e1912) * _e1723) + ((f32(((_e1889[1].color >> bitcast<u32>(8i)) & 255u)) * _e1931) * _e1717.u)) + ((f32(((_e1889[2].color >> bitcast<u32>(8i)) & 255u)) * _e1953) * _e1717.v))) * _e1966.y);
-            let _e1972 = ((_e1895.base_color.z * ((((f32(((_e1889[0].color >> bitcast<u32>(16i)) & 255u)) * _e1912) * _e1723) + ((f32(((_e1889[1].color >> bitcast<u32>(16i)) & 255u)) * _e1931) * _e1717.u)) + ((f32(((_e1889[2].color >> bitcast<u32>(16i)) & 255u)) * _e1953) * _e1717.v))) * _e1966.z);
-            let _e1973 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1790, _e1793);
-            let _e1974 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1787, _e1973);
-            if ((_e1895.flags & 2u) == 0u) {
-                phi_2622_ = 0u;
+            let _e1982 = materials.member[(0u + _e1976[0].material)];
+            let _e1999 = (1f / 255f);
+            let _e2018 = (1f / 255f);
+            let _e2040 = (1f / 255f);
+            let _e2053 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1810, _e1804.u, _e1804.v));
+            let _e2055 = ((_e1982.base_color.x * ((((f32((_e1976[0].color & 255u)) * _e1999) * _e1810) + ((f32((_e1976[1].color & 255u)) * _e2018) * _e1804.u)) + ((f32((_e1976[2].color & 255u)) * _e2040) * _e1804.v))) * _e2053.x);
+            let _e2057 = ((_e1982.base_color.y * ((((f32(((_e1976[0].color >> bitcast<u32>(8i)) & 255u)) * _e1999) * _e1810) + ((f32(((_e1976[1].color >> bitcast<u32>(8i)) & 255u)) * _e2018) * _e1804.u)) + ((f32(((_e1976[2].color >> bitcast<u32>(8i)) & 255u)) * _e2040) * _e1804.v))) * _e2053.y);
+            let _e2059 = ((_e1982.base_color.z * ((((f32(((_e1976[0].color >> bitcast<u32>(16i)) & 255u)) * _e1999) * _e1810) + ((f32(((_e1976[1].color >> bitcast<u32>(16i)) & 255u)) * _e2018) * _e1804.u)) + ((f32(((_e1976[2].color >> bitcast<u32>(16i)) & 255u)) * _e2040) * _e1804.v))) * _e2053.z);
+            let _e2060 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1877, _e1880);
+            let _e2061 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1874, _e2060);
+            if ((_e1982.flags & 2u) == 0u) {
+                phi_2721_ = 0u;
             } else {
-                phi_2622_ = 1u;
+                phi_2721_ = 1u;
             }
-            let _e1979 = phi_2622_;
-            if (_e1889[0].normal == 2147516416u) {
-                phi_2825_ = _e1867;
+            let _e2066 = phi_2721_;
+            if (_e1976[0].normal == 2147516416u) {
+                phi_2924_ = _e1954;
             } else {
-                let _e1992 = (f32((bitcast<i32>((_e1889[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1998 = (f32((bitcast<i32>(_e1889[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2002 = ((1f - abs(_e1992)) - abs(_e1998));
-                if (_e2002 < 0f) {
-                    phi_2649_ = -(_e2002);
-                } else {
-                    phi_2649_ = 0f;
-                }
-                let _e2006 = phi_2649_;
-                if (_e1992 < 0f) {
-                    phi_2656_ = (_e1992 + _e2006);
-                } else {
-                    phi_2656_ = (_e1992 - _e2006);
-                }
-                let _e2011 = phi_2656_;
-                if (_e1998 < 0f) {
-                    phi_2663_ = (_e1998 + _e2006);
-                } else {
-                    phi_2663_ = (_e1998 - _e2006);
-                }
-                let _e2016 = phi_2663_;
-                let _e2023 = (1f / sqrt((((_e2011 * _e2011) + (_e2016 * _e2016)) + (_e2002 * _e2002))));
-                let _e2039 = (f32((bitcast<i32>((_e1889[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2045 = (f32((bitcast<i32>(_e1889[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2049 = ((1f - abs(_e2039)) - abs(_e2045));
-                if (_e2049 < 0f) {
-                    phi_2698_ = -(_e2049);
-                } else {
-                    phi_2698_ = 0f;
-                }
-                let _e2053 = phi_2698_;
-                if (_e2039 < 0f) {
-                    phi_2705_ = (_e2039 + _e2053);
-                } else {
-                    phi_2705_ = (_e2039 - _e2053);
-                }
-                let _e2058 = phi_2705_;
-                if (_e2045 < 0f) {
-                    phi_2712_ = (_e2045 + _e2053);
-                } else {
-                    phi_2712_ = (_e2045 - _e2053);
-                }
-                let _e2063 = phi_2712_;
-                let _e2070 = (1f / sqrt((((_e2058 * _e2058) + (_e2063 * _e2063)) + (_e2049 * _e2049))));
-                let _e2089 = (f32((bitcast<i32>((_e1889[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2095 = (f32((bitcast<i32>(_e1889[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2099 = ((1f - abs(_e2089)) - abs(_e2095));
-                if (_e2099 < 0f) {
-                    phi_2750_ = -(_e2099);
-                } else {
-                    phi_2750_ = 0f;
-                }
-                let _e2103 = phi_2750_;
+                let _e2079 = (f32((bitcast<i32>((_e1976[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2085 = (f32((bitcast<i32>(_e1976[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2089 = ((1f - abs(_e2079)) - abs(_e2085));
                 if (_e2089 < 0f) {
-                    phi_2757_ = (_e2089 + _e2103);
+                    phi_2748_ = -(_e2089);
                 } else {
-                    phi_2757_ = (_e2089 - _e2103);
+                    phi_2748_ = 0f;
                 }
-                let _e2108 = phi_2757_;
-                if (_e2095 < 0f) {
-                    phi_2764_ = (_e2095 + _e2103);
+                let _e2093 = phi_2748_;
+                if (_e2079 < 0f) {
+                    phi_2755_ = (_e2079 + _e2093);
                 } else {
-                    phi_2764_ = (_e2095 - _e2103);
+                    phi_2755_ = (_e2079 - _e2093);
                 }
-                let _e2113 = phi_2764_;
-                let _e2120 = (1f / sqrt((((_e2108 * _e2108) + (_e2113 * _e2113)) + (_e2099 * _e2099))));
-                let _e2131 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2011 * _e2023) * _e1723) + ((_e2058 * _e2070) * _e1717.u)) + ((_e2108 * _e2120) * _e1717.v)), ((((_e2016 * _e2023) * _e1723) + ((_e2063 * _e2070) * _e1717.u)) + ((_e2113 * _e2120) * _e1717.v)), ((((_e2002 * _e2023) * _e1723) + ((_e2049 * _e2070) * _e1717.u)) + ((_e2099 * _e2120) * _e1717.v))));
-                let _e2143 = sqrt((((_e2131.x * _e2131.x) + (_e2131.y * _e2131.y)) + (_e2131.z * _e2131.z)));
-                if (_e2143 > 0f) {
-                    let _e2146 = (_e2131.x / _e2143);
-                    let _e2148 = (_e2131.y / _e2143);
-                    let _e2150 = (_e2131.z / _e2143);
-                    if ((((_e2146 * _e1867.x) + (_e2148 * _e1867.y)) + (_e2150 * _e1867.z)) < 0f) {
-                        phi_2823_ = vec3<f32>(-(_e2146), -(_e2148), -(_e2150));
+                let _e2098 = phi_2755_;
+                if (_e2085 < 0f) {
+                    phi_2762_ = (_e2085 + _e2093);
+                } else {
+                    phi_2762_ = (_e2085 - _e2093);
+                }
+                let _e2103 = phi_2762_;
+                let _e2110 = (1f / sqrt((((_e2098 * _e2098) + (_e2103 * _e2103)) + (_e2089 * _e2089))));
+                let _e2126 = (f32((bitcast<i32>((_e1976[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2132 = (f32((bitcast<i32>(_e1976[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2136 = ((1f - abs(_e2126)) - abs(_e2132));
+                if (_e2136 < 0f) {
+                    phi_2797_ = -(_e2136);
+                } else {
+                    phi_2797_ = 0f;
+                }
+                let _e2140 = phi_2797_;
+                if (_e2126 < 0f) {
+                    phi_2804_ = (_e2126 + _e2140);
+                } else {
+                    phi_2804_ = (_e2126 - _e2140);
+                }
+                let _e2145 = phi_2804_;
+                if (_e2132 < 0f) {
+                    phi_2811_ = (_e2132 + _e2140);
+                } else {
+                    phi_2811_ = (_e2132 - _e2140);
+                }
+                let _e2150 = phi_2811_;
+                let _e2157 = (1f / sqrt((((_e2145 * _e2145) + (_e2150 * _e2150)) + (_e2136 * _e2136))));
+                let _e2176 = (f32((bitcast<i32>((_e1976[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2182 = (f32((bitcast<i32>(_e1976[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2186 = ((1f - abs(_e2176)) - abs(_e2182));
+                if (_e2186 < 0f) {
+                    phi_2849_ = -(_e2186);
+                } else {
+                    phi_2849_ = 0f;
+                }
+                let _e2190 = phi_2849_;
+                if (_e2176 < 0f) {
+                    phi_2856_ = (_e2176 + _e2190);
+                } else {
+                    phi_2856_ = (_e2176 - _e2190);
+                }
+                let _e2195 = phi_2856_;
+                if (_e2182 < 0f) {
+                    phi_2863_ = (_e2182 + _e2190);
+                } else {
+                    phi_2863_ = (_e2182 - _e2190);
+                }
+                let _e2200 = phi_2863_;
+                let _e2207 = (1f / sqrt((((_e2195 * _e2195) + (_e2200 * _e2200)) + (_e2186 * _e2186))));
+                let _e2218 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2098 * _e2110) * _e1810) + ((_e2145 * _e2157) * _e1804.u)) + ((_e2195 * _e2207) * _e1804.v)), ((((_e2103 * _e2110) * _e1810) + ((_e2150 * _e2157) * _e1804.u)) + ((_e2200 * _e2207) * _e1804.v)), ((((_e2089 * _e2110) * _e1810) + ((_e2136 * _e2157) * _e1804.u)) + ((_e2186 * _e2207) * _e1804.v))));
+                let _e2230 = sqrt((((_e2218.x * _e2218.x) + (_e2218.y * _e2218.y)) + (_e2218.z * _e2218.z)));
+                if (_e2230 > 0f) {
+                    let _e2233 = (_e2218.x / _e2230);
+                    let _e2235 = (_e2218.y / _e2230);
+                    let _e2237 = (_e2218.z / _e2230);
+                    if ((((_e2233 * _e1954.x) + (_e2235 * _e1954.y)) + (_e2237 * _e1954.z)) < 0f) {
+                        phi_2922_ = vec3<f32>(-(_e2233), -(_e2235), -(_e2237));
                     } else {
-                        phi_2823_ = (_e2131 / vec3(_e2143));
+                        phi_2922_ = (_e2218 / vec3(_e2230));
                     }
-                    let _e2167 = phi_2823_;
-                    phi_2824_ = _e2167;
+                    let _e2254 = phi_2922_;
+                    phi_2923_ = _e2254;
                 } else {
-                    phi_2824_ = _e1867;
+                    phi_2923_ = _e1954;
                 }
-                let _e2169 = phi_2824_;
-                phi_2825_ = _e2169;
+                let _e2256 = phi_2923_;
+                phi_2924_ = _e2256;
             }
-            let _e2171 = phi_2825_;
-            if (_e1968 > 0f) {
-                if (_e1968 < 1f) {
-                    phi_2834_ = _e1968;
+            let _e2258 = phi_2924_;
+            if (_e2055 > 0f) {
+                if (_e2055 < 1f) {
+                    phi_2933_ = _e2055;
                 } else {
-                    phi_2834_ = 1f;
+                    phi_2933_ = 1f;
                 }
-                let _e2175 = phi_2834_;
-                phi_2835_ = _e2175;
+                let _e2262 = phi_2933_;
+                phi_2934_ = _e2262;
             } else {
-                phi_2835_ = 0f;
+                phi_2934_ = 0f;
             }
-            let _e2177 = phi_2835_;
-            if (_e1970 > 0f) {
-                if (_e1970 < 1f) {
-                    phi_2845_ = _e1970;
+            let _e2264 = phi_2934_;
+            if (_e2057 > 0f) {
+                if (_e2057 < 1f) {
+                    phi_2944_ = _e2057;
                 } else {
-                    phi_2845_ = 1f;
+                    phi_2944_ = 1f;
                 }
-                let _e2182 = phi_2845_;
-                phi_2846_ = _e2182;
+                let _e2269 = phi_2944_;
+                phi_2945_ = _e2269;
             } else {
-                phi_2846_ = 0f;
+                phi_2945_ = 0f;
             }
-            let _e2184 = phi_2846_;
-            if (_e1972 > 0f) {
-                if (_e1972 < 1f) {
-                    phi_2856_ = _e1972;
+            let _e2271 = phi_2945_;
+            if (_e2059 > 0f) {
+                if (_e2059 < 1f) {
+                    phi_2955_ = _e2059;
                 } else {
-                    phi_2856_ = 1f;
+                    phi_2955_ = 1f;
                 }
-                let _e2189 = phi_2856_;
-                phi_2857_ = _e2189;
+                let _e2276 = phi_2955_;
+                phi_2956_ = _e2276;
             } else {
-                phi_2857_ = 0f;
+                phi_2956_ = 0f;
             }
-            let _e2191 = phi_2857_;
-            let _e2194 = ((sqrt(_e2177) * 255f) + 0.5f);
-            let _e2203 = ((sqrt(_e2184) * 255f) + 0.5f);
-            let _e2215 = ((sqrt(_e2191) * 255f) + 0.5f);
-            phi_2892_ = abi_Sample(vec3<f32>(_e1754, _e1755, _e1756), _e1974, _e1867, _e1979, _e2171, ((select(select(u32(_e2194), 0u, (_e2194 < bitcast<f32>(0u))), 4294967295u, (_e2194 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2203), 0u, (_e2203 < bitcast<f32>(0u))), 4294967295u, (_e2203 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2215), 0u, (_e2215 < bitcast<f32>(0u))), 4294967295u, (_e2215 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2278 = phi_2956_;
+            let _e2281 = ((sqrt(_e2264) * 255f) + 0.5f);
+            let _e2290 = ((sqrt(_e2271) * 255f) + 0.5f);
+            let _e2302 = ((sqrt(_e2278) * 255f) + 0.5f);
+            phi_2991_ = abi_Sample(vec3<f32>(_e1841, _e1842, _e1843), _e2061, _e1954, _e2066, _e2258, ((select(select(u32(_e2281), 0u, (_e2281 < bitcast<f32>(0u))), 4294967295u, (_e2281 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2290), 0u, (_e2290 < bitcast<f32>(0u))), 4294967295u, (_e2290 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2302), 0u, (_e2302 < bitcast<f32>(0u))), 4294967295u, (_e2302 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2892_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2991_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2229 = phi_2892_;
+        let _e2316 = phi_2991_;
         if (_e96.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e2229;
+        samples.member[(0u + _e96.first_primitive)] = _e2316;
     }
     return;
 }

@@ -694,135 +694,141 @@ fn function_() {
     var phi_1556_: u32;
     var phi_1602_: vec3<f32>;
     var phi_1603_: vec3<f32>;
-    var phi_1636_: vec3<f32>;
-    var phi_1637_: vec3<f32>;
-    var phi_1670_: vec3<f32>;
-    var phi_1671_: vec3<f32>;
-    var phi_1691_: bool;
-    var phi_1692_: bool;
-    var phi_1696_: f32;
-    var phi_1697_: f32;
-    var phi_1698_: f32;
-    var phi_1699_: f32;
-    var phi_1707_: f32;
-    var phi_1717_: bool;
-    var phi_1718_: bool;
-    var phi_1722_: f32;
-    var phi_1723_: f32;
-    var phi_1724_: f32;
-    var phi_1725_: f32;
-    var phi_1733_: f32;
-    var phi_1743_: bool;
-    var phi_1744_: bool;
-    var phi_1748_: f32;
-    var phi_1749_: f32;
-    var phi_1750_: f32;
-    var phi_1751_: f32;
-    var phi_1759_: f32;
-    var phi_1774_: f32;
-    var phi_1775_: bool;
-    var phi_1776_: f32;
-    var phi_1777_: bool;
-    var phi_1778_: f32;
-    var phi_1779_: bool;
-    var phi_1797_: f32;
-    var phi_1798_: bool;
-    var phi_1799_: bool;
-    var phi_1800_: f32;
-    var phi_1801_: bool;
+    var phi_1634_: vec3<f32>;
+    var phi_1635_: vec3<f32>;
+    var phi_1666_: vec3<f32>;
+    var phi_1667_: vec3<f32>;
+    var phi_1685_: bool;
+    var phi_1686_: bool;
+    var phi_1690_: f32;
+    var phi_1691_: f32;
+    var phi_1692_: f32;
+    var phi_1693_: f32;
+    var phi_1701_: f32;
+    var phi_1711_: bool;
+    var phi_1712_: bool;
+    var phi_1716_: f32;
+    var phi_1717_: f32;
+    var phi_1718_: f32;
+    var phi_1719_: f32;
+    var phi_1727_: f32;
+    var phi_1737_: bool;
+    var phi_1738_: bool;
+    var phi_1742_: f32;
+    var phi_1743_: f32;
+    var phi_1744_: f32;
+    var phi_1745_: f32;
+    var phi_1753_: f32;
+    var phi_1768_: f32;
+    var phi_1769_: bool;
+    var phi_1770_: f32;
+    var phi_1771_: bool;
+    var phi_1772_: f32;
+    var phi_1773_: bool;
+    var phi_1791_: f32;
+    var phi_1792_: bool;
+    var phi_1793_: bool;
+    var phi_1794_: f32;
+    var phi_1795_: bool;
+    var phi_1796_: bool;
+    var phi_1800_: bool;
+    var phi_1801_: f32;
     var phi_1802_: bool;
-    var phi_1806_: bool;
-    var phi_1807_: f32;
-    var phi_1808_: bool;
-    var phi_1844_: f32;
-    var phi_1853_: f32;
-    var phi_1862_: f32;
-    var phi_1871_: f32;
-    var phi_1878_: f32;
-    var phi_1885_: f32;
-    var phi_1898_: f32;
-    var phi_1907_: f32;
-    var phi_1916_: f32;
-    var phi_1925_: f32;
-    var phi_1932_: f32;
-    var phi_1939_: f32;
-    var phi_1962_: f32;
-    var phi_1967_: f32;
-    var phi_1972_: f32;
-    var phi_1980_: f32;
-    var phi_1985_: f32;
-    var phi_1990_: f32;
-    var phi_2002_: f32;
-    var phi_2007_: f32;
-    var phi_2012_: f32;
-    var phi_2017_: f32;
-    var phi_2022_: lt_bvh_triangle_Intersection;
-    var phi_2023_: bool;
-    var phi_2024_: lt_bvh_triangle_Intersection;
-    var phi_2025_: bool;
-    var phi_2029_: lt_bvh_triangle_Intersection;
-    var phi_2030_: bool;
-    var phi_2031_: lt_bvh_triangle_Intersection;
-    var phi_2032_: bool;
-    var phi_2033_: bool;
-    var phi_2037_: bool;
-    var phi_2041_: lt_bvh_triangle_Intersection;
-    var phi_2080_: bool;
-    var phi_2081_: bool;
-    var phi_2082_: bool;
-    var phi_2083_: bool;
-    var phi_2084_: bool;
-    var phi_2085_: bool;
-    var phi_2089_: bool;
-    var phi_2090_: bool;
-    var phi_2293_: f32;
-    var phi_2296_: bool;
-    var phi_2297_: bool;
-    var phi_2301_: bool;
-    var phi_2309_: lt_bvh_Hit;
-    var phi_2310_: lt_bvh_Hit;
-    var phi_2311_: lt_bvh_Hit;
-    var phi_2312_: lt_bvh_Hit;
+    var phi_1832_: vec3<f32>;
+    var phi_1833_: vec3<f32>;
+    var phi_1858_: vec3<f32>;
+    var phi_1859_: vec3<f32>;
+    var phi_1884_: vec3<f32>;
+    var phi_1885_: vec3<f32>;
+    var phi_1943_: f32;
+    var phi_1952_: f32;
+    var phi_1961_: f32;
+    var phi_1970_: f32;
+    var phi_1977_: f32;
+    var phi_1984_: f32;
+    var phi_1997_: f32;
+    var phi_2006_: f32;
+    var phi_2015_: f32;
+    var phi_2024_: f32;
+    var phi_2031_: f32;
+    var phi_2038_: f32;
+    var phi_2061_: f32;
+    var phi_2066_: f32;
+    var phi_2071_: f32;
+    var phi_2079_: f32;
+    var phi_2084_: f32;
+    var phi_2089_: f32;
+    var phi_2101_: f32;
+    var phi_2106_: f32;
+    var phi_2111_: f32;
+    var phi_2116_: f32;
+    var phi_2121_: lt_bvh_triangle_Intersection;
+    var phi_2122_: bool;
+    var phi_2123_: lt_bvh_triangle_Intersection;
+    var phi_2124_: bool;
+    var phi_2128_: lt_bvh_triangle_Intersection;
+    var phi_2129_: bool;
+    var phi_2130_: lt_bvh_triangle_Intersection;
+    var phi_2131_: bool;
+    var phi_2132_: bool;
+    var phi_2136_: bool;
+    var phi_2140_: lt_bvh_triangle_Intersection;
+    var phi_2179_: bool;
+    var phi_2180_: bool;
+    var phi_2181_: bool;
+    var phi_2182_: bool;
+    var phi_2183_: bool;
+    var phi_2184_: bool;
+    var phi_2188_: bool;
+    var phi_2189_: bool;
+    var phi_2392_: f32;
+    var phi_2395_: bool;
+    var phi_2396_: bool;
+    var phi_2400_: bool;
+    var phi_2408_: lt_bvh_Hit;
+    var phi_2409_: lt_bvh_Hit;
+    var phi_2410_: lt_bvh_Hit;
+    var phi_2411_: lt_bvh_Hit;
     var phi_1554_: lt_bvh_Hit;
     var phi_1557_: u32;
-    var phi_2313_: bool;
-    var phi_2352_: bool;
-    var phi_2353_: bool;
-    var phi_2384_: u32;
+    var phi_2412_: bool;
+    var phi_2451_: bool;
+    var phi_2452_: bool;
+    var phi_2483_: u32;
     var phi_1217_: lt_bvh_Hit;
     var phi_1220_: u32;
-    var phi_2385_: lt_bvh_Hit;
-    var phi_2386_: lt_bvh_Hit;
-    var phi_2387_: bool;
-    var phi_2391_: lt_bvh_Hit;
-    var phi_2456_: f32;
-    var phi_2461_: f32;
-    var phi_2466_: f32;
-    var phi_2477_: f32;
-    var phi_2482_: f32;
-    var phi_2487_: f32;
-    var phi_2563_: vec3<f32>;
-    var phi_2684_: u32;
-    var phi_2711_: f32;
-    var phi_2718_: f32;
-    var phi_2725_: f32;
-    var phi_2760_: f32;
-    var phi_2767_: f32;
-    var phi_2774_: f32;
-    var phi_2812_: f32;
-    var phi_2819_: f32;
-    var phi_2826_: f32;
-    var phi_2885_: vec3<f32>;
-    var phi_2886_: vec3<f32>;
-    var phi_2887_: vec3<f32>;
-    var phi_2896_: f32;
-    var phi_2897_: f32;
-    var phi_2907_: f32;
-    var phi_2908_: f32;
+    var phi_2484_: lt_bvh_Hit;
+    var phi_2485_: lt_bvh_Hit;
+    var phi_2486_: bool;
+    var phi_2490_: lt_bvh_Hit;
+    var phi_2555_: f32;
+    var phi_2560_: f32;
+    var phi_2565_: f32;
+    var phi_2576_: f32;
+    var phi_2581_: f32;
+    var phi_2586_: f32;
+    var phi_2662_: vec3<f32>;
+    var phi_2783_: u32;
+    var phi_2810_: f32;
+    var phi_2817_: f32;
+    var phi_2824_: f32;
+    var phi_2859_: f32;
+    var phi_2866_: f32;
+    var phi_2873_: f32;
+    var phi_2911_: f32;
     var phi_2918_: f32;
-    var phi_2919_: f32;
-    var phi_2954_: abi_Sample;
-    var phi_3044_: vec3<f32>;
+    var phi_2925_: f32;
+    var phi_2984_: vec3<f32>;
+    var phi_2985_: vec3<f32>;
+    var phi_2986_: vec3<f32>;
+    var phi_2995_: f32;
+    var phi_2996_: f32;
+    var phi_3006_: f32;
+    var phi_3007_: f32;
+    var phi_3017_: f32;
+    var phi_3018_: f32;
+    var phi_3053_: abi_Sample;
+    var phi_3143_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -956,7 +962,7 @@ fn function_() {
         if _e230 {
             let _e231 = (0u >= _e77);
             if _e231 {
-                phi_2385_ = lt_bvh_Hit();
+                phi_2484_ = lt_bvh_Hit();
             } else {
                 if (0u < _e77) {
                 } else {
@@ -1083,7 +1089,6 @@ fn function_() {
                 let _e416 = phi_1044_;
                 let _e420 = (_e416.x / _e416.z);
                 let _e423 = (_e416.y / _e416.z);
-                let _e425 = (1f / _e416.z);
                 if (_e313 < 0f) {
                     phi_1058_ = 0u;
                 } else {
@@ -1351,7 +1356,7 @@ fn function_() {
                             if (_e1019 == 0u) {
                                 phi_1554_ = lt_bvh_Hit();
                                 phi_1557_ = u32();
-                                phi_2313_ = false;
+                                phi_2412_ = false;
                             } else {
                                 let _e1023 = nodes.member[(0u + _e576)].links[1u];
                                 let _e1028 = ((0u + _e1023) + select(firstTrailingBit(_e1019), 32u, (_e1019 == 0u)));
@@ -1377,958 +1382,1011 @@ fn function_() {
                                 let _e1053 = phi_1603_;
                                 let _e1057 = (_e1053.x - (_e420 * _e1053.z));
                                 let _e1061 = (_e1053.y - (_e423 * _e1053.z));
-                                let _e1065 = triangles.member[(0u + _e1028)].v1_;
-                                let _e1068 = (_e1065.x - _e159.origin.x);
-                                let _e1071 = (_e1065.y - _e159.origin.y);
-                                let _e1074 = (_e1065.z - _e159.origin.z);
+                                let _e1063 = triangles.member[(0u + _e1028)].v1_;
+                                let _e1066 = (_e1063.x - _e159.origin.x);
+                                let _e1069 = (_e1063.y - _e159.origin.y);
+                                let _e1072 = (_e1063.z - _e159.origin.z);
                                 if (_e401 == 0u) {
-                                    phi_1637_ = vec3<f32>(_e1071, _e1074, _e1068);
+                                    phi_1635_ = vec3<f32>(_e1069, _e1072, _e1066);
                                 } else {
                                     if (_e401 == 1u) {
-                                        phi_1636_ = vec3<f32>(_e1074, _e1068, _e1071);
+                                        phi_1634_ = vec3<f32>(_e1072, _e1066, _e1069);
                                     } else {
-                                        phi_1636_ = (_e1065 - _e159.origin);
+                                        phi_1634_ = (_e1063 - _e159.origin);
                                     }
-                                    let _e1081 = phi_1636_;
-                                    phi_1637_ = _e1081;
+                                    let _e1079 = phi_1634_;
+                                    phi_1635_ = _e1079;
                                 }
-                                let _e1083 = phi_1637_;
-                                let _e1087 = (_e1083.x - (_e420 * _e1083.z));
-                                let _e1091 = (_e1083.y - (_e423 * _e1083.z));
-                                let _e1095 = triangles.member[(0u + _e1028)].v2_;
-                                let _e1098 = (_e1095.x - _e159.origin.x);
-                                let _e1101 = (_e1095.y - _e159.origin.y);
-                                let _e1104 = (_e1095.z - _e159.origin.z);
+                                let _e1081 = phi_1635_;
+                                let _e1085 = (_e1081.x - (_e420 * _e1081.z));
+                                let _e1089 = (_e1081.y - (_e423 * _e1081.z));
+                                let _e1091 = triangles.member[(0u + _e1028)].v2_;
+                                let _e1094 = (_e1091.x - _e159.origin.x);
+                                let _e1097 = (_e1091.y - _e159.origin.y);
+                                let _e1100 = (_e1091.z - _e159.origin.z);
                                 if (_e401 == 0u) {
-                                    phi_1671_ = vec3<f32>(_e1101, _e1104, _e1098);
+                                    phi_1667_ = vec3<f32>(_e1097, _e1100, _e1094);
                                 } else {
                                     if (_e401 == 1u) {
-                                        phi_1670_ = vec3<f32>(_e1104, _e1098, _e1101);
+                                        phi_1666_ = vec3<f32>(_e1100, _e1094, _e1097);
                                     } else {
-                                        phi_1670_ = (_e1095 - _e159.origin);
+                                        phi_1666_ = (_e1091 - _e159.origin);
                                     }
-                                    let _e1111 = phi_1670_;
-                                    phi_1671_ = _e1111;
+                                    let _e1107 = phi_1666_;
+                                    phi_1667_ = _e1107;
                                 }
-                                let _e1113 = phi_1671_;
-                                let _e1117 = (_e1113.x - (_e420 * _e1113.z));
-                                let _e1121 = (_e1113.y - (_e423 * _e1113.z));
-                                if (_e1087 < _e1117) {
-                                    phi_1692_ = true;
+                                let _e1109 = phi_1667_;
+                                let _e1113 = (_e1109.x - (_e420 * _e1109.z));
+                                let _e1117 = (_e1109.y - (_e423 * _e1109.z));
+                                if (_e1085 < _e1113) {
+                                    phi_1686_ = true;
                                 } else {
-                                    if (_e1087 == _e1117) {
-                                        phi_1691_ = (_e1091 < _e1121);
+                                    if (_e1085 == _e1113) {
+                                        phi_1685_ = (_e1089 < _e1117);
                                     } else {
-                                        phi_1691_ = false;
+                                        phi_1685_ = false;
                                     }
-                                    let _e1128 = phi_1691_;
-                                    phi_1692_ = _e1128;
+                                    let _e1122 = phi_1685_;
+                                    phi_1686_ = _e1122;
                                 }
+                                let _e1124 = phi_1686_;
+                                if _e1124 {
+                                    phi_1690_ = _e1117;
+                                    phi_1691_ = _e1113;
+                                    phi_1692_ = _e1089;
+                                    phi_1693_ = _e1085;
+                                } else {
+                                    phi_1690_ = _e1089;
+                                    phi_1691_ = _e1085;
+                                    phi_1692_ = _e1117;
+                                    phi_1693_ = _e1113;
+                                }
+                                let _e1126 = phi_1690_;
+                                let _e1128 = phi_1691_;
                                 let _e1130 = phi_1692_;
-                                if _e1130 {
-                                    phi_1696_ = _e1121;
-                                    phi_1697_ = _e1117;
-                                    phi_1698_ = _e1091;
-                                    phi_1699_ = _e1087;
+                                let _e1132 = phi_1693_;
+                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
+                                if _e1124 {
+                                    phi_1701_ = -(_e1135);
                                 } else {
-                                    phi_1696_ = _e1091;
-                                    phi_1697_ = _e1087;
-                                    phi_1698_ = _e1121;
-                                    phi_1699_ = _e1117;
+                                    phi_1701_ = _e1135;
                                 }
-                                let _e1132 = phi_1696_;
-                                let _e1134 = phi_1697_;
-                                let _e1136 = phi_1698_;
-                                let _e1138 = phi_1699_;
-                                let _e1141 = ((_e1138 * _e1132) - (_e1136 * _e1134));
-                                if _e1130 {
-                                    phi_1707_ = -(_e1141);
+                                let _e1138 = phi_1701_;
+                                if (_e1113 < _e1057) {
+                                    phi_1712_ = true;
                                 } else {
-                                    phi_1707_ = _e1141;
-                                }
-                                let _e1144 = phi_1707_;
-                                if (_e1117 < _e1057) {
-                                    phi_1718_ = true;
-                                } else {
-                                    if (_e1117 == _e1057) {
-                                        phi_1717_ = (_e1121 < _e1061);
+                                    if (_e1113 == _e1057) {
+                                        phi_1711_ = (_e1117 < _e1061);
                                     } else {
-                                        phi_1717_ = false;
+                                        phi_1711_ = false;
                                     }
-                                    let _e1149 = phi_1717_;
-                                    phi_1718_ = _e1149;
+                                    let _e1143 = phi_1711_;
+                                    phi_1712_ = _e1143;
                                 }
+                                let _e1145 = phi_1712_;
+                                if _e1145 {
+                                    phi_1716_ = _e1061;
+                                    phi_1717_ = _e1057;
+                                    phi_1718_ = _e1117;
+                                    phi_1719_ = _e1113;
+                                } else {
+                                    phi_1716_ = _e1117;
+                                    phi_1717_ = _e1113;
+                                    phi_1718_ = _e1061;
+                                    phi_1719_ = _e1057;
+                                }
+                                let _e1147 = phi_1716_;
+                                let _e1149 = phi_1717_;
                                 let _e1151 = phi_1718_;
-                                if _e1151 {
-                                    phi_1722_ = _e1061;
-                                    phi_1723_ = _e1057;
-                                    phi_1724_ = _e1121;
-                                    phi_1725_ = _e1117;
+                                let _e1153 = phi_1719_;
+                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
+                                if _e1145 {
+                                    phi_1727_ = -(_e1156);
                                 } else {
-                                    phi_1722_ = _e1121;
-                                    phi_1723_ = _e1117;
-                                    phi_1724_ = _e1061;
-                                    phi_1725_ = _e1057;
+                                    phi_1727_ = _e1156;
                                 }
-                                let _e1153 = phi_1722_;
-                                let _e1155 = phi_1723_;
-                                let _e1157 = phi_1724_;
-                                let _e1159 = phi_1725_;
-                                let _e1162 = ((_e1159 * _e1153) - (_e1157 * _e1155));
-                                if _e1151 {
-                                    phi_1733_ = -(_e1162);
+                                let _e1159 = phi_1727_;
+                                if (_e1057 < _e1085) {
+                                    phi_1738_ = true;
                                 } else {
-                                    phi_1733_ = _e1162;
-                                }
-                                let _e1165 = phi_1733_;
-                                if (_e1057 < _e1087) {
-                                    phi_1744_ = true;
-                                } else {
-                                    if (_e1057 == _e1087) {
-                                        phi_1743_ = (_e1061 < _e1091);
+                                    if (_e1057 == _e1085) {
+                                        phi_1737_ = (_e1061 < _e1089);
                                     } else {
-                                        phi_1743_ = false;
+                                        phi_1737_ = false;
                                     }
-                                    let _e1170 = phi_1743_;
-                                    phi_1744_ = _e1170;
+                                    let _e1164 = phi_1737_;
+                                    phi_1738_ = _e1164;
                                 }
+                                let _e1166 = phi_1738_;
+                                if _e1166 {
+                                    phi_1742_ = _e1089;
+                                    phi_1743_ = _e1085;
+                                    phi_1744_ = _e1061;
+                                    phi_1745_ = _e1057;
+                                } else {
+                                    phi_1742_ = _e1061;
+                                    phi_1743_ = _e1057;
+                                    phi_1744_ = _e1089;
+                                    phi_1745_ = _e1085;
+                                }
+                                let _e1168 = phi_1742_;
+                                let _e1170 = phi_1743_;
                                 let _e1172 = phi_1744_;
-                                if _e1172 {
-                                    phi_1748_ = _e1091;
-                                    phi_1749_ = _e1087;
-                                    phi_1750_ = _e1061;
-                                    phi_1751_ = _e1057;
+                                let _e1174 = phi_1745_;
+                                let _e1177 = ((_e1174 * _e1168) - (_e1172 * _e1170));
+                                if _e1166 {
+                                    phi_1753_ = -(_e1177);
                                 } else {
-                                    phi_1748_ = _e1061;
-                                    phi_1749_ = _e1057;
-                                    phi_1750_ = _e1091;
-                                    phi_1751_ = _e1087;
+                                    phi_1753_ = _e1177;
                                 }
-                                let _e1174 = phi_1748_;
-                                let _e1176 = phi_1749_;
-                                let _e1178 = phi_1750_;
-                                let _e1180 = phi_1751_;
-                                let _e1183 = ((_e1180 * _e1174) - (_e1178 * _e1176));
-                                if _e1172 {
-                                    phi_1759_ = -(_e1183);
-                                } else {
-                                    phi_1759_ = _e1183;
-                                }
-                                let _e1186 = phi_1759_;
-                                if (_e1144 >= 0f) {
-                                    if (_e1165 >= 0f) {
-                                        if (_e1186 >= 0f) {
-                                            phi_1774_ = ((_e1144 + _e1165) + _e1186);
-                                            phi_1775_ = false;
+                                let _e1180 = phi_1753_;
+                                if (_e1138 >= 0f) {
+                                    if (_e1159 >= 0f) {
+                                        if (_e1180 >= 0f) {
+                                            phi_1768_ = ((_e1138 + _e1159) + _e1180);
+                                            phi_1769_ = false;
                                         } else {
-                                            phi_1774_ = f32();
-                                            phi_1775_ = true;
+                                            phi_1768_ = f32();
+                                            phi_1769_ = true;
                                         }
-                                        let _e1193 = phi_1774_;
-                                        let _e1195 = phi_1775_;
-                                        phi_1776_ = _e1193;
-                                        phi_1777_ = _e1195;
+                                        let _e1187 = phi_1768_;
+                                        let _e1189 = phi_1769_;
+                                        phi_1770_ = _e1187;
+                                        phi_1771_ = _e1189;
                                     } else {
-                                        phi_1776_ = f32();
-                                        phi_1777_ = true;
+                                        phi_1770_ = f32();
+                                        phi_1771_ = true;
                                     }
-                                    let _e1197 = phi_1776_;
-                                    let _e1199 = phi_1777_;
-                                    phi_1778_ = _e1197;
-                                    phi_1779_ = _e1199;
+                                    let _e1191 = phi_1770_;
+                                    let _e1193 = phi_1771_;
+                                    phi_1772_ = _e1191;
+                                    phi_1773_ = _e1193;
                                 } else {
-                                    phi_1778_ = f32();
-                                    phi_1779_ = true;
+                                    phi_1772_ = f32();
+                                    phi_1773_ = true;
                                 }
-                                let _e1201 = phi_1778_;
-                                let _e1203 = phi_1779_;
-                                if _e1203 {
-                                    if (_e1144 <= 0f) {
-                                        if (_e1165 <= 0f) {
-                                            let _e1206 = (_e1186 <= 0f);
-                                            if _e1206 {
+                                let _e1195 = phi_1772_;
+                                let _e1197 = phi_1773_;
+                                if _e1197 {
+                                    if (_e1138 <= 0f) {
+                                        if (_e1159 <= 0f) {
+                                            let _e1200 = (_e1180 <= 0f);
+                                            if _e1200 {
                                             }
-                                            phi_1797_ = ((_e1144 + _e1165) + _e1186);
-                                            phi_1798_ = false;
-                                            phi_1799_ = _e1206;
+                                            phi_1791_ = ((_e1138 + _e1159) + _e1180);
+                                            phi_1792_ = false;
+                                            phi_1793_ = _e1200;
                                         } else {
-                                            phi_1797_ = f32();
-                                            phi_1798_ = true;
-                                            phi_1799_ = false;
+                                            phi_1791_ = f32();
+                                            phi_1792_ = true;
+                                            phi_1793_ = false;
                                         }
-                                        let _e1210 = phi_1797_;
-                                        let _e1212 = phi_1798_;
-                                        let _e1214 = phi_1799_;
-                                        phi_1800_ = _e1210;
-                                        phi_1801_ = _e1212;
-                                        phi_1802_ = _e1214;
+                                        let _e1204 = phi_1791_;
+                                        let _e1206 = phi_1792_;
+                                        let _e1208 = phi_1793_;
+                                        phi_1794_ = _e1204;
+                                        phi_1795_ = _e1206;
+                                        phi_1796_ = _e1208;
                                     } else {
-                                        phi_1800_ = f32();
-                                        phi_1801_ = true;
-                                        phi_1802_ = false;
+                                        phi_1794_ = f32();
+                                        phi_1795_ = true;
+                                        phi_1796_ = false;
+                                    }
+                                    let _e1210 = phi_1794_;
+                                    let _e1212 = phi_1795_;
+                                    let _e1214 = phi_1796_;
+                                    if _e1212 {
+                                        phi_1800_ = false;
+                                    } else {
+                                        phi_1800_ = _e1214;
                                     }
                                     let _e1216 = phi_1800_;
-                                    let _e1218 = phi_1801_;
-                                    let _e1220 = phi_1802_;
-                                    if _e1218 {
-                                        phi_1806_ = false;
-                                    } else {
-                                        phi_1806_ = _e1220;
-                                    }
-                                    let _e1222 = phi_1806_;
-                                    phi_1807_ = _e1216;
-                                    phi_1808_ = _e1222;
+                                    phi_1801_ = _e1210;
+                                    phi_1802_ = _e1216;
                                 } else {
-                                    phi_1807_ = _e1201;
-                                    phi_1808_ = true;
+                                    phi_1801_ = _e1195;
+                                    phi_1802_ = true;
                                 }
-                                let _e1224 = phi_1807_;
-                                let _e1226 = phi_1808_;
-                                if _e1226 {
-                                    let _e1227 = (_e1224 == 0f);
-                                    if _e1227 {
-                                        phi_2029_ = lt_bvh_triangle_Intersection();
-                                        phi_2030_ = false;
+                                let _e1218 = phi_1801_;
+                                let _e1220 = phi_1802_;
+                                if _e1220 {
+                                    let _e1221 = (_e1218 == 0f);
+                                    if _e1221 {
+                                        phi_2128_ = lt_bvh_triangle_Intersection();
+                                        phi_2129_ = false;
                                     } else {
-                                        let _e1233 = ((((_e1144 * (_e425 * _e1053.z)) + (_e1165 * (_e425 * _e1083.z))) + (_e1186 * (_e425 * _e1113.z))) / _e1224);
-                                        if (_e1233 > _e159.tmin) {
-                                            if (_e1233 < _e159.tmax) {
-                                                let _e1239 = triangles.member[(0u + _e1028)].v0_;
-                                                let _e1241 = triangles.member[(0u + _e1028)].v1_;
-                                                if (_e1239.x < _e1241.x) {
-                                                    phi_1844_ = _e1239.x;
-                                                } else {
-                                                    phi_1844_ = _e1241.x;
-                                                }
-                                                let _e1248 = phi_1844_;
-                                                if (_e1239.y < _e1241.y) {
-                                                    phi_1853_ = _e1239.y;
-                                                } else {
-                                                    phi_1853_ = _e1241.y;
-                                                }
-                                                let _e1255 = phi_1853_;
-                                                if (_e1239.z < _e1241.z) {
-                                                    phi_1862_ = _e1239.z;
-                                                } else {
-                                                    phi_1862_ = _e1241.z;
-                                                }
-                                                let _e1262 = phi_1862_;
-                                                let _e1264 = triangles.member[(0u + _e1028)].v2_;
-                                                if (_e1248 < _e1264.x) {
-                                                    phi_1871_ = _e1248;
-                                                } else {
-                                                    phi_1871_ = _e1264.x;
-                                                }
-                                                let _e1269 = phi_1871_;
-                                                if (_e1255 < _e1264.y) {
-                                                    phi_1878_ = _e1255;
-                                                } else {
-                                                    phi_1878_ = _e1264.y;
-                                                }
-                                                let _e1274 = phi_1878_;
-                                                if (_e1262 < _e1264.z) {
-                                                    phi_1885_ = _e1262;
-                                                } else {
-                                                    phi_1885_ = _e1264.z;
-                                                }
-                                                let _e1279 = phi_1885_;
-                                                let _e1281 = triangles.member[(0u + _e1028)].v0_;
-                                                let _e1283 = triangles.member[(0u + _e1028)].v1_;
-                                                if (_e1281.x > _e1283.x) {
-                                                    phi_1898_ = _e1281.x;
-                                                } else {
-                                                    phi_1898_ = _e1283.x;
-                                                }
-                                                let _e1290 = phi_1898_;
-                                                if (_e1281.y > _e1283.y) {
-                                                    phi_1907_ = _e1281.y;
-                                                } else {
-                                                    phi_1907_ = _e1283.y;
-                                                }
-                                                let _e1297 = phi_1907_;
-                                                if (_e1281.z > _e1283.z) {
-                                                    phi_1916_ = _e1281.z;
-                                                } else {
-                                                    phi_1916_ = _e1283.z;
-                                                }
-                                                let _e1304 = phi_1916_;
-                                                let _e1306 = triangles.member[(0u + _e1028)].v2_;
-                                                if (_e1290 > _e1306.x) {
-                                                    phi_1925_ = _e1290;
-                                                } else {
-                                                    phi_1925_ = _e1306.x;
-                                                }
-                                                let _e1311 = phi_1925_;
-                                                if (_e1297 > _e1306.y) {
-                                                    phi_1932_ = _e1297;
-                                                } else {
-                                                    phi_1932_ = _e1306.y;
-                                                }
-                                                let _e1316 = phi_1932_;
-                                                if (_e1304 > _e1306.z) {
-                                                    phi_1939_ = _e1304;
-                                                } else {
-                                                    phi_1939_ = _e1306.z;
-                                                }
-                                                let _e1321 = phi_1939_;
-                                                let _e1328 = ((_e1269 - _e159.origin.x) * _e313);
-                                                let _e1329 = ((_e1274 - _e159.origin.y) * _e325);
-                                                let _e1330 = ((_e1279 - _e159.origin.z) * _e337);
-                                                let _e1337 = ((_e1311 - _e159.origin.x) * _e313);
-                                                let _e1338 = ((_e1316 - _e159.origin.y) * _e325);
-                                                let _e1339 = ((_e1321 - _e159.origin.z) * _e337);
-                                                if (_e1328 < _e1337) {
-                                                    phi_1962_ = _e1328;
-                                                } else {
-                                                    phi_1962_ = _e1337;
-                                                }
-                                                let _e1342 = phi_1962_;
-                                                if (_e1329 < _e1338) {
-                                                    phi_1967_ = _e1329;
-                                                } else {
-                                                    phi_1967_ = _e1338;
-                                                }
-                                                let _e1345 = phi_1967_;
-                                                if (_e1330 < _e1339) {
-                                                    phi_1972_ = _e1330;
-                                                } else {
-                                                    phi_1972_ = _e1339;
-                                                }
-                                                let _e1348 = phi_1972_;
-                                                if (_e1328 > _e1337) {
-                                                    phi_1980_ = _e1328;
-                                                } else {
-                                                    phi_1980_ = _e1337;
-                                                }
-                                                let _e1354 = phi_1980_;
-                                                if (_e1329 > _e1338) {
-                                                    phi_1985_ = _e1329;
-                                                } else {
-                                                    phi_1985_ = _e1338;
-                                                }
-                                                let _e1357 = phi_1985_;
-                                                if (_e1330 > _e1339) {
-                                                    phi_1990_ = _e1330;
-                                                } else {
-                                                    phi_1990_ = _e1339;
-                                                }
-                                                let _e1360 = phi_1990_;
-                                                let _e1364 = core_intrinsics_maximum_number_nsz_f32_((_e1342 - _e381), (_e1345 - _e382));
-                                                let _e1365 = core_intrinsics_maximum_number_nsz_f32_(_e1364, (_e1348 - _e383));
-                                                let _e1366 = core_intrinsics_minimum_number_nsz_f32_((_e1354 + _e381), (_e1357 + _e382));
-                                                let _e1367 = core_intrinsics_minimum_number_nsz_f32_(_e1366, (_e1360 + _e383));
-                                                if (_e1365 > -300000000000000000000000000000000000000f) {
-                                                    phi_2002_ = _e1365;
-                                                } else {
-                                                    phi_2002_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1370 = phi_2002_;
-                                                if (_e1367 < 300000000000000000000000000000000000000f) {
-                                                    phi_2007_ = _e1367;
-                                                } else {
-                                                    phi_2007_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1373 = phi_2007_;
-                                                if (_e1233 < _e1370) {
-                                                    phi_2012_ = _e1370;
-                                                } else {
-                                                    phi_2012_ = _e1233;
-                                                }
-                                                let _e1376 = phi_2012_;
-                                                if (_e1376 > _e1373) {
-                                                    phi_2017_ = _e1373;
-                                                } else {
-                                                    phi_2017_ = _e1376;
-                                                }
-                                                let _e1379 = phi_2017_;
-                                                phi_2022_ = lt_bvh_triangle_Intersection(_e1379, (_e1165 / _e1224), (_e1186 / _e1224), (_e1370 <= _e1373));
-                                                phi_2023_ = false;
+                                        let _e1223 = triangles.member[(0u + _e1028)].v0_;
+                                        let _e1226 = (_e1223.x - _e159.origin.x);
+                                        let _e1229 = (_e1223.y - _e159.origin.y);
+                                        let _e1232 = (_e1223.z - _e159.origin.z);
+                                        if (_e401 == 0u) {
+                                            phi_1833_ = vec3<f32>(_e1229, _e1232, _e1226);
+                                        } else {
+                                            if (_e401 == 1u) {
+                                                phi_1832_ = vec3<f32>(_e1232, _e1226, _e1229);
                                             } else {
-                                                phi_2022_ = lt_bvh_triangle_Intersection();
-                                                phi_2023_ = true;
+                                                phi_1832_ = (_e1223 - _e159.origin);
                                             }
-                                            let _e1385 = phi_2022_;
-                                            let _e1387 = phi_2023_;
-                                            phi_2024_ = _e1385;
-                                            phi_2025_ = _e1387;
+                                            let _e1239 = phi_1832_;
+                                            phi_1833_ = _e1239;
+                                        }
+                                        let _e1241 = phi_1833_;
+                                        let _e1243 = triangles.member[(0u + _e1028)].v1_;
+                                        let _e1245 = triangles.member[(0u + _e1028)].v0_;
+                                        let _e1248 = (_e1243.x - _e1245.x);
+                                        let _e1251 = (_e1243.y - _e1245.y);
+                                        let _e1254 = (_e1243.z - _e1245.z);
+                                        if (_e401 == 0u) {
+                                            phi_1859_ = vec3<f32>(_e1251, _e1254, _e1248);
                                         } else {
-                                            phi_2024_ = lt_bvh_triangle_Intersection();
-                                            phi_2025_ = true;
+                                            if (_e401 == 1u) {
+                                                phi_1858_ = vec3<f32>(_e1254, _e1248, _e1251);
+                                            } else {
+                                                phi_1858_ = (_e1243 - _e1245);
+                                            }
+                                            let _e1261 = phi_1858_;
+                                            phi_1859_ = _e1261;
                                         }
-                                        let _e1389 = phi_2024_;
-                                        let _e1391 = phi_2025_;
-                                        if _e1391 {
+                                        let _e1263 = phi_1859_;
+                                        let _e1265 = triangles.member[(0u + _e1028)].v2_;
+                                        let _e1267 = triangles.member[(0u + _e1028)].v0_;
+                                        let _e1270 = (_e1265.x - _e1267.x);
+                                        let _e1273 = (_e1265.y - _e1267.y);
+                                        let _e1276 = (_e1265.z - _e1267.z);
+                                        if (_e401 == 0u) {
+                                            phi_1885_ = vec3<f32>(_e1273, _e1276, _e1270);
+                                        } else {
+                                            if (_e401 == 1u) {
+                                                phi_1884_ = vec3<f32>(_e1276, _e1270, _e1273);
+                                            } else {
+                                                phi_1884_ = (_e1265 - _e1267);
+                                            }
+                                            let _e1283 = phi_1884_;
+                                            phi_1885_ = _e1283;
                                         }
-                                        phi_2029_ = _e1389;
-                                        phi_2030_ = _e1391;
+                                        let _e1285 = phi_1885_;
+                                        let _e1292 = ((_e1263.y * _e1285.z) - (_e1263.z * _e1285.y));
+                                        let _e1299 = ((_e1263.z * _e1285.x) - (_e1263.x * _e1285.z));
+                                        let _e1306 = ((_e1263.x * _e1285.y) - (_e1263.y * _e1285.x));
+                                        let _e1320 = (((1f / _e416.z) * (((_e1292 * _e1241.x) + (_e1299 * _e1241.y)) + (_e1306 * _e1241.z))) / (((_e1292 * _e420) + (_e1299 * _e423)) + _e1306));
+                                        if (_e1320 > _e159.tmin) {
+                                            if (_e1320 < _e159.tmax) {
+                                                let _e1326 = triangles.member[(0u + _e1028)].v0_;
+                                                let _e1328 = triangles.member[(0u + _e1028)].v1_;
+                                                if (_e1326.x < _e1328.x) {
+                                                    phi_1943_ = _e1326.x;
+                                                } else {
+                                                    phi_1943_ = _e1328.x;
+                                                }
+                                                let _e1335 = phi_1943_;
+                                                if (_e1326.y < _e1328.y) {
+                                                    phi_1952_ = _e1326.y;
+                                                } else {
+                                                    phi_1952_ = _e1328.y;
+                                                }
+                                                let _e1342 = phi_1952_;
+                                                if (_e1326.z < _e1328.z) {
+                                                    phi_1961_ = _e1326.z;
+                                                } else {
+                                                    phi_1961_ = _e1328.z;
+                                                }
+                                                let _e1349 = phi_1961_;
+                                                let _e1351 = triangles.member[(0u + _e1028)].v2_;
+                                                if (_e1335 < _e1351.x) {
+                                                    phi_1970_ = _e1335;
+                                                } else {
+                                                    phi_1970_ = _e1351.x;
+                                                }
+                                                let _e1356 = phi_1970_;
+                                                if (_e1342 < _e1351.y) {
+                                                    phi_1977_ = _e1342;
+                                                } else {
+                                                    phi_1977_ = _e1351.y;
+                                                }
+                                                let _e1361 = phi_1977_;
+                                                if (_e1349 < _e1351.z) {
+                                                    phi_1984_ = _e1349;
+                                                } else {
+                                                    phi_1984_ = _e1351.z;
+                                                }
+                                                let _e1366 = phi_1984_;
+                                                let _e1368 = triangles.member[(0u + _e1028)].v0_;
+                                                let _e1370 = triangles.member[(0u + _e1028)].v1_;
+                                                if (_e1368.x > _e1370.x) {
+                                                    phi_1997_ = _e1368.x;
+                                                } else {
+                                                    phi_1997_ = _e1370.x;
+                                                }
+                                                let _e1377 = phi_1997_;
+                                                if (_e1368.y > _e1370.y) {
+                                                    phi_2006_ = _e1368.y;
+                                                } else {
+                                                    phi_2006_ = _e1370.y;
+                                                }
+                                                let _e1384 = phi_2006_;
+                                                if (_e1368.z > _e1370.z) {
+                                                    phi_2015_ = _e1368.z;
+                                                } else {
+                                                    phi_2015_ = _e1370.z;
+                                                }
+                                                let _e1391 = phi_2015_;
+                                                let _e1393 = triangles.member[(0u + _e1028)].v2_;
+                                                if (_e1377 > _e1393.x) {
+                                                    phi_2024_ = _e1377;
+                                                } else {
+                                                    phi_2024_ = _e1393.x;
+                                                }
+                                                let _e1398 = phi_2024_;
+                                                if (_e1384 > _e1393.y) {
+                                                    phi_2031_ = _e1384;
+                                                } else {
+                                                    phi_2031_ = _e1393.y;
+                                                }
+                                                let _e1403 = phi_2031_;
+                                                if (_e1391 > _e1393.z) {
+                                                    phi_2038_ = _e1391;
+                                                } else {
+                                                    phi_2038_ = _e1393.z;
+                                                }
+                                                let _e1408 = phi_2038_;
+                                                let _e1415 = ((_e1356 - _e159.origin.x) * _e313);
+                                                let _e1416 = ((_e1361 - _e159.origin.y) * _e325);
+                                                let _e1417 = ((_e1366 - _e159.origin.z) * _e337);
+                                                let _e1424 = ((_e1398 - _e159.origin.x) * _e313);
+                                                let _e1425 = ((_e1403 - _e159.origin.y) * _e325);
+                                                let _e1426 = ((_e1408 - _e159.origin.z) * _e337);
+                                                if (_e1415 < _e1424) {
+                                                    phi_2061_ = _e1415;
+                                                } else {
+                                                    phi_2061_ = _e1424;
+                                                }
+                                                let _e1429 = phi_2061_;
+                                                if (_e1416 < _e1425) {
+                                                    phi_2066_ = _e1416;
+                                                } else {
+                                                    phi_2066_ = _e1425;
+                                                }
+                                                let _e1432 = phi_2066_;
+                                                if (_e1417 < _e1426) {
+                                                    phi_2071_ = _e1417;
+                                                } else {
+                                                    phi_2071_ = _e1426;
+                                                }
+                                                let _e1435 = phi_2071_;
+                                                if (_e1415 > _e1424) {
+                                                    phi_2079_ = _e1415;
+                                                } else {
+                                                    phi_2079_ = _e1424;
+                                                }
+                                                let _e1441 = phi_2079_;
+                                                if (_e1416 > _e1425) {
+                                                    phi_2084_ = _e1416;
+                                                } else {
+                                                    phi_2084_ = _e1425;
+                                                }
+                                                let _e1444 = phi_2084_;
+                                                if (_e1417 > _e1426) {
+                                                    phi_2089_ = _e1417;
+                                                } else {
+                                                    phi_2089_ = _e1426;
+                                                }
+                                                let _e1447 = phi_2089_;
+                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_((_e1429 - _e381), (_e1432 - _e382));
+                                                let _e1452 = core_intrinsics_maximum_number_nsz_f32_(_e1451, (_e1435 - _e383));
+                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_((_e1441 + _e381), (_e1444 + _e382));
+                                                let _e1454 = core_intrinsics_minimum_number_nsz_f32_(_e1453, (_e1447 + _e383));
+                                                if (_e1452 > -300000000000000000000000000000000000000f) {
+                                                    phi_2101_ = _e1452;
+                                                } else {
+                                                    phi_2101_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1457 = phi_2101_;
+                                                if (_e1454 < 300000000000000000000000000000000000000f) {
+                                                    phi_2106_ = _e1454;
+                                                } else {
+                                                    phi_2106_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1460 = phi_2106_;
+                                                if (_e1320 < _e1457) {
+                                                    phi_2111_ = _e1457;
+                                                } else {
+                                                    phi_2111_ = _e1320;
+                                                }
+                                                let _e1463 = phi_2111_;
+                                                if (_e1463 > _e1460) {
+                                                    phi_2116_ = _e1460;
+                                                } else {
+                                                    phi_2116_ = _e1463;
+                                                }
+                                                let _e1466 = phi_2116_;
+                                                phi_2121_ = lt_bvh_triangle_Intersection(_e1466, (_e1159 / _e1218), (_e1180 / _e1218), (_e1457 <= _e1460));
+                                                phi_2122_ = false;
+                                            } else {
+                                                phi_2121_ = lt_bvh_triangle_Intersection();
+                                                phi_2122_ = true;
+                                            }
+                                            let _e1472 = phi_2121_;
+                                            let _e1474 = phi_2122_;
+                                            phi_2123_ = _e1472;
+                                            phi_2124_ = _e1474;
+                                        } else {
+                                            phi_2123_ = lt_bvh_triangle_Intersection();
+                                            phi_2124_ = true;
+                                        }
+                                        let _e1476 = phi_2123_;
+                                        let _e1478 = phi_2124_;
+                                        if _e1478 {
+                                        }
+                                        phi_2128_ = _e1476;
+                                        phi_2129_ = _e1478;
                                     }
-                                    let _e1393 = phi_2029_;
-                                    let _e1395 = phi_2030_;
-                                    phi_2031_ = _e1393;
-                                    phi_2032_ = _e1227;
-                                    phi_2033_ = _e1395;
+                                    let _e1480 = phi_2128_;
+                                    let _e1482 = phi_2129_;
+                                    phi_2130_ = _e1480;
+                                    phi_2131_ = _e1221;
+                                    phi_2132_ = _e1482;
                                 } else {
-                                    phi_2031_ = lt_bvh_triangle_Intersection();
-                                    phi_2032_ = true;
-                                    phi_2033_ = false;
+                                    phi_2130_ = lt_bvh_triangle_Intersection();
+                                    phi_2131_ = true;
+                                    phi_2132_ = false;
                                 }
-                                let _e1397 = phi_2031_;
-                                let _e1399 = phi_2032_;
-                                let _e1401 = phi_2033_;
-                                if _e1399 {
-                                    phi_2037_ = true;
+                                let _e1484 = phi_2130_;
+                                let _e1486 = phi_2131_;
+                                let _e1488 = phi_2132_;
+                                if _e1486 {
+                                    phi_2136_ = true;
                                 } else {
-                                    phi_2037_ = _e1401;
+                                    phi_2136_ = _e1488;
                                 }
-                                let _e1403 = phi_2037_;
-                                if _e1403 {
-                                    phi_2041_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1490 = phi_2136_;
+                                if _e1490 {
+                                    phi_2140_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2041_ = _e1397;
+                                    phi_2140_ = _e1484;
                                 }
-                                let _e1405 = phi_2041_;
-                                if _e1405.is_hit {
-                                    if (_e1405.t > _e159.tmin) {
-                                        if (_e1405.t < _e1017.t) {
-                                            phi_2090_ = true;
+                                let _e1492 = phi_2140_;
+                                if _e1492.is_hit {
+                                    if (_e1492.t > _e159.tmin) {
+                                        if (_e1492.t < _e1017.t) {
+                                            phi_2189_ = true;
                                         } else {
-                                            if (_e1405.t == _e1017.t) {
+                                            if (_e1492.t == _e1017.t) {
                                                 if (_e1017.triangle != 4294967295u) {
                                                     if (_e1028 < _e1017.triangle) {
-                                                        phi_2081_ = true;
+                                                        phi_2180_ = true;
                                                     } else {
                                                         if (_e1028 == _e1017.triangle) {
-                                                            phi_2080_ = (4294967295u < _e1017.instance);
+                                                            phi_2179_ = (4294967295u < _e1017.instance);
                                                         } else {
-                                                            phi_2080_ = false;
+                                                            phi_2179_ = false;
                                                         }
-                                                        let _e1424 = phi_2080_;
-                                                        phi_2081_ = _e1424;
+                                                        let _e1511 = phi_2179_;
+                                                        phi_2180_ = _e1511;
                                                     }
-                                                    let _e1426 = phi_2081_;
-                                                    phi_2082_ = _e1426;
-                                                    phi_2083_ = false;
+                                                    let _e1513 = phi_2180_;
+                                                    phi_2181_ = _e1513;
+                                                    phi_2182_ = false;
                                                 } else {
-                                                    phi_2082_ = bool();
-                                                    phi_2083_ = true;
+                                                    phi_2181_ = bool();
+                                                    phi_2182_ = true;
                                                 }
-                                                let _e1428 = phi_2082_;
-                                                let _e1430 = phi_2083_;
-                                                phi_2084_ = _e1428;
-                                                phi_2085_ = _e1430;
+                                                let _e1515 = phi_2181_;
+                                                let _e1517 = phi_2182_;
+                                                phi_2183_ = _e1515;
+                                                phi_2184_ = _e1517;
                                             } else {
-                                                phi_2084_ = bool();
-                                                phi_2085_ = true;
+                                                phi_2183_ = bool();
+                                                phi_2184_ = true;
                                             }
-                                            let _e1432 = phi_2084_;
-                                            let _e1434 = phi_2085_;
-                                            if _e1434 {
-                                                phi_2089_ = false;
+                                            let _e1519 = phi_2183_;
+                                            let _e1521 = phi_2184_;
+                                            if _e1521 {
+                                                phi_2188_ = false;
                                             } else {
-                                                phi_2089_ = _e1432;
+                                                phi_2188_ = _e1519;
                                             }
-                                            let _e1436 = phi_2089_;
-                                            phi_2090_ = _e1436;
+                                            let _e1523 = phi_2188_;
+                                            phi_2189_ = _e1523;
                                         }
-                                        let _e1438 = phi_2090_;
-                                        if _e1438 {
-                                            let _e1440 = triangles.member[(0u + _e1028)].i0_;
-                                            if ((_e1440 & 2147483648u) == 0u) {
-                                                phi_2301_ = true;
+                                        let _e1525 = phi_2189_;
+                                        if _e1525 {
+                                            let _e1527 = triangles.member[(0u + _e1028)].i0_;
+                                            if ((_e1527 & 2147483648u) == 0u) {
+                                                phi_2400_ = true;
                                             } else {
                                                 if (_e1028 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1449 = triangles.member[(0u + _e1028)].i0_;
-                                                let _e1450 = (_e1449 & 2147483647u);
-                                                let _e1452 = triangles.member[(0u + _e1028)].i1_;
-                                                let _e1454 = triangles.member[(0u + _e1028)].i2_;
-                                                if (_e1450 < _e83) {
+                                                let _e1536 = triangles.member[(0u + _e1028)].i0_;
+                                                let _e1537 = (_e1536 & 2147483647u);
+                                                let _e1539 = triangles.member[(0u + _e1028)].i1_;
+                                                let _e1541 = triangles.member[(0u + _e1028)].i2_;
+                                                if (_e1537 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1458 = vertices.member[(0u + _e1450)];
-                                                if (_e1452 < _e83) {
+                                                let _e1545 = vertices.member[(0u + _e1537)];
+                                                if (_e1539 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1462 = vertices.member[(0u + _e1452)];
-                                                if (_e1454 < _e83) {
+                                                let _e1549 = vertices.member[(0u + _e1539)];
+                                                if (_e1541 < _e83) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1466 = vertices.member[(0u + _e1454)];
-                                                let _e1467 = array<abi_Vertex, 3>(_e1458, _e1462, _e1466);
-                                                if (_e1467[0].material < _e86) {
+                                                let _e1553 = vertices.member[(0u + _e1541)];
+                                                let _e1554 = array<abi_Vertex, 3>(_e1545, _e1549, _e1553);
+                                                if (_e1554[0].material < _e86) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1473 = materials.member[(0u + _e1467[0].material)];
-                                                if ((_e1473.flags & 0u) == 0u) {
-                                                    let _e1478 = ((1f - _e1405.u) - _e1405.v);
-                                                    if (_e1473.cutoff <= 0f) {
-                                                        phi_2296_ = true;
+                                                let _e1560 = materials.member[(0u + _e1554[0].material)];
+                                                if ((_e1560.flags & 0u) == 0u) {
+                                                    let _e1565 = ((1f - _e1492.u) - _e1492.v);
+                                                    if (_e1560.cutoff <= 0f) {
+                                                        phi_2395_ = true;
                                                     } else {
-                                                        let _e1505 = (_e1473.base_color.w * ((((f32((_e1467[0].color >> bitcast<u32>(24i))) * _e1478) + (f32((_e1467[1].color >> bitcast<u32>(24i))) * _e1405.u)) + (f32((_e1467[2].color >> bitcast<u32>(24i))) * _e1405.v)) * (1f / 255f)));
-                                                        if (_e1473.alpha_size == 0u) {
-                                                            phi_2293_ = _e1505;
+                                                        let _e1592 = (_e1560.base_color.w * ((((f32((_e1554[0].color >> bitcast<u32>(24i))) * _e1565) + (f32((_e1554[1].color >> bitcast<u32>(24i))) * _e1492.u)) + (f32((_e1554[2].color >> bitcast<u32>(24i))) * _e1492.v)) * (1f / 255f)));
+                                                        if (_e1560.alpha_size == 0u) {
+                                                            phi_2392_ = _e1592;
                                                         } else {
-                                                            local.offset = _e1473.alpha_offset;
-                                                            local.size = _e1473.alpha_size;
-                                                            local.flags = _e1473.flags;
-                                                            let _e1536 = _lt_shaders_texture_TextureView_quad((&local), (((_e1467[0].u * _e1478) + (_e1467[1].u * _e1405.u)) + (_e1467[2].u * _e1405.v)), (((_e1467[0].v * _e1478) + (_e1467[1].v * _e1405.u)) + (_e1467[2].v * _e1405.v)));
-                                                            let _e1540 = (_e1536.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1540 < _e92) {
+                                                            local.offset = _e1560.alpha_offset;
+                                                            local.size = _e1560.alpha_size;
+                                                            local.flags = _e1560.flags;
+                                                            let _e1623 = _lt_shaders_texture_TextureView_quad((&local), (((_e1554[0].u * _e1565) + (_e1554[1].u * _e1492.u)) + (_e1554[2].u * _e1492.v)), (((_e1554[0].v * _e1565) + (_e1554[1].v * _e1492.u)) + (_e1554[2].v * _e1492.v)));
+                                                            let _e1627 = (_e1623.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1627 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1544 = alpha_texels.member[(0u + _e1540)];
-                                                            let _e1560 = (_e1536.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1560 < _e92) {
+                                                            let _e1631 = alpha_texels.member[(0u + _e1627)];
+                                                            let _e1647 = (_e1623.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1647 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1564 = alpha_texels.member[(0u + _e1560)];
-                                                            let _e1581 = (_e1536.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1581 < _e92) {
+                                                            let _e1651 = alpha_texels.member[(0u + _e1647)];
+                                                            let _e1668 = (_e1623.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1668 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1585 = alpha_texels.member[(0u + _e1581)];
-                                                            let _e1602 = (_e1536.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1602 < _e92) {
+                                                            let _e1672 = alpha_texels.member[(0u + _e1668)];
+                                                            let _e1689 = (_e1623.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1689 < _e92) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1606 = alpha_texels.member[(0u + _e1602)];
-                                                            phi_2293_ = (_e1505 * (((((f32(((_e1544 >> bitcast<u32>((((_e1536.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1536.weights.x) + ((f32(((_e1564 >> bitcast<u32>((((_e1536.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1536.weights.y)) + ((f32(((_e1585 >> bitcast<u32>((((_e1536.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1536.weights.z)) + ((f32(((_e1606 >> bitcast<u32>((((_e1536.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1536.weights.w)));
+                                                            let _e1693 = alpha_texels.member[(0u + _e1689)];
+                                                            phi_2392_ = (_e1592 * (((((f32(((_e1631 >> bitcast<u32>((((_e1623.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.x) + ((f32(((_e1651 >> bitcast<u32>((((_e1623.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.y)) + ((f32(((_e1672 >> bitcast<u32>((((_e1623.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.z)) + ((f32(((_e1693 >> bitcast<u32>((((_e1623.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1623.weights.w)));
                                                         }
-                                                        let _e1622 = phi_2293_;
-                                                        phi_2296_ = (_e1622 >= _e1473.cutoff);
+                                                        let _e1709 = phi_2392_;
+                                                        phi_2395_ = (_e1709 >= _e1560.cutoff);
                                                     }
-                                                    let _e1626 = phi_2296_;
-                                                    phi_2297_ = _e1626;
+                                                    let _e1713 = phi_2395_;
+                                                    phi_2396_ = _e1713;
                                                 } else {
-                                                    phi_2297_ = false;
+                                                    phi_2396_ = false;
                                                 }
-                                                let _e1628 = phi_2297_;
-                                                if _e1628 {
+                                                let _e1715 = phi_2396_;
+                                                if _e1715 {
                                                 }
-                                                phi_2301_ = _e1628;
+                                                phi_2400_ = _e1715;
                                             }
-                                            let _e1630 = phi_2301_;
-                                            if _e1630 {
-                                                phi_2309_ = lt_bvh_Hit(_e1405.t, _e1405.u, _e1405.v, _e1028, 4294967295u);
+                                            let _e1717 = phi_2400_;
+                                            if _e1717 {
+                                                phi_2408_ = lt_bvh_Hit(_e1492.t, _e1492.u, _e1492.v, _e1028, 4294967295u);
                                             } else {
-                                                phi_2309_ = _e1017;
+                                                phi_2408_ = _e1017;
                                             }
-                                            let _e1636 = phi_2309_;
-                                            phi_2310_ = _e1636;
+                                            let _e1723 = phi_2408_;
+                                            phi_2409_ = _e1723;
                                         } else {
-                                            phi_2310_ = _e1017;
+                                            phi_2409_ = _e1017;
                                         }
-                                        let _e1638 = phi_2310_;
-                                        phi_2311_ = _e1638;
+                                        let _e1725 = phi_2409_;
+                                        phi_2410_ = _e1725;
                                     } else {
-                                        phi_2311_ = _e1017;
+                                        phi_2410_ = _e1017;
                                     }
-                                    let _e1640 = phi_2311_;
-                                    phi_2312_ = _e1640;
+                                    let _e1727 = phi_2410_;
+                                    phi_2411_ = _e1727;
                                 } else {
-                                    phi_2312_ = _e1017;
+                                    phi_2411_ = _e1017;
                                 }
-                                let _e1642 = phi_2312_;
-                                phi_1554_ = _e1642;
+                                let _e1729 = phi_2411_;
+                                phi_1554_ = _e1729;
                                 phi_1557_ = (_e1019 & (_e1019 - 1u));
-                                phi_2313_ = true;
+                                phi_2412_ = true;
                             }
-                            let _e1644 = phi_1554_;
-                            let _e1646 = phi_1557_;
-                            let _e1648 = phi_2313_;
+                            let _e1731 = phi_1554_;
+                            let _e1733 = phi_1557_;
+                            let _e1735 = phi_2412_;
                             continue;
                             continuing {
-                                phi_1553_ = _e1644;
-                                phi_1556_ = _e1646;
-                                break if !(_e1648);
+                                phi_1553_ = _e1731;
+                                phi_1556_ = _e1733;
+                                break if !(_e1735);
                             }
                         }
-                        let _e1651 = local_1.group_mask;
-                        if ((_e1651 & 4278190080u) == 0u) {
-                            let _e1655 = local_1.len;
-                            if (_e1655 == 0u) {
-                                phi_2352_ = false;
+                        let _e1738 = local_1.group_mask;
+                        if ((_e1738 & 4278190080u) == 0u) {
+                            let _e1742 = local_1.len;
+                            if (_e1742 == 0u) {
+                                phi_2451_ = false;
                             } else {
-                                let _e1659 = local_1.len;
-                                local_1.len = (_e1659 - 1u);
-                                let _e1662 = local_1.len;
-                                if (_e1662 < 32u) {
+                                let _e1746 = local_1.len;
+                                local_1.len = (_e1746 - 1u);
+                                let _e1749 = local_1.len;
+                                if (_e1749 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1667 = local_1.first[(0u + _e1662)];
-                                local_1.group = _e1667;
-                                let _e1670 = local_1.len;
-                                if (_e1670 < 32u) {
+                                let _e1754 = local_1.first[(0u + _e1749)];
+                                local_1.group = _e1754;
+                                let _e1757 = local_1.len;
+                                if (_e1757 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1675 = local_1.mask[(0u + _e1670)];
-                                local_1.group_mask = _e1675;
-                                phi_2352_ = true;
+                                let _e1762 = local_1.mask[(0u + _e1757)];
+                                local_1.group_mask = _e1762;
+                                phi_2451_ = true;
                             }
-                            let _e1678 = phi_2352_;
-                            phi_2353_ = _e1678;
+                            let _e1765 = phi_2451_;
+                            phi_2452_ = _e1765;
                         } else {
-                            phi_2353_ = true;
+                            phi_2452_ = true;
                         }
-                        let _e1680 = phi_2353_;
-                        if _e1680 {
-                            let _e1682 = local_1.group_mask;
-                            let _e1688 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1682)), 32u, (_e1682 == 0u)));
-                            let _e1692 = local_1.group_mask;
-                            let _e1706 = local_1.group_mask;
-                            local_1.group_mask = (_e1706 & ~((1u << bitcast<u32>((_e1688 & 31u)))));
-                            let _e1709 = local_1.group;
-                            phi_2384_ = (_e1709 + countOneBits(((_e1692 & ~((4294967295u << bitcast<u32>((((_e1688 - 24u) ^ _e436) & 31u))))) & 255u)));
+                        let _e1767 = phi_2452_;
+                        if _e1767 {
+                            let _e1769 = local_1.group_mask;
+                            let _e1775 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1769)), 32u, (_e1769 == 0u)));
+                            let _e1779 = local_1.group_mask;
+                            let _e1793 = local_1.group_mask;
+                            local_1.group_mask = (_e1793 & ~((1u << bitcast<u32>((_e1775 & 31u)))));
+                            let _e1796 = local_1.group;
+                            phi_2483_ = (_e1796 + countOneBits(((_e1779 & ~((4294967295u << bitcast<u32>((((_e1775 - 24u) ^ _e436) & 31u))))) & 255u)));
                         } else {
-                            phi_2384_ = 4294967295u;
+                            phi_2483_ = 4294967295u;
                         }
-                        let _e1712 = phi_2384_;
-                        let _e2484 = local_5;
-                        phi_1217_ = _e2484;
-                        phi_1220_ = _e1712;
+                        let _e1799 = phi_2483_;
+                        let _e2577 = local_5;
+                        phi_1217_ = _e2577;
+                        phi_1220_ = _e1799;
                     } else {
                         phi_1217_ = lt_bvh_Hit();
                         phi_1220_ = u32();
                     }
-                    let _e1714 = phi_1217_;
-                    let _e1716 = phi_1220_;
+                    let _e1801 = phi_1217_;
+                    let _e1803 = phi_1220_;
                     continue;
                     continuing {
-                        phi_1216_ = _e1714;
-                        phi_1219_ = _e1716;
+                        phi_1216_ = _e1801;
+                        phi_1219_ = _e1803;
                         break if !(_e577);
                     }
                 }
-                let _e2488 = local_6;
-                phi_2385_ = _e2488;
+                let _e2581 = local_6;
+                phi_2484_ = _e2581;
             }
-            let _e1719 = phi_2385_;
-            phi_2386_ = _e1719;
-            phi_2387_ = _e231;
+            let _e1806 = phi_2484_;
+            phi_2485_ = _e1806;
+            phi_2486_ = _e231;
         } else {
-            phi_2386_ = lt_bvh_Hit();
-            phi_2387_ = true;
+            phi_2485_ = lt_bvh_Hit();
+            phi_2486_ = true;
         }
-        let _e1721 = phi_2386_;
-        let _e1723 = phi_2387_;
-        if _e1723 {
-            phi_2391_ = _e161;
+        let _e1808 = phi_2485_;
+        let _e1810 = phi_2486_;
+        if _e1810 {
+            phi_2490_ = _e161;
         } else {
-            phi_2391_ = _e1721;
+            phi_2490_ = _e1808;
         }
-        let _e1725 = phi_2391_;
-        if (_e1725.triangle != 4294967295u) {
-            let _e1731 = ((1f - _e1725.u) - _e1725.v);
-            if (_e1725.triangle < _e80) {
+        let _e1812 = phi_2490_;
+        if (_e1812.triangle != 4294967295u) {
+            let _e1818 = ((1f - _e1812.u) - _e1812.v);
+            if (_e1812.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1737 = triangles.member[(0u + _e1725.triangle)];
-            let _e1762 = (((_e1737.v0_.x * _e1731) + (_e1737.v1_.x * _e1725.u)) + (_e1737.v2_.x * _e1725.v));
-            let _e1763 = (((_e1737.v0_.y * _e1731) + (_e1737.v1_.y * _e1725.u)) + (_e1737.v2_.y * _e1725.v));
-            let _e1764 = (((_e1737.v0_.z * _e1731) + (_e1737.v1_.z * _e1725.u)) + (_e1737.v2_.z * _e1725.v));
-            let _e1767 = abs(_e1737.v0_.x);
-            let _e1769 = abs(_e1737.v0_.y);
-            let _e1771 = abs(_e1737.v0_.z);
-            let _e1773 = abs(_e1737.v1_.x);
-            let _e1775 = abs(_e1737.v1_.y);
-            let _e1777 = abs(_e1737.v1_.z);
-            if (_e1767 > _e1773) {
-                phi_2456_ = _e1767;
+            let _e1824 = triangles.member[(0u + _e1812.triangle)];
+            let _e1849 = (((_e1824.v0_.x * _e1818) + (_e1824.v1_.x * _e1812.u)) + (_e1824.v2_.x * _e1812.v));
+            let _e1850 = (((_e1824.v0_.y * _e1818) + (_e1824.v1_.y * _e1812.u)) + (_e1824.v2_.y * _e1812.v));
+            let _e1851 = (((_e1824.v0_.z * _e1818) + (_e1824.v1_.z * _e1812.u)) + (_e1824.v2_.z * _e1812.v));
+            let _e1854 = abs(_e1824.v0_.x);
+            let _e1856 = abs(_e1824.v0_.y);
+            let _e1858 = abs(_e1824.v0_.z);
+            let _e1860 = abs(_e1824.v1_.x);
+            let _e1862 = abs(_e1824.v1_.y);
+            let _e1864 = abs(_e1824.v1_.z);
+            if (_e1854 > _e1860) {
+                phi_2555_ = _e1854;
             } else {
-                phi_2456_ = _e1773;
+                phi_2555_ = _e1860;
             }
-            let _e1780 = phi_2456_;
-            if (_e1769 > _e1775) {
-                phi_2461_ = _e1769;
+            let _e1867 = phi_2555_;
+            if (_e1856 > _e1862) {
+                phi_2560_ = _e1856;
             } else {
-                phi_2461_ = _e1775;
+                phi_2560_ = _e1862;
             }
-            let _e1783 = phi_2461_;
-            if (_e1771 > _e1777) {
-                phi_2466_ = _e1771;
+            let _e1870 = phi_2560_;
+            if (_e1858 > _e1864) {
+                phi_2565_ = _e1858;
             } else {
-                phi_2466_ = _e1777;
+                phi_2565_ = _e1864;
             }
-            let _e1786 = phi_2466_;
-            let _e1788 = abs(_e1737.v2_.x);
-            let _e1790 = abs(_e1737.v2_.y);
-            let _e1792 = abs(_e1737.v2_.z);
-            if (_e1780 > _e1788) {
-                phi_2477_ = _e1780;
+            let _e1873 = phi_2565_;
+            let _e1875 = abs(_e1824.v2_.x);
+            let _e1877 = abs(_e1824.v2_.y);
+            let _e1879 = abs(_e1824.v2_.z);
+            if (_e1867 > _e1875) {
+                phi_2576_ = _e1867;
             } else {
-                phi_2477_ = _e1788;
+                phi_2576_ = _e1875;
             }
-            let _e1795 = phi_2477_;
-            if (_e1783 > _e1790) {
-                phi_2482_ = _e1783;
+            let _e1882 = phi_2576_;
+            if (_e1870 > _e1877) {
+                phi_2581_ = _e1870;
             } else {
-                phi_2482_ = _e1790;
+                phi_2581_ = _e1877;
             }
-            let _e1798 = phi_2482_;
-            if (_e1786 > _e1792) {
-                phi_2487_ = _e1786;
+            let _e1885 = phi_2581_;
+            if (_e1873 > _e1879) {
+                phi_2586_ = _e1873;
             } else {
-                phi_2487_ = _e1792;
+                phi_2586_ = _e1879;
             }
-            let _e1801 = phi_2487_;
-            let _e1804 = (_e1737.v1_.x - _e1737.v0_.x);
-            let _e1807 = (_e1737.v1_.y - _e1737.v0_.y);
-            let _e1810 = (_e1737.v1_.z - _e1737.v0_.z);
-            let _e1813 = (_e1737.v2_.x - _e1737.v0_.x);
-            let _e1816 = (_e1737.v2_.y - _e1737.v0_.y);
-            let _e1819 = (_e1737.v2_.z - _e1737.v0_.z);
-            let _e1823 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1807), abs(_e1810));
-            let _e1824 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1804), _e1823);
-            let _e1825 = (_e1804 / _e1824);
-            let _e1826 = (_e1807 / _e1824);
-            let _e1827 = (_e1810 / _e1824);
-            let _e1831 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1816), abs(_e1819));
-            let _e1832 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1813), _e1831);
-            let _e1833 = (_e1813 / _e1832);
-            let _e1834 = (_e1816 / _e1832);
-            let _e1835 = (_e1819 / _e1832);
-            let _e1838 = ((_e1826 * _e1835) - (_e1834 * _e1827));
-            let _e1841 = ((_e1827 * _e1833) - (_e1835 * _e1825));
-            let _e1844 = ((_e1825 * _e1834) - (_e1833 * _e1826));
-            let _e1846 = p.member.eye;
-            let _e1859 = (1f / sqrt((((_e1838 * _e1838) + (_e1841 * _e1841)) + (_e1844 * _e1844))));
-            let _e1860 = (_e1838 * _e1859);
-            let _e1861 = (_e1841 * _e1859);
-            let _e1862 = (_e1844 * _e1859);
-            if ((((_e1860 * (_e1846.x - _e1762)) + (_e1861 * (_e1846.y - _e1763))) + (_e1862 * (_e1846.z - _e1764))) < 0f) {
-                phi_2563_ = vec3<f32>(-(_e1860), -(_e1861), -(_e1862));
+            let _e1888 = phi_2586_;
+            let _e1891 = (_e1824.v1_.x - _e1824.v0_.x);
+            let _e1894 = (_e1824.v1_.y - _e1824.v0_.y);
+            let _e1897 = (_e1824.v1_.z - _e1824.v0_.z);
+            let _e1900 = (_e1824.v2_.x - _e1824.v0_.x);
+            let _e1903 = (_e1824.v2_.y - _e1824.v0_.y);
+            let _e1906 = (_e1824.v2_.z - _e1824.v0_.z);
+            let _e1910 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1894), abs(_e1897));
+            let _e1911 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1891), _e1910);
+            let _e1912 = (_e1891 / _e1911);
+            let _e1913 = (_e1894 / _e1911);
+            let _e1914 = (_e1897 / _e1911);
+            let _e1918 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1903), abs(_e1906));
+            let _e1919 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1900), _e1918);
+            let _e1920 = (_e1900 / _e1919);
+            let _e1921 = (_e1903 / _e1919);
+            let _e1922 = (_e1906 / _e1919);
+            let _e1925 = ((_e1913 * _e1922) - (_e1921 * _e1914));
+            let _e1928 = ((_e1914 * _e1920) - (_e1922 * _e1912));
+            let _e1931 = ((_e1912 * _e1921) - (_e1920 * _e1913));
+            let _e1933 = p.member.eye;
+            let _e1946 = (1f / sqrt((((_e1925 * _e1925) + (_e1928 * _e1928)) + (_e1931 * _e1931))));
+            let _e1947 = (_e1925 * _e1946);
+            let _e1948 = (_e1928 * _e1946);
+            let _e1949 = (_e1931 * _e1946);
+            if ((((_e1947 * (_e1933.x - _e1849)) + (_e1948 * (_e1933.y - _e1850))) + (_e1949 * (_e1933.z - _e1851))) < 0f) {
+                phi_2662_ = vec3<f32>(-(_e1947), -(_e1948), -(_e1949));
             } else {
-                phi_2563_ = vec3<f32>(_e1860, _e1861, _e1862);
+                phi_2662_ = vec3<f32>(_e1947, _e1948, _e1949);
             }
-            let _e1875 = phi_2563_;
-            if (_e1725.triangle < _e80) {
+            let _e1962 = phi_2662_;
+            if (_e1812.triangle < _e80) {
             } else {
                 return;
             }
-            let _e1880 = triangles.member[(0u + _e1725.triangle)];
-            let _e1882 = (_e1880.i0_ & 2147483647u);
-            if (_e1882 < _e83) {
+            let _e1967 = triangles.member[(0u + _e1812.triangle)];
+            let _e1969 = (_e1967.i0_ & 2147483647u);
+            if (_e1969 < _e83) {
             } else {
                 return;
             }
-            let _e1888 = vertices.member[(0u + _e1882)];
-            if (_e1880.i1_ < _e83) {
+            let _e1975 = vertices.member[(0u + _e1969)];
+            if (_e1967.i1_ < _e83) {
             } else {
                 return;
             }
-            let _e1892 = vertices.member[(0u + _e1880.i1_)];
-            if (_e1880.i2_ < _e83) {
+            let _e1979 = vertices.member[(0u + _e1967.i1_)];
+            if (_e1967.i2_ < _e83) {
             } else {
                 return;
             }
-            let _e1896 = vertices.member[(0u + _e1880.i2_)];
-            let _e1897 = array<abi_Vertex, 3>(_e1888, _e1892, _e1896);
-            if (_e1897[0].material < _e86) {
+            let _e1983 = vertices.member[(0u + _e1967.i2_)];
+            let _e1984 = array<abi_Vertex, 3>(_e1975, _e1979, _e1983);
+            if (_e1984[0].material < _e86) {
             } else {
                 return;
             }
-            let _e1903 = materials.member[(0u + _e1897[0].material)];
-            let _e1920 = (1f / 255f);
-            let _e1939 = (1f / 255f);
-            let _e1961 = (1f / 255f);
-            let _e1974 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1731, _e1725.u, _e1725.v));
-            let _e1976 = ((_e1903.base_color.x * ((((f32((_e1897[0].color & 255u)) * _e1920) * _e1731) + ((f32((_e1897[1].color & 255u)) * _e1939) * _e1725.u)) + ((f32((_e1897[2].color & 255u)) * _e1961) * _e1725.v))) * _e1974.x);
-            let _e1978 = ((_e1903.base_color.y * ((((f32(((_e1897[0].color >> bitcast<u32>(8i)) & 255u)) * _e1920) * _e1731) + ((f32(((_e1897[1].color >> bitcast<u32>(8i)) & 255u)) * _e1939) * _e1725.u)) + ((f32(((_e1897[2].color >> bitcast<u32>(8i)) & 255u)) * _e1961) * _e1725.v))) * _e1974.y);
-            let _e1980 = ((_e1903.base_color.z * ((((f32(((_e1897[0].color >> bitcast<u32>(16i)) & 255u)) * _e1920) * _e1731) + ((f32(((_e1897[1].color >> bitcast<u32>(16i)) & 255u)) * _e1939) * _e1725.u)) + ((f32(((_e1897[2].color >> bitcast<u32>(16i)) & 255u)) * _e1961) * _e1725.v))) * _e1974.z);
-            let _e1981 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1798, _e1801);
-            let _e1982 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1795, _e1981);
-            if ((_e1903.flags & 2u) == 0u) {
-                phi_2684_ = 0u;
+            let _e1990 = materials.member[(0u + _e1984[0].material)];
+            let _e2007 = (1f / 255f);
+            let _e2026 = (1f / 255f);
+            let _e2048 = (1f / 255f);
+            let _e2061 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1818, _e1812.u, _e1812.v));
+            let _e2063 = ((_e1990.base_color.x * ((((f32((_e1984[0].color & 255u)) * _e2007) * _e1818) + ((f32((_e1984[1].color & 255u)) * _e2026) * _e1812.u)) + ((f32((_e1984[2].color & 255u)) * _e2048) * _e1812.v))) * _e2061.x);
+            let _e2065 = ((_e1990.base_color.y * ((((f32(((_e1984[0].color >> bitcast<u32>(8i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(8i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(8i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.y);
+            let _e2067 = ((_e1990.base_color.z * ((((f32(((_e1984[0].color >> bitcast<u32>(16i)) & 255u)) * _e2007) * _e1818) + ((f32(((_e1984[1].color >> bitcast<u32>(16i)) & 255u)) * _e2026) * _e1812.u)) + ((f32(((_e1984[2].color >> bitcast<u32>(16i)) & 255u)) * _e2048) * _e1812.v))) * _e2061.z);
+            let _e2068 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1885, _e1888);
+            let _e2069 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1882, _e2068);
+            if ((_e1990.flags & 2u) == 0u) {
+                phi_2783_ = 0u;
             } else {
-                phi_2684_ = 1u;
+                phi_2783_ = 1u;
             }
-            let _e1987 = phi_2684_;
-            if (_e1897[0].normal == 2147516416u) {
-                phi_2887_ = _e1875;
+            let _e2074 = phi_2783_;
+            if (_e1984[0].normal == 2147516416u) {
+                phi_2986_ = _e1962;
             } else {
-                let _e2000 = (f32((bitcast<i32>((_e1897[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2006 = (f32((bitcast<i32>(_e1897[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2010 = ((1f - abs(_e2000)) - abs(_e2006));
-                if (_e2010 < 0f) {
-                    phi_2711_ = -(_e2010);
-                } else {
-                    phi_2711_ = 0f;
-                }
-                let _e2014 = phi_2711_;
-                if (_e2000 < 0f) {
-                    phi_2718_ = (_e2000 + _e2014);
-                } else {
-                    phi_2718_ = (_e2000 - _e2014);
-                }
-                let _e2019 = phi_2718_;
-                if (_e2006 < 0f) {
-                    phi_2725_ = (_e2006 + _e2014);
-                } else {
-                    phi_2725_ = (_e2006 - _e2014);
-                }
-                let _e2024 = phi_2725_;
-                let _e2031 = (1f / sqrt((((_e2019 * _e2019) + (_e2024 * _e2024)) + (_e2010 * _e2010))));
-                let _e2047 = (f32((bitcast<i32>((_e1897[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2053 = (f32((bitcast<i32>(_e1897[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2057 = ((1f - abs(_e2047)) - abs(_e2053));
-                if (_e2057 < 0f) {
-                    phi_2760_ = -(_e2057);
-                } else {
-                    phi_2760_ = 0f;
-                }
-                let _e2061 = phi_2760_;
-                if (_e2047 < 0f) {
-                    phi_2767_ = (_e2047 + _e2061);
-                } else {
-                    phi_2767_ = (_e2047 - _e2061);
-                }
-                let _e2066 = phi_2767_;
-                if (_e2053 < 0f) {
-                    phi_2774_ = (_e2053 + _e2061);
-                } else {
-                    phi_2774_ = (_e2053 - _e2061);
-                }
-                let _e2071 = phi_2774_;
-                let _e2078 = (1f / sqrt((((_e2066 * _e2066) + (_e2071 * _e2071)) + (_e2057 * _e2057))));
-                let _e2097 = (f32((bitcast<i32>((_e1897[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2103 = (f32((bitcast<i32>(_e1897[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2107 = ((1f - abs(_e2097)) - abs(_e2103));
-                if (_e2107 < 0f) {
-                    phi_2812_ = -(_e2107);
-                } else {
-                    phi_2812_ = 0f;
-                }
-                let _e2111 = phi_2812_;
+                let _e2087 = (f32((bitcast<i32>((_e1984[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2093 = (f32((bitcast<i32>(_e1984[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2097 = ((1f - abs(_e2087)) - abs(_e2093));
                 if (_e2097 < 0f) {
-                    phi_2819_ = (_e2097 + _e2111);
+                    phi_2810_ = -(_e2097);
                 } else {
-                    phi_2819_ = (_e2097 - _e2111);
+                    phi_2810_ = 0f;
                 }
-                let _e2116 = phi_2819_;
-                if (_e2103 < 0f) {
-                    phi_2826_ = (_e2103 + _e2111);
+                let _e2101 = phi_2810_;
+                if (_e2087 < 0f) {
+                    phi_2817_ = (_e2087 + _e2101);
                 } else {
-                    phi_2826_ = (_e2103 - _e2111);
+                    phi_2817_ = (_e2087 - _e2101);
                 }
-                let _e2121 = phi_2826_;
-                let _e2128 = (1f / sqrt((((_e2116 * _e2116) + (_e2121 * _e2121)) + (_e2107 * _e2107))));
-                let _e2139 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2019 * _e2031) * _e1731) + ((_e2066 * _e2078) * _e1725.u)) + ((_e2116 * _e2128) * _e1725.v)), ((((_e2024 * _e2031) * _e1731) + ((_e2071 * _e2078) * _e1725.u)) + ((_e2121 * _e2128) * _e1725.v)), ((((_e2010 * _e2031) * _e1731) + ((_e2057 * _e2078) * _e1725.u)) + ((_e2107 * _e2128) * _e1725.v))));
-                let _e2151 = sqrt((((_e2139.x * _e2139.x) + (_e2139.y * _e2139.y)) + (_e2139.z * _e2139.z)));
-                if (_e2151 > 0f) {
-                    let _e2154 = (_e2139.x / _e2151);
-                    let _e2156 = (_e2139.y / _e2151);
-                    let _e2158 = (_e2139.z / _e2151);
-                    if ((((_e2154 * _e1875.x) + (_e2156 * _e1875.y)) + (_e2158 * _e1875.z)) < 0f) {
-                        phi_2885_ = vec3<f32>(-(_e2154), -(_e2156), -(_e2158));
+                let _e2106 = phi_2817_;
+                if (_e2093 < 0f) {
+                    phi_2824_ = (_e2093 + _e2101);
+                } else {
+                    phi_2824_ = (_e2093 - _e2101);
+                }
+                let _e2111 = phi_2824_;
+                let _e2118 = (1f / sqrt((((_e2106 * _e2106) + (_e2111 * _e2111)) + (_e2097 * _e2097))));
+                let _e2134 = (f32((bitcast<i32>((_e1984[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2140 = (f32((bitcast<i32>(_e1984[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2144 = ((1f - abs(_e2134)) - abs(_e2140));
+                if (_e2144 < 0f) {
+                    phi_2859_ = -(_e2144);
+                } else {
+                    phi_2859_ = 0f;
+                }
+                let _e2148 = phi_2859_;
+                if (_e2134 < 0f) {
+                    phi_2866_ = (_e2134 + _e2148);
+                } else {
+                    phi_2866_ = (_e2134 - _e2148);
+                }
+                let _e2153 = phi_2866_;
+                if (_e2140 < 0f) {
+                    phi_2873_ = (_e2140 + _e2148);
+                } else {
+                    phi_2873_ = (_e2140 - _e2148);
+                }
+                let _e2158 = phi_2873_;
+                let _e2165 = (1f / sqrt((((_e2153 * _e2153) + (_e2158 * _e2158)) + (_e2144 * _e2144))));
+                let _e2184 = (f32((bitcast<i32>((_e1984[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2190 = (f32((bitcast<i32>(_e1984[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2194 = ((1f - abs(_e2184)) - abs(_e2190));
+                if (_e2194 < 0f) {
+                    phi_2911_ = -(_e2194);
+                } else {
+                    phi_2911_ = 0f;
+                }
+                let _e2198 = phi_2911_;
+                if (_e2184 < 0f) {
+                    phi_2918_ = (_e2184 + _e2198);
+                } else {
+                    phi_2918_ = (_e2184 - _e2198);
+                }
+                let _e2203 = phi_2918_;
+                if (_e2190 < 0f) {
+                    phi_2925_ = (_e2190 + _e2198);
+                } else {
+                    phi_2925_ = (_e2190 - _e2198);
+                }
+                let _e2208 = phi_2925_;
+                let _e2215 = (1f / sqrt((((_e2203 * _e2203) + (_e2208 * _e2208)) + (_e2194 * _e2194))));
+                let _e2226 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2106 * _e2118) * _e1818) + ((_e2153 * _e2165) * _e1812.u)) + ((_e2203 * _e2215) * _e1812.v)), ((((_e2111 * _e2118) * _e1818) + ((_e2158 * _e2165) * _e1812.u)) + ((_e2208 * _e2215) * _e1812.v)), ((((_e2097 * _e2118) * _e1818) + ((_e2144 * _e2165) * _e1812.u)) + ((_e2194 * _e2215) * _e1812.v))));
+                let _e2238 = sqrt((((_e2226.x * _e2226.x) + (_e2226.y * _e2226.y)) + (_e2226.z * _e2226.z)));
+                if (_e2238 > 0f) {
+                    let _e2241 = (_e2226.x / _e2238);
+                    let _e2243 = (_e2226.y / _e2238);
+                    let _e2245 = (_e2226.z / _e2238);
+                    if ((((_e2241 * _e1962.x) + (_e2243 * _e1962.y)) + (_e2245 * _e1962.z)) < 0f) {
+                        phi_2984_ = vec3<f32>(-(_e2241), -(_e2243), -(_e2245));
                     } else {
-                        phi_2885_ = (_e2139 / vec3(_e2151));
+                        phi_2984_ = (_e2226 / vec3(_e2238));
                     }
-                    let _e2175 = phi_2885_;
-                    phi_2886_ = _e2175;
+                    let _e2262 = phi_2984_;
+                    phi_2985_ = _e2262;
                 } else {
-                    phi_2886_ = _e1875;
+                    phi_2985_ = _e1962;
                 }
-                let _e2177 = phi_2886_;
-                phi_2887_ = _e2177;
+                let _e2264 = phi_2985_;
+                phi_2986_ = _e2264;
             }
-            let _e2179 = phi_2887_;
-            if (_e1976 > 0f) {
-                if (_e1976 < 1f) {
-                    phi_2896_ = _e1976;
+            let _e2266 = phi_2986_;
+            if (_e2063 > 0f) {
+                if (_e2063 < 1f) {
+                    phi_2995_ = _e2063;
                 } else {
-                    phi_2896_ = 1f;
+                    phi_2995_ = 1f;
                 }
-                let _e2183 = phi_2896_;
-                phi_2897_ = _e2183;
+                let _e2270 = phi_2995_;
+                phi_2996_ = _e2270;
             } else {
-                phi_2897_ = 0f;
+                phi_2996_ = 0f;
             }
-            let _e2185 = phi_2897_;
-            if (_e1978 > 0f) {
-                if (_e1978 < 1f) {
-                    phi_2907_ = _e1978;
+            let _e2272 = phi_2996_;
+            if (_e2065 > 0f) {
+                if (_e2065 < 1f) {
+                    phi_3006_ = _e2065;
                 } else {
-                    phi_2907_ = 1f;
+                    phi_3006_ = 1f;
                 }
-                let _e2190 = phi_2907_;
-                phi_2908_ = _e2190;
+                let _e2277 = phi_3006_;
+                phi_3007_ = _e2277;
             } else {
-                phi_2908_ = 0f;
+                phi_3007_ = 0f;
             }
-            let _e2192 = phi_2908_;
-            if (_e1980 > 0f) {
-                if (_e1980 < 1f) {
-                    phi_2918_ = _e1980;
+            let _e2279 = phi_3007_;
+            if (_e2067 > 0f) {
+                if (_e2067 < 1f) {
+                    phi_3017_ = _e2067;
                 } else {
-                    phi_2918_ = 1f;
+                    phi_3017_ = 1f;
                 }
-                let _e2197 = phi_2918_;
-                phi_2919_ = _e2197;
+                let _e2284 = phi_3017_;
+                phi_3018_ = _e2284;
             } else {
-                phi_2919_ = 0f;
+                phi_3018_ = 0f;
             }
-            let _e2199 = phi_2919_;
-            let _e2202 = ((sqrt(_e2185) * 255f) + 0.5f);
-            let _e2211 = ((sqrt(_e2192) * 255f) + 0.5f);
-            let _e2223 = ((sqrt(_e2199) * 255f) + 0.5f);
-            phi_2954_ = abi_Sample(vec3<f32>(_e1762, _e1763, _e1764), _e1982, _e1875, _e1987, _e2179, ((select(select(u32(_e2202), 0u, (_e2202 < bitcast<f32>(0u))), 4294967295u, (_e2202 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2211), 0u, (_e2211 < bitcast<f32>(0u))), 4294967295u, (_e2211 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2223), 0u, (_e2223 < bitcast<f32>(0u))), 4294967295u, (_e2223 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2286 = phi_3018_;
+            let _e2289 = ((sqrt(_e2272) * 255f) + 0.5f);
+            let _e2298 = ((sqrt(_e2279) * 255f) + 0.5f);
+            let _e2310 = ((sqrt(_e2286) * 255f) + 0.5f);
+            phi_3053_ = abi_Sample(vec3<f32>(_e1849, _e1850, _e1851), _e2069, _e1962, _e2074, _e2266, ((select(select(u32(_e2289), 0u, (_e2289 < bitcast<f32>(0u))), 4294967295u, (_e2289 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2298), 0u, (_e2298 < bitcast<f32>(0u))), 4294967295u, (_e2298 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2310), 0u, (_e2310 < bitcast<f32>(0u))), 4294967295u, (_e2310 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2954_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3053_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2237 = phi_2954_;
+        let _e2324 = phi_3053_;
         if (_e104.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e104.first_primitive)] = _e2237;
-        if (_e1725.triangle != 4294967295u) {
-            let _e2246 = ((1f - _e1725.u) - _e1725.v);
-            if (_e1725.triangle < _e80) {
+        samples.member[(0u + _e104.first_primitive)] = _e2324;
+        if (_e1812.triangle != 4294967295u) {
+            let _e2333 = ((1f - _e1812.u) - _e1812.v);
+            if (_e1812.triangle < _e80) {
             } else {
                 return;
             }
-            let _e2251 = triangles.member[(0u + _e1725.triangle)];
-            if (_e2251.i0_ < _e95) {
+            let _e2338 = triangles.member[(0u + _e1812.triangle)];
+            if (_e2338.i0_ < _e95) {
             } else {
                 return;
             }
-            let _e2256 = before.member[(0u + _e2251.i0_)];
-            if (_e2251.i1_ < _e95) {
+            let _e2343 = before.member[(0u + _e2338.i0_)];
+            if (_e2338.i1_ < _e95) {
             } else {
                 return;
             }
-            let _e2261 = before.member[(0u + _e2251.i1_)];
-            if (_e2251.i2_ < _e95) {
+            let _e2348 = before.member[(0u + _e2338.i1_)];
+            if (_e2338.i2_ < _e95) {
             } else {
                 return;
             }
-            let _e2266 = before.member[(0u + _e2251.i2_)];
-            let _e2271 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2256.x, _e2256.y, _e2256.z));
-            let _e2282 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2261.x, _e2261.y, _e2261.z));
-            let _e2296 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2266.x, _e2266.y, _e2266.z));
-            phi_3044_ = vec3<f32>((((_e2271.x * _e2246) + (_e2282.x * _e1725.u)) + (_e2296.x * _e1725.v)), (((_e2271.y * _e2246) + (_e2282.y * _e1725.u)) + (_e2296.y * _e1725.v)), (((_e2271.z * _e2246) + (_e2282.z * _e1725.u)) + (_e2296.z * _e1725.v)));
+            let _e2353 = before.member[(0u + _e2338.i2_)];
+            let _e2358 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2343.x, _e2343.y, _e2343.z));
+            let _e2369 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2348.x, _e2348.y, _e2348.z));
+            let _e2383 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2353.x, _e2353.y, _e2353.z));
+            phi_3143_ = vec3<f32>((((_e2358.x * _e2333) + (_e2369.x * _e1812.u)) + (_e2383.x * _e1812.v)), (((_e2358.y * _e2333) + (_e2369.y * _e1812.u)) + (_e2383.y * _e1812.v)), (((_e2358.z * _e2333) + (_e2369.z * _e1812.u)) + (_e2383.z * _e1812.v)));
         } else {
-            phi_3044_ = vec3<f32>(0f, 0f, 0f);
+            phi_3143_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2308 = phi_3044_;
+        let _e2395 = phi_3143_;
         if (_e104.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2308.x, _e2308.y, _e2308.z, 1f);
+        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2395.x, _e2395.y, _e2395.z, 1f);
     }
     return;
 }

@@ -678,132 +678,138 @@ fn function_() {
     var phi_1524_: u32;
     var phi_1570_: vec3<f32>;
     var phi_1571_: vec3<f32>;
-    var phi_1604_: vec3<f32>;
-    var phi_1605_: vec3<f32>;
-    var phi_1638_: vec3<f32>;
-    var phi_1639_: vec3<f32>;
-    var phi_1659_: bool;
-    var phi_1660_: bool;
-    var phi_1664_: f32;
-    var phi_1665_: f32;
-    var phi_1666_: f32;
-    var phi_1667_: f32;
-    var phi_1675_: f32;
-    var phi_1685_: bool;
-    var phi_1686_: bool;
-    var phi_1690_: f32;
-    var phi_1691_: f32;
-    var phi_1692_: f32;
-    var phi_1693_: f32;
-    var phi_1701_: f32;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: f32;
-    var phi_1717_: f32;
-    var phi_1718_: f32;
-    var phi_1719_: f32;
-    var phi_1727_: f32;
-    var phi_1742_: f32;
-    var phi_1743_: bool;
-    var phi_1744_: f32;
-    var phi_1745_: bool;
-    var phi_1746_: f32;
-    var phi_1747_: bool;
-    var phi_1765_: f32;
-    var phi_1766_: bool;
-    var phi_1767_: bool;
-    var phi_1768_: f32;
-    var phi_1769_: bool;
+    var phi_1602_: vec3<f32>;
+    var phi_1603_: vec3<f32>;
+    var phi_1634_: vec3<f32>;
+    var phi_1635_: vec3<f32>;
+    var phi_1653_: bool;
+    var phi_1654_: bool;
+    var phi_1658_: f32;
+    var phi_1659_: f32;
+    var phi_1660_: f32;
+    var phi_1661_: f32;
+    var phi_1669_: f32;
+    var phi_1679_: bool;
+    var phi_1680_: bool;
+    var phi_1684_: f32;
+    var phi_1685_: f32;
+    var phi_1686_: f32;
+    var phi_1687_: f32;
+    var phi_1695_: f32;
+    var phi_1705_: bool;
+    var phi_1706_: bool;
+    var phi_1710_: f32;
+    var phi_1711_: f32;
+    var phi_1712_: f32;
+    var phi_1713_: f32;
+    var phi_1721_: f32;
+    var phi_1736_: f32;
+    var phi_1737_: bool;
+    var phi_1738_: f32;
+    var phi_1739_: bool;
+    var phi_1740_: f32;
+    var phi_1741_: bool;
+    var phi_1759_: f32;
+    var phi_1760_: bool;
+    var phi_1761_: bool;
+    var phi_1762_: f32;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: f32;
     var phi_1770_: bool;
-    var phi_1774_: bool;
-    var phi_1775_: f32;
-    var phi_1776_: bool;
-    var phi_1812_: f32;
-    var phi_1821_: f32;
-    var phi_1830_: f32;
-    var phi_1839_: f32;
-    var phi_1846_: f32;
-    var phi_1853_: f32;
-    var phi_1866_: f32;
-    var phi_1875_: f32;
-    var phi_1884_: f32;
-    var phi_1893_: f32;
-    var phi_1900_: f32;
-    var phi_1907_: f32;
-    var phi_1930_: f32;
-    var phi_1935_: f32;
-    var phi_1940_: f32;
-    var phi_1948_: f32;
-    var phi_1953_: f32;
-    var phi_1958_: f32;
-    var phi_1970_: f32;
-    var phi_1975_: f32;
-    var phi_1980_: f32;
-    var phi_1985_: f32;
-    var phi_1990_: lt_bvh_triangle_Intersection;
-    var phi_1991_: bool;
-    var phi_1992_: lt_bvh_triangle_Intersection;
-    var phi_1993_: bool;
-    var phi_1997_: lt_bvh_triangle_Intersection;
-    var phi_1998_: bool;
-    var phi_1999_: lt_bvh_triangle_Intersection;
-    var phi_2000_: bool;
-    var phi_2001_: bool;
-    var phi_2005_: bool;
-    var phi_2009_: lt_bvh_triangle_Intersection;
-    var phi_2048_: bool;
-    var phi_2049_: bool;
-    var phi_2050_: bool;
-    var phi_2051_: bool;
-    var phi_2052_: bool;
-    var phi_2053_: bool;
-    var phi_2057_: bool;
-    var phi_2058_: bool;
-    var phi_2072_: bool;
-    var phi_2080_: lt_bvh_Hit;
-    var phi_2081_: lt_bvh_Hit;
-    var phi_2082_: lt_bvh_Hit;
-    var phi_2083_: lt_bvh_Hit;
+    var phi_1800_: vec3<f32>;
+    var phi_1801_: vec3<f32>;
+    var phi_1826_: vec3<f32>;
+    var phi_1827_: vec3<f32>;
+    var phi_1852_: vec3<f32>;
+    var phi_1853_: vec3<f32>;
+    var phi_1911_: f32;
+    var phi_1920_: f32;
+    var phi_1929_: f32;
+    var phi_1938_: f32;
+    var phi_1945_: f32;
+    var phi_1952_: f32;
+    var phi_1965_: f32;
+    var phi_1974_: f32;
+    var phi_1983_: f32;
+    var phi_1992_: f32;
+    var phi_1999_: f32;
+    var phi_2006_: f32;
+    var phi_2029_: f32;
+    var phi_2034_: f32;
+    var phi_2039_: f32;
+    var phi_2047_: f32;
+    var phi_2052_: f32;
+    var phi_2057_: f32;
+    var phi_2069_: f32;
+    var phi_2074_: f32;
+    var phi_2079_: f32;
+    var phi_2084_: f32;
+    var phi_2089_: lt_bvh_triangle_Intersection;
+    var phi_2090_: bool;
+    var phi_2091_: lt_bvh_triangle_Intersection;
+    var phi_2092_: bool;
+    var phi_2096_: lt_bvh_triangle_Intersection;
+    var phi_2097_: bool;
+    var phi_2098_: lt_bvh_triangle_Intersection;
+    var phi_2099_: bool;
+    var phi_2100_: bool;
+    var phi_2104_: bool;
+    var phi_2108_: lt_bvh_triangle_Intersection;
+    var phi_2147_: bool;
+    var phi_2148_: bool;
+    var phi_2149_: bool;
+    var phi_2150_: bool;
+    var phi_2151_: bool;
+    var phi_2152_: bool;
+    var phi_2156_: bool;
+    var phi_2157_: bool;
+    var phi_2171_: bool;
+    var phi_2179_: lt_bvh_Hit;
+    var phi_2180_: lt_bvh_Hit;
+    var phi_2181_: lt_bvh_Hit;
+    var phi_2182_: lt_bvh_Hit;
     var phi_1522_: lt_bvh_Hit;
     var phi_1525_: u32;
-    var phi_2084_: bool;
-    var phi_2123_: bool;
-    var phi_2124_: bool;
-    var phi_2155_: u32;
+    var phi_2183_: bool;
+    var phi_2222_: bool;
+    var phi_2223_: bool;
+    var phi_2254_: u32;
     var phi_1185_: lt_bvh_Hit;
     var phi_1188_: u32;
-    var phi_2156_: lt_bvh_Hit;
-    var phi_2157_: lt_bvh_Hit;
-    var phi_2158_: bool;
-    var phi_2162_: lt_bvh_Hit;
-    var phi_2226_: f32;
-    var phi_2231_: f32;
-    var phi_2236_: f32;
-    var phi_2247_: f32;
-    var phi_2252_: f32;
-    var phi_2257_: f32;
-    var phi_2333_: vec3<f32>;
-    var phi_2576_: vec3<f32>;
-    var phi_2591_: u32;
-    var phi_2618_: f32;
-    var phi_2625_: f32;
-    var phi_2632_: f32;
-    var phi_2667_: f32;
-    var phi_2674_: f32;
-    var phi_2681_: f32;
-    var phi_2719_: f32;
-    var phi_2726_: f32;
-    var phi_2733_: f32;
-    var phi_2792_: vec3<f32>;
-    var phi_2793_: vec3<f32>;
-    var phi_2794_: vec3<f32>;
-    var phi_2803_: f32;
-    var phi_2804_: f32;
-    var phi_2814_: f32;
-    var phi_2815_: f32;
+    var phi_2255_: lt_bvh_Hit;
+    var phi_2256_: lt_bvh_Hit;
+    var phi_2257_: bool;
+    var phi_2261_: lt_bvh_Hit;
+    var phi_2325_: f32;
+    var phi_2330_: f32;
+    var phi_2335_: f32;
+    var phi_2346_: f32;
+    var phi_2351_: f32;
+    var phi_2356_: f32;
+    var phi_2432_: vec3<f32>;
+    var phi_2675_: vec3<f32>;
+    var phi_2690_: u32;
+    var phi_2717_: f32;
+    var phi_2724_: f32;
+    var phi_2731_: f32;
+    var phi_2766_: f32;
+    var phi_2773_: f32;
+    var phi_2780_: f32;
+    var phi_2818_: f32;
     var phi_2825_: f32;
-    var phi_2826_: f32;
-    var phi_2861_: abi_Sample;
+    var phi_2832_: f32;
+    var phi_2891_: vec3<f32>;
+    var phi_2892_: vec3<f32>;
+    var phi_2893_: vec3<f32>;
+    var phi_2902_: f32;
+    var phi_2903_: f32;
+    var phi_2913_: f32;
+    var phi_2914_: f32;
+    var phi_2924_: f32;
+    var phi_2925_: f32;
+    var phi_2960_: abi_Sample;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -935,7 +941,7 @@ fn function_() {
         if _e221 {
             let _e222 = (0u >= _e74);
             if _e222 {
-                phi_2156_ = lt_bvh_Hit();
+                phi_2255_ = lt_bvh_Hit();
             } else {
                 if (0u < _e74) {
                 } else {
@@ -1062,7 +1068,6 @@ fn function_() {
                 let _e407 = phi_1012_;
                 let _e411 = (_e407.x / _e407.z);
                 let _e414 = (_e407.y / _e407.z);
-                let _e416 = (1f / _e407.z);
                 if (_e304 < 0f) {
                     phi_1026_ = 0u;
                 } else {
@@ -1330,7 +1335,7 @@ fn function_() {
                             if (_e1010 == 0u) {
                                 phi_1522_ = lt_bvh_Hit();
                                 phi_1525_ = u32();
-                                phi_2084_ = false;
+                                phi_2183_ = false;
                             } else {
                                 let _e1014 = nodes.member[(0u + _e567)].links[1u];
                                 let _e1019 = ((0u + _e1014) + select(firstTrailingBit(_e1010), 32u, (_e1010 == 0u)));
@@ -1356,882 +1361,935 @@ fn function_() {
                                 let _e1044 = phi_1571_;
                                 let _e1048 = (_e1044.x - (_e411 * _e1044.z));
                                 let _e1052 = (_e1044.y - (_e414 * _e1044.z));
-                                let _e1056 = triangles.member[(0u + _e1019)].v1_;
-                                let _e1059 = (_e1056.x - _e150.origin.x);
-                                let _e1062 = (_e1056.y - _e150.origin.y);
-                                let _e1065 = (_e1056.z - _e150.origin.z);
+                                let _e1054 = triangles.member[(0u + _e1019)].v1_;
+                                let _e1057 = (_e1054.x - _e150.origin.x);
+                                let _e1060 = (_e1054.y - _e150.origin.y);
+                                let _e1063 = (_e1054.z - _e150.origin.z);
                                 if (_e392 == 0u) {
-                                    phi_1605_ = vec3<f32>(_e1062, _e1065, _e1059);
+                                    phi_1603_ = vec3<f32>(_e1060, _e1063, _e1057);
                                 } else {
                                     if (_e392 == 1u) {
-                                        phi_1604_ = vec3<f32>(_e1065, _e1059, _e1062);
+                                        phi_1602_ = vec3<f32>(_e1063, _e1057, _e1060);
                                     } else {
-                                        phi_1604_ = (_e1056 - _e150.origin);
+                                        phi_1602_ = (_e1054 - _e150.origin);
                                     }
-                                    let _e1072 = phi_1604_;
-                                    phi_1605_ = _e1072;
+                                    let _e1070 = phi_1602_;
+                                    phi_1603_ = _e1070;
                                 }
-                                let _e1074 = phi_1605_;
-                                let _e1078 = (_e1074.x - (_e411 * _e1074.z));
-                                let _e1082 = (_e1074.y - (_e414 * _e1074.z));
-                                let _e1086 = triangles.member[(0u + _e1019)].v2_;
-                                let _e1089 = (_e1086.x - _e150.origin.x);
-                                let _e1092 = (_e1086.y - _e150.origin.y);
-                                let _e1095 = (_e1086.z - _e150.origin.z);
+                                let _e1072 = phi_1603_;
+                                let _e1076 = (_e1072.x - (_e411 * _e1072.z));
+                                let _e1080 = (_e1072.y - (_e414 * _e1072.z));
+                                let _e1082 = triangles.member[(0u + _e1019)].v2_;
+                                let _e1085 = (_e1082.x - _e150.origin.x);
+                                let _e1088 = (_e1082.y - _e150.origin.y);
+                                let _e1091 = (_e1082.z - _e150.origin.z);
                                 if (_e392 == 0u) {
-                                    phi_1639_ = vec3<f32>(_e1092, _e1095, _e1089);
+                                    phi_1635_ = vec3<f32>(_e1088, _e1091, _e1085);
                                 } else {
                                     if (_e392 == 1u) {
-                                        phi_1638_ = vec3<f32>(_e1095, _e1089, _e1092);
+                                        phi_1634_ = vec3<f32>(_e1091, _e1085, _e1088);
                                     } else {
-                                        phi_1638_ = (_e1086 - _e150.origin);
+                                        phi_1634_ = (_e1082 - _e150.origin);
                                     }
-                                    let _e1102 = phi_1638_;
-                                    phi_1639_ = _e1102;
+                                    let _e1098 = phi_1634_;
+                                    phi_1635_ = _e1098;
                                 }
-                                let _e1104 = phi_1639_;
-                                let _e1108 = (_e1104.x - (_e411 * _e1104.z));
-                                let _e1112 = (_e1104.y - (_e414 * _e1104.z));
-                                if (_e1078 < _e1108) {
-                                    phi_1660_ = true;
+                                let _e1100 = phi_1635_;
+                                let _e1104 = (_e1100.x - (_e411 * _e1100.z));
+                                let _e1108 = (_e1100.y - (_e414 * _e1100.z));
+                                if (_e1076 < _e1104) {
+                                    phi_1654_ = true;
                                 } else {
-                                    if (_e1078 == _e1108) {
-                                        phi_1659_ = (_e1082 < _e1112);
+                                    if (_e1076 == _e1104) {
+                                        phi_1653_ = (_e1080 < _e1108);
                                     } else {
-                                        phi_1659_ = false;
+                                        phi_1653_ = false;
                                     }
-                                    let _e1119 = phi_1659_;
-                                    phi_1660_ = _e1119;
+                                    let _e1113 = phi_1653_;
+                                    phi_1654_ = _e1113;
                                 }
+                                let _e1115 = phi_1654_;
+                                if _e1115 {
+                                    phi_1658_ = _e1108;
+                                    phi_1659_ = _e1104;
+                                    phi_1660_ = _e1080;
+                                    phi_1661_ = _e1076;
+                                } else {
+                                    phi_1658_ = _e1080;
+                                    phi_1659_ = _e1076;
+                                    phi_1660_ = _e1108;
+                                    phi_1661_ = _e1104;
+                                }
+                                let _e1117 = phi_1658_;
+                                let _e1119 = phi_1659_;
                                 let _e1121 = phi_1660_;
-                                if _e1121 {
-                                    phi_1664_ = _e1112;
-                                    phi_1665_ = _e1108;
-                                    phi_1666_ = _e1082;
-                                    phi_1667_ = _e1078;
+                                let _e1123 = phi_1661_;
+                                let _e1126 = ((_e1123 * _e1117) - (_e1121 * _e1119));
+                                if _e1115 {
+                                    phi_1669_ = -(_e1126);
                                 } else {
-                                    phi_1664_ = _e1082;
-                                    phi_1665_ = _e1078;
-                                    phi_1666_ = _e1112;
-                                    phi_1667_ = _e1108;
+                                    phi_1669_ = _e1126;
                                 }
-                                let _e1123 = phi_1664_;
-                                let _e1125 = phi_1665_;
-                                let _e1127 = phi_1666_;
-                                let _e1129 = phi_1667_;
-                                let _e1132 = ((_e1129 * _e1123) - (_e1127 * _e1125));
-                                if _e1121 {
-                                    phi_1675_ = -(_e1132);
+                                let _e1129 = phi_1669_;
+                                if (_e1104 < _e1048) {
+                                    phi_1680_ = true;
                                 } else {
-                                    phi_1675_ = _e1132;
-                                }
-                                let _e1135 = phi_1675_;
-                                if (_e1108 < _e1048) {
-                                    phi_1686_ = true;
-                                } else {
-                                    if (_e1108 == _e1048) {
-                                        phi_1685_ = (_e1112 < _e1052);
+                                    if (_e1104 == _e1048) {
+                                        phi_1679_ = (_e1108 < _e1052);
                                     } else {
-                                        phi_1685_ = false;
+                                        phi_1679_ = false;
                                     }
-                                    let _e1140 = phi_1685_;
-                                    phi_1686_ = _e1140;
+                                    let _e1134 = phi_1679_;
+                                    phi_1680_ = _e1134;
                                 }
+                                let _e1136 = phi_1680_;
+                                if _e1136 {
+                                    phi_1684_ = _e1052;
+                                    phi_1685_ = _e1048;
+                                    phi_1686_ = _e1108;
+                                    phi_1687_ = _e1104;
+                                } else {
+                                    phi_1684_ = _e1108;
+                                    phi_1685_ = _e1104;
+                                    phi_1686_ = _e1052;
+                                    phi_1687_ = _e1048;
+                                }
+                                let _e1138 = phi_1684_;
+                                let _e1140 = phi_1685_;
                                 let _e1142 = phi_1686_;
-                                if _e1142 {
-                                    phi_1690_ = _e1052;
-                                    phi_1691_ = _e1048;
-                                    phi_1692_ = _e1112;
-                                    phi_1693_ = _e1108;
+                                let _e1144 = phi_1687_;
+                                let _e1147 = ((_e1144 * _e1138) - (_e1142 * _e1140));
+                                if _e1136 {
+                                    phi_1695_ = -(_e1147);
                                 } else {
-                                    phi_1690_ = _e1112;
-                                    phi_1691_ = _e1108;
-                                    phi_1692_ = _e1052;
-                                    phi_1693_ = _e1048;
+                                    phi_1695_ = _e1147;
                                 }
-                                let _e1144 = phi_1690_;
-                                let _e1146 = phi_1691_;
-                                let _e1148 = phi_1692_;
-                                let _e1150 = phi_1693_;
-                                let _e1153 = ((_e1150 * _e1144) - (_e1148 * _e1146));
-                                if _e1142 {
-                                    phi_1701_ = -(_e1153);
+                                let _e1150 = phi_1695_;
+                                if (_e1048 < _e1076) {
+                                    phi_1706_ = true;
                                 } else {
-                                    phi_1701_ = _e1153;
-                                }
-                                let _e1156 = phi_1701_;
-                                if (_e1048 < _e1078) {
-                                    phi_1712_ = true;
-                                } else {
-                                    if (_e1048 == _e1078) {
-                                        phi_1711_ = (_e1052 < _e1082);
+                                    if (_e1048 == _e1076) {
+                                        phi_1705_ = (_e1052 < _e1080);
                                     } else {
-                                        phi_1711_ = false;
+                                        phi_1705_ = false;
                                     }
-                                    let _e1161 = phi_1711_;
-                                    phi_1712_ = _e1161;
+                                    let _e1155 = phi_1705_;
+                                    phi_1706_ = _e1155;
                                 }
+                                let _e1157 = phi_1706_;
+                                if _e1157 {
+                                    phi_1710_ = _e1080;
+                                    phi_1711_ = _e1076;
+                                    phi_1712_ = _e1052;
+                                    phi_1713_ = _e1048;
+                                } else {
+                                    phi_1710_ = _e1052;
+                                    phi_1711_ = _e1048;
+                                    phi_1712_ = _e1080;
+                                    phi_1713_ = _e1076;
+                                }
+                                let _e1159 = phi_1710_;
+                                let _e1161 = phi_1711_;
                                 let _e1163 = phi_1712_;
-                                if _e1163 {
-                                    phi_1716_ = _e1082;
-                                    phi_1717_ = _e1078;
-                                    phi_1718_ = _e1052;
-                                    phi_1719_ = _e1048;
+                                let _e1165 = phi_1713_;
+                                let _e1168 = ((_e1165 * _e1159) - (_e1163 * _e1161));
+                                if _e1157 {
+                                    phi_1721_ = -(_e1168);
                                 } else {
-                                    phi_1716_ = _e1052;
-                                    phi_1717_ = _e1048;
-                                    phi_1718_ = _e1082;
-                                    phi_1719_ = _e1078;
+                                    phi_1721_ = _e1168;
                                 }
-                                let _e1165 = phi_1716_;
-                                let _e1167 = phi_1717_;
-                                let _e1169 = phi_1718_;
-                                let _e1171 = phi_1719_;
-                                let _e1174 = ((_e1171 * _e1165) - (_e1169 * _e1167));
-                                if _e1163 {
-                                    phi_1727_ = -(_e1174);
-                                } else {
-                                    phi_1727_ = _e1174;
-                                }
-                                let _e1177 = phi_1727_;
-                                if (_e1135 >= 0f) {
-                                    if (_e1156 >= 0f) {
-                                        if (_e1177 >= 0f) {
-                                            phi_1742_ = ((_e1135 + _e1156) + _e1177);
-                                            phi_1743_ = false;
+                                let _e1171 = phi_1721_;
+                                if (_e1129 >= 0f) {
+                                    if (_e1150 >= 0f) {
+                                        if (_e1171 >= 0f) {
+                                            phi_1736_ = ((_e1129 + _e1150) + _e1171);
+                                            phi_1737_ = false;
                                         } else {
-                                            phi_1742_ = f32();
-                                            phi_1743_ = true;
+                                            phi_1736_ = f32();
+                                            phi_1737_ = true;
                                         }
-                                        let _e1184 = phi_1742_;
-                                        let _e1186 = phi_1743_;
-                                        phi_1744_ = _e1184;
-                                        phi_1745_ = _e1186;
+                                        let _e1178 = phi_1736_;
+                                        let _e1180 = phi_1737_;
+                                        phi_1738_ = _e1178;
+                                        phi_1739_ = _e1180;
                                     } else {
-                                        phi_1744_ = f32();
-                                        phi_1745_ = true;
+                                        phi_1738_ = f32();
+                                        phi_1739_ = true;
                                     }
-                                    let _e1188 = phi_1744_;
-                                    let _e1190 = phi_1745_;
-                                    phi_1746_ = _e1188;
-                                    phi_1747_ = _e1190;
+                                    let _e1182 = phi_1738_;
+                                    let _e1184 = phi_1739_;
+                                    phi_1740_ = _e1182;
+                                    phi_1741_ = _e1184;
                                 } else {
-                                    phi_1746_ = f32();
-                                    phi_1747_ = true;
+                                    phi_1740_ = f32();
+                                    phi_1741_ = true;
                                 }
-                                let _e1192 = phi_1746_;
-                                let _e1194 = phi_1747_;
-                                if _e1194 {
-                                    if (_e1135 <= 0f) {
-                                        if (_e1156 <= 0f) {
-                                            let _e1197 = (_e1177 <= 0f);
-                                            if _e1197 {
+                                let _e1186 = phi_1740_;
+                                let _e1188 = phi_1741_;
+                                if _e1188 {
+                                    if (_e1129 <= 0f) {
+                                        if (_e1150 <= 0f) {
+                                            let _e1191 = (_e1171 <= 0f);
+                                            if _e1191 {
                                             }
-                                            phi_1765_ = ((_e1135 + _e1156) + _e1177);
-                                            phi_1766_ = false;
-                                            phi_1767_ = _e1197;
+                                            phi_1759_ = ((_e1129 + _e1150) + _e1171);
+                                            phi_1760_ = false;
+                                            phi_1761_ = _e1191;
                                         } else {
-                                            phi_1765_ = f32();
-                                            phi_1766_ = true;
-                                            phi_1767_ = false;
+                                            phi_1759_ = f32();
+                                            phi_1760_ = true;
+                                            phi_1761_ = false;
                                         }
-                                        let _e1201 = phi_1765_;
-                                        let _e1203 = phi_1766_;
-                                        let _e1205 = phi_1767_;
-                                        phi_1768_ = _e1201;
-                                        phi_1769_ = _e1203;
-                                        phi_1770_ = _e1205;
+                                        let _e1195 = phi_1759_;
+                                        let _e1197 = phi_1760_;
+                                        let _e1199 = phi_1761_;
+                                        phi_1762_ = _e1195;
+                                        phi_1763_ = _e1197;
+                                        phi_1764_ = _e1199;
                                     } else {
-                                        phi_1768_ = f32();
-                                        phi_1769_ = true;
-                                        phi_1770_ = false;
+                                        phi_1762_ = f32();
+                                        phi_1763_ = true;
+                                        phi_1764_ = false;
+                                    }
+                                    let _e1201 = phi_1762_;
+                                    let _e1203 = phi_1763_;
+                                    let _e1205 = phi_1764_;
+                                    if _e1203 {
+                                        phi_1768_ = false;
+                                    } else {
+                                        phi_1768_ = _e1205;
                                     }
                                     let _e1207 = phi_1768_;
-                                    let _e1209 = phi_1769_;
-                                    let _e1211 = phi_1770_;
-                                    if _e1209 {
-                                        phi_1774_ = false;
-                                    } else {
-                                        phi_1774_ = _e1211;
-                                    }
-                                    let _e1213 = phi_1774_;
-                                    phi_1775_ = _e1207;
-                                    phi_1776_ = _e1213;
+                                    phi_1769_ = _e1201;
+                                    phi_1770_ = _e1207;
                                 } else {
-                                    phi_1775_ = _e1192;
-                                    phi_1776_ = true;
+                                    phi_1769_ = _e1186;
+                                    phi_1770_ = true;
                                 }
-                                let _e1215 = phi_1775_;
-                                let _e1217 = phi_1776_;
-                                if _e1217 {
-                                    let _e1218 = (_e1215 == 0f);
-                                    if _e1218 {
-                                        phi_1997_ = lt_bvh_triangle_Intersection();
-                                        phi_1998_ = false;
+                                let _e1209 = phi_1769_;
+                                let _e1211 = phi_1770_;
+                                if _e1211 {
+                                    let _e1212 = (_e1209 == 0f);
+                                    if _e1212 {
+                                        phi_2096_ = lt_bvh_triangle_Intersection();
+                                        phi_2097_ = false;
                                     } else {
-                                        let _e1224 = ((((_e1135 * (_e416 * _e1044.z)) + (_e1156 * (_e416 * _e1074.z))) + (_e1177 * (_e416 * _e1104.z))) / _e1215);
-                                        if (_e1224 > _e150.tmin) {
-                                            if (_e1224 < _e150.tmax) {
-                                                let _e1230 = triangles.member[(0u + _e1019)].v0_;
-                                                let _e1232 = triangles.member[(0u + _e1019)].v1_;
-                                                if (_e1230.x < _e1232.x) {
-                                                    phi_1812_ = _e1230.x;
-                                                } else {
-                                                    phi_1812_ = _e1232.x;
-                                                }
-                                                let _e1239 = phi_1812_;
-                                                if (_e1230.y < _e1232.y) {
-                                                    phi_1821_ = _e1230.y;
-                                                } else {
-                                                    phi_1821_ = _e1232.y;
-                                                }
-                                                let _e1246 = phi_1821_;
-                                                if (_e1230.z < _e1232.z) {
-                                                    phi_1830_ = _e1230.z;
-                                                } else {
-                                                    phi_1830_ = _e1232.z;
-                                                }
-                                                let _e1253 = phi_1830_;
-                                                let _e1255 = triangles.member[(0u + _e1019)].v2_;
-                                                if (_e1239 < _e1255.x) {
-                                                    phi_1839_ = _e1239;
-                                                } else {
-                                                    phi_1839_ = _e1255.x;
-                                                }
-                                                let _e1260 = phi_1839_;
-                                                if (_e1246 < _e1255.y) {
-                                                    phi_1846_ = _e1246;
-                                                } else {
-                                                    phi_1846_ = _e1255.y;
-                                                }
-                                                let _e1265 = phi_1846_;
-                                                if (_e1253 < _e1255.z) {
-                                                    phi_1853_ = _e1253;
-                                                } else {
-                                                    phi_1853_ = _e1255.z;
-                                                }
-                                                let _e1270 = phi_1853_;
-                                                let _e1272 = triangles.member[(0u + _e1019)].v0_;
-                                                let _e1274 = triangles.member[(0u + _e1019)].v1_;
-                                                if (_e1272.x > _e1274.x) {
-                                                    phi_1866_ = _e1272.x;
-                                                } else {
-                                                    phi_1866_ = _e1274.x;
-                                                }
-                                                let _e1281 = phi_1866_;
-                                                if (_e1272.y > _e1274.y) {
-                                                    phi_1875_ = _e1272.y;
-                                                } else {
-                                                    phi_1875_ = _e1274.y;
-                                                }
-                                                let _e1288 = phi_1875_;
-                                                if (_e1272.z > _e1274.z) {
-                                                    phi_1884_ = _e1272.z;
-                                                } else {
-                                                    phi_1884_ = _e1274.z;
-                                                }
-                                                let _e1295 = phi_1884_;
-                                                let _e1297 = triangles.member[(0u + _e1019)].v2_;
-                                                if (_e1281 > _e1297.x) {
-                                                    phi_1893_ = _e1281;
-                                                } else {
-                                                    phi_1893_ = _e1297.x;
-                                                }
-                                                let _e1302 = phi_1893_;
-                                                if (_e1288 > _e1297.y) {
-                                                    phi_1900_ = _e1288;
-                                                } else {
-                                                    phi_1900_ = _e1297.y;
-                                                }
-                                                let _e1307 = phi_1900_;
-                                                if (_e1295 > _e1297.z) {
-                                                    phi_1907_ = _e1295;
-                                                } else {
-                                                    phi_1907_ = _e1297.z;
-                                                }
-                                                let _e1312 = phi_1907_;
-                                                let _e1319 = ((_e1260 - _e150.origin.x) * _e304);
-                                                let _e1320 = ((_e1265 - _e150.origin.y) * _e316);
-                                                let _e1321 = ((_e1270 - _e150.origin.z) * _e328);
-                                                let _e1328 = ((_e1302 - _e150.origin.x) * _e304);
-                                                let _e1329 = ((_e1307 - _e150.origin.y) * _e316);
-                                                let _e1330 = ((_e1312 - _e150.origin.z) * _e328);
-                                                if (_e1319 < _e1328) {
-                                                    phi_1930_ = _e1319;
-                                                } else {
-                                                    phi_1930_ = _e1328;
-                                                }
-                                                let _e1333 = phi_1930_;
-                                                if (_e1320 < _e1329) {
-                                                    phi_1935_ = _e1320;
-                                                } else {
-                                                    phi_1935_ = _e1329;
-                                                }
-                                                let _e1336 = phi_1935_;
-                                                if (_e1321 < _e1330) {
-                                                    phi_1940_ = _e1321;
-                                                } else {
-                                                    phi_1940_ = _e1330;
-                                                }
-                                                let _e1339 = phi_1940_;
-                                                if (_e1319 > _e1328) {
-                                                    phi_1948_ = _e1319;
-                                                } else {
-                                                    phi_1948_ = _e1328;
-                                                }
-                                                let _e1345 = phi_1948_;
-                                                if (_e1320 > _e1329) {
-                                                    phi_1953_ = _e1320;
-                                                } else {
-                                                    phi_1953_ = _e1329;
-                                                }
-                                                let _e1348 = phi_1953_;
-                                                if (_e1321 > _e1330) {
-                                                    phi_1958_ = _e1321;
-                                                } else {
-                                                    phi_1958_ = _e1330;
-                                                }
-                                                let _e1351 = phi_1958_;
-                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_((_e1333 - _e372), (_e1336 - _e373));
-                                                let _e1356 = core_intrinsics_maximum_number_nsz_f32_(_e1355, (_e1339 - _e374));
-                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_((_e1345 + _e372), (_e1348 + _e373));
-                                                let _e1358 = core_intrinsics_minimum_number_nsz_f32_(_e1357, (_e1351 + _e374));
-                                                if (_e1356 > -300000000000000000000000000000000000000f) {
-                                                    phi_1970_ = _e1356;
-                                                } else {
-                                                    phi_1970_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1361 = phi_1970_;
-                                                if (_e1358 < 300000000000000000000000000000000000000f) {
-                                                    phi_1975_ = _e1358;
-                                                } else {
-                                                    phi_1975_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1364 = phi_1975_;
-                                                if (_e1224 < _e1361) {
-                                                    phi_1980_ = _e1361;
-                                                } else {
-                                                    phi_1980_ = _e1224;
-                                                }
-                                                let _e1367 = phi_1980_;
-                                                if (_e1367 > _e1364) {
-                                                    phi_1985_ = _e1364;
-                                                } else {
-                                                    phi_1985_ = _e1367;
-                                                }
-                                                let _e1370 = phi_1985_;
-                                                phi_1990_ = lt_bvh_triangle_Intersection(_e1370, (_e1156 / _e1215), (_e1177 / _e1215), (_e1361 <= _e1364));
-                                                phi_1991_ = false;
+                                        let _e1214 = triangles.member[(0u + _e1019)].v0_;
+                                        let _e1217 = (_e1214.x - _e150.origin.x);
+                                        let _e1220 = (_e1214.y - _e150.origin.y);
+                                        let _e1223 = (_e1214.z - _e150.origin.z);
+                                        if (_e392 == 0u) {
+                                            phi_1801_ = vec3<f32>(_e1220, _e1223, _e1217);
+                                        } else {
+                                            if (_e392 == 1u) {
+                                                phi_1800_ = vec3<f32>(_e1223, _e1217, _e1220);
                                             } else {
-                                                phi_1990_ = lt_bvh_triangle_Intersection();
-                                                phi_1991_ = true;
+                                                phi_1800_ = (_e1214 - _e150.origin);
                                             }
-                                            let _e1376 = phi_1990_;
-                                            let _e1378 = phi_1991_;
-                                            phi_1992_ = _e1376;
-                                            phi_1993_ = _e1378;
+                                            let _e1230 = phi_1800_;
+                                            phi_1801_ = _e1230;
+                                        }
+                                        let _e1232 = phi_1801_;
+                                        let _e1234 = triangles.member[(0u + _e1019)].v1_;
+                                        let _e1236 = triangles.member[(0u + _e1019)].v0_;
+                                        let _e1239 = (_e1234.x - _e1236.x);
+                                        let _e1242 = (_e1234.y - _e1236.y);
+                                        let _e1245 = (_e1234.z - _e1236.z);
+                                        if (_e392 == 0u) {
+                                            phi_1827_ = vec3<f32>(_e1242, _e1245, _e1239);
                                         } else {
-                                            phi_1992_ = lt_bvh_triangle_Intersection();
-                                            phi_1993_ = true;
+                                            if (_e392 == 1u) {
+                                                phi_1826_ = vec3<f32>(_e1245, _e1239, _e1242);
+                                            } else {
+                                                phi_1826_ = (_e1234 - _e1236);
+                                            }
+                                            let _e1252 = phi_1826_;
+                                            phi_1827_ = _e1252;
                                         }
-                                        let _e1380 = phi_1992_;
-                                        let _e1382 = phi_1993_;
-                                        if _e1382 {
+                                        let _e1254 = phi_1827_;
+                                        let _e1256 = triangles.member[(0u + _e1019)].v2_;
+                                        let _e1258 = triangles.member[(0u + _e1019)].v0_;
+                                        let _e1261 = (_e1256.x - _e1258.x);
+                                        let _e1264 = (_e1256.y - _e1258.y);
+                                        let _e1267 = (_e1256.z - _e1258.z);
+                                        if (_e392 == 0u) {
+                                            phi_1853_ = vec3<f32>(_e1264, _e1267, _e1261);
+                                        } else {
+                                            if (_e392 == 1u) {
+                                                phi_1852_ = vec3<f32>(_e1267, _e1261, _e1264);
+                                            } else {
+                                                phi_1852_ = (_e1256 - _e1258);
+                                            }
+                                            let _e1274 = phi_1852_;
+                                            phi_1853_ = _e1274;
                                         }
-                                        phi_1997_ = _e1380;
-                                        phi_1998_ = _e1382;
+                                        let _e1276 = phi_1853_;
+                                        let _e1283 = ((_e1254.y * _e1276.z) - (_e1254.z * _e1276.y));
+                                        let _e1290 = ((_e1254.z * _e1276.x) - (_e1254.x * _e1276.z));
+                                        let _e1297 = ((_e1254.x * _e1276.y) - (_e1254.y * _e1276.x));
+                                        let _e1311 = (((1f / _e407.z) * (((_e1283 * _e1232.x) + (_e1290 * _e1232.y)) + (_e1297 * _e1232.z))) / (((_e1283 * _e411) + (_e1290 * _e414)) + _e1297));
+                                        if (_e1311 > _e150.tmin) {
+                                            if (_e1311 < _e150.tmax) {
+                                                let _e1317 = triangles.member[(0u + _e1019)].v0_;
+                                                let _e1319 = triangles.member[(0u + _e1019)].v1_;
+                                                if (_e1317.x < _e1319.x) {
+                                                    phi_1911_ = _e1317.x;
+                                                } else {
+                                                    phi_1911_ = _e1319.x;
+                                                }
+                                                let _e1326 = phi_1911_;
+                                                if (_e1317.y < _e1319.y) {
+                                                    phi_1920_ = _e1317.y;
+                                                } else {
+                                                    phi_1920_ = _e1319.y;
+                                                }
+                                                let _e1333 = phi_1920_;
+                                                if (_e1317.z < _e1319.z) {
+                                                    phi_1929_ = _e1317.z;
+                                                } else {
+                                                    phi_1929_ = _e1319.z;
+                                                }
+                                                let _e1340 = phi_1929_;
+                                                let _e1342 = triangles.member[(0u + _e1019)].v2_;
+                                                if (_e1326 < _e1342.x) {
+                                                    phi_1938_ = _e1326;
+                                                } else {
+                                                    phi_1938_ = _e1342.x;
+                                                }
+                                                let _e1347 = phi_1938_;
+                                                if (_e1333 < _e1342.y) {
+                                                    phi_1945_ = _e1333;
+                                                } else {
+                                                    phi_1945_ = _e1342.y;
+                                                }
+                                                let _e1352 = phi_1945_;
+                                                if (_e1340 < _e1342.z) {
+                                                    phi_1952_ = _e1340;
+                                                } else {
+                                                    phi_1952_ = _e1342.z;
+                                                }
+                                                let _e1357 = phi_1952_;
+                                                let _e1359 = triangles.member[(0u + _e1019)].v0_;
+                                                let _e1361 = triangles.member[(0u + _e1019)].v1_;
+                                                if (_e1359.x > _e1361.x) {
+                                                    phi_1965_ = _e1359.x;
+                                                } else {
+                                                    phi_1965_ = _e1361.x;
+                                                }
+                                                let _e1368 = phi_1965_;
+                                                if (_e1359.y > _e1361.y) {
+                                                    phi_1974_ = _e1359.y;
+                                                } else {
+                                                    phi_1974_ = _e1361.y;
+                                                }
+                                                let _e1375 = phi_1974_;
+                                                if (_e1359.z > _e1361.z) {
+                                                    phi_1983_ = _e1359.z;
+                                                } else {
+                                                    phi_1983_ = _e1361.z;
+                                                }
+                                                let _e1382 = phi_1983_;
+                                                let _e1384 = triangles.member[(0u + _e1019)].v2_;
+                                                if (_e1368 > _e1384.x) {
+                                                    phi_1992_ = _e1368;
+                                                } else {
+                                                    phi_1992_ = _e1384.x;
+                                                }
+                                                let _e1389 = phi_1992_;
+                                                if (_e1375 > _e1384.y) {
+                                                    phi_1999_ = _e1375;
+                                                } else {
+                                                    phi_1999_ = _e1384.y;
+                                                }
+                                                let _e1394 = phi_1999_;
+                                                if (_e1382 > _e1384.z) {
+                                                    phi_2006_ = _e1382;
+                                                } else {
+                                                    phi_2006_ = _e1384.z;
+                                                }
+                                                let _e1399 = phi_2006_;
+                                                let _e1406 = ((_e1347 - _e150.origin.x) * _e304);
+                                                let _e1407 = ((_e1352 - _e150.origin.y) * _e316);
+                                                let _e1408 = ((_e1357 - _e150.origin.z) * _e328);
+                                                let _e1415 = ((_e1389 - _e150.origin.x) * _e304);
+                                                let _e1416 = ((_e1394 - _e150.origin.y) * _e316);
+                                                let _e1417 = ((_e1399 - _e150.origin.z) * _e328);
+                                                if (_e1406 < _e1415) {
+                                                    phi_2029_ = _e1406;
+                                                } else {
+                                                    phi_2029_ = _e1415;
+                                                }
+                                                let _e1420 = phi_2029_;
+                                                if (_e1407 < _e1416) {
+                                                    phi_2034_ = _e1407;
+                                                } else {
+                                                    phi_2034_ = _e1416;
+                                                }
+                                                let _e1423 = phi_2034_;
+                                                if (_e1408 < _e1417) {
+                                                    phi_2039_ = _e1408;
+                                                } else {
+                                                    phi_2039_ = _e1417;
+                                                }
+                                                let _e1426 = phi_2039_;
+                                                if (_e1406 > _e1415) {
+                                                    phi_2047_ = _e1406;
+                                                } else {
+                                                    phi_2047_ = _e1415;
+                                                }
+                                                let _e1432 = phi_2047_;
+                                                if (_e1407 > _e1416) {
+                                                    phi_2052_ = _e1407;
+                                                } else {
+                                                    phi_2052_ = _e1416;
+                                                }
+                                                let _e1435 = phi_2052_;
+                                                if (_e1408 > _e1417) {
+                                                    phi_2057_ = _e1408;
+                                                } else {
+                                                    phi_2057_ = _e1417;
+                                                }
+                                                let _e1438 = phi_2057_;
+                                                let _e1442 = core_intrinsics_maximum_number_nsz_f32_((_e1420 - _e372), (_e1423 - _e373));
+                                                let _e1443 = core_intrinsics_maximum_number_nsz_f32_(_e1442, (_e1426 - _e374));
+                                                let _e1444 = core_intrinsics_minimum_number_nsz_f32_((_e1432 + _e372), (_e1435 + _e373));
+                                                let _e1445 = core_intrinsics_minimum_number_nsz_f32_(_e1444, (_e1438 + _e374));
+                                                if (_e1443 > -300000000000000000000000000000000000000f) {
+                                                    phi_2069_ = _e1443;
+                                                } else {
+                                                    phi_2069_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1448 = phi_2069_;
+                                                if (_e1445 < 300000000000000000000000000000000000000f) {
+                                                    phi_2074_ = _e1445;
+                                                } else {
+                                                    phi_2074_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1451 = phi_2074_;
+                                                if (_e1311 < _e1448) {
+                                                    phi_2079_ = _e1448;
+                                                } else {
+                                                    phi_2079_ = _e1311;
+                                                }
+                                                let _e1454 = phi_2079_;
+                                                if (_e1454 > _e1451) {
+                                                    phi_2084_ = _e1451;
+                                                } else {
+                                                    phi_2084_ = _e1454;
+                                                }
+                                                let _e1457 = phi_2084_;
+                                                phi_2089_ = lt_bvh_triangle_Intersection(_e1457, (_e1150 / _e1209), (_e1171 / _e1209), (_e1448 <= _e1451));
+                                                phi_2090_ = false;
+                                            } else {
+                                                phi_2089_ = lt_bvh_triangle_Intersection();
+                                                phi_2090_ = true;
+                                            }
+                                            let _e1463 = phi_2089_;
+                                            let _e1465 = phi_2090_;
+                                            phi_2091_ = _e1463;
+                                            phi_2092_ = _e1465;
+                                        } else {
+                                            phi_2091_ = lt_bvh_triangle_Intersection();
+                                            phi_2092_ = true;
+                                        }
+                                        let _e1467 = phi_2091_;
+                                        let _e1469 = phi_2092_;
+                                        if _e1469 {
+                                        }
+                                        phi_2096_ = _e1467;
+                                        phi_2097_ = _e1469;
                                     }
-                                    let _e1384 = phi_1997_;
-                                    let _e1386 = phi_1998_;
-                                    phi_1999_ = _e1384;
-                                    phi_2000_ = _e1218;
-                                    phi_2001_ = _e1386;
+                                    let _e1471 = phi_2096_;
+                                    let _e1473 = phi_2097_;
+                                    phi_2098_ = _e1471;
+                                    phi_2099_ = _e1212;
+                                    phi_2100_ = _e1473;
                                 } else {
-                                    phi_1999_ = lt_bvh_triangle_Intersection();
-                                    phi_2000_ = true;
-                                    phi_2001_ = false;
+                                    phi_2098_ = lt_bvh_triangle_Intersection();
+                                    phi_2099_ = true;
+                                    phi_2100_ = false;
                                 }
-                                let _e1388 = phi_1999_;
-                                let _e1390 = phi_2000_;
-                                let _e1392 = phi_2001_;
-                                if _e1390 {
-                                    phi_2005_ = true;
+                                let _e1475 = phi_2098_;
+                                let _e1477 = phi_2099_;
+                                let _e1479 = phi_2100_;
+                                if _e1477 {
+                                    phi_2104_ = true;
                                 } else {
-                                    phi_2005_ = _e1392;
+                                    phi_2104_ = _e1479;
                                 }
-                                let _e1394 = phi_2005_;
-                                if _e1394 {
-                                    phi_2009_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1481 = phi_2104_;
+                                if _e1481 {
+                                    phi_2108_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2009_ = _e1388;
+                                    phi_2108_ = _e1475;
                                 }
-                                let _e1396 = phi_2009_;
-                                if _e1396.is_hit {
-                                    if (_e1396.t > _e150.tmin) {
-                                        if (_e1396.t < _e1008.t) {
-                                            phi_2058_ = true;
+                                let _e1483 = phi_2108_;
+                                if _e1483.is_hit {
+                                    if (_e1483.t > _e150.tmin) {
+                                        if (_e1483.t < _e1008.t) {
+                                            phi_2157_ = true;
                                         } else {
-                                            if (_e1396.t == _e1008.t) {
+                                            if (_e1483.t == _e1008.t) {
                                                 if (_e1008.triangle != 4294967295u) {
                                                     if (_e1019 < _e1008.triangle) {
-                                                        phi_2049_ = true;
+                                                        phi_2148_ = true;
                                                     } else {
                                                         if (_e1019 == _e1008.triangle) {
-                                                            phi_2048_ = (4294967295u < _e1008.instance);
+                                                            phi_2147_ = (4294967295u < _e1008.instance);
                                                         } else {
-                                                            phi_2048_ = false;
+                                                            phi_2147_ = false;
                                                         }
-                                                        let _e1415 = phi_2048_;
-                                                        phi_2049_ = _e1415;
+                                                        let _e1502 = phi_2147_;
+                                                        phi_2148_ = _e1502;
                                                     }
-                                                    let _e1417 = phi_2049_;
-                                                    phi_2050_ = _e1417;
-                                                    phi_2051_ = false;
+                                                    let _e1504 = phi_2148_;
+                                                    phi_2149_ = _e1504;
+                                                    phi_2150_ = false;
                                                 } else {
-                                                    phi_2050_ = bool();
-                                                    phi_2051_ = true;
+                                                    phi_2149_ = bool();
+                                                    phi_2150_ = true;
                                                 }
-                                                let _e1419 = phi_2050_;
-                                                let _e1421 = phi_2051_;
-                                                phi_2052_ = _e1419;
-                                                phi_2053_ = _e1421;
+                                                let _e1506 = phi_2149_;
+                                                let _e1508 = phi_2150_;
+                                                phi_2151_ = _e1506;
+                                                phi_2152_ = _e1508;
                                             } else {
-                                                phi_2052_ = bool();
-                                                phi_2053_ = true;
+                                                phi_2151_ = bool();
+                                                phi_2152_ = true;
                                             }
-                                            let _e1423 = phi_2052_;
-                                            let _e1425 = phi_2053_;
-                                            if _e1425 {
-                                                phi_2057_ = false;
+                                            let _e1510 = phi_2151_;
+                                            let _e1512 = phi_2152_;
+                                            if _e1512 {
+                                                phi_2156_ = false;
                                             } else {
-                                                phi_2057_ = _e1423;
+                                                phi_2156_ = _e1510;
                                             }
-                                            let _e1427 = phi_2057_;
-                                            phi_2058_ = _e1427;
+                                            let _e1514 = phi_2156_;
+                                            phi_2157_ = _e1514;
                                         }
-                                        let _e1429 = phi_2058_;
-                                        if _e1429 {
-                                            let _e1431 = triangles.member[(0u + _e1019)].i0_;
-                                            if ((_e1431 & 2147483648u) == 0u) {
-                                                phi_2072_ = true;
+                                        let _e1516 = phi_2157_;
+                                        if _e1516 {
+                                            let _e1518 = triangles.member[(0u + _e1019)].i0_;
+                                            if ((_e1518 & 2147483648u) == 0u) {
+                                                phi_2171_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_2072_ = true;
+                                                phi_2171_ = true;
                                             }
-                                            let _e1435 = phi_2072_;
-                                            if _e1435 {
-                                                phi_2080_ = lt_bvh_Hit(_e1396.t, _e1396.u, _e1396.v, _e1019, 4294967295u);
+                                            let _e1522 = phi_2171_;
+                                            if _e1522 {
+                                                phi_2179_ = lt_bvh_Hit(_e1483.t, _e1483.u, _e1483.v, _e1019, 4294967295u);
                                             } else {
-                                                phi_2080_ = _e1008;
+                                                phi_2179_ = _e1008;
                                             }
-                                            let _e1441 = phi_2080_;
-                                            phi_2081_ = _e1441;
+                                            let _e1528 = phi_2179_;
+                                            phi_2180_ = _e1528;
                                         } else {
-                                            phi_2081_ = _e1008;
+                                            phi_2180_ = _e1008;
                                         }
-                                        let _e1443 = phi_2081_;
-                                        phi_2082_ = _e1443;
+                                        let _e1530 = phi_2180_;
+                                        phi_2181_ = _e1530;
                                     } else {
-                                        phi_2082_ = _e1008;
+                                        phi_2181_ = _e1008;
                                     }
-                                    let _e1445 = phi_2082_;
-                                    phi_2083_ = _e1445;
+                                    let _e1532 = phi_2181_;
+                                    phi_2182_ = _e1532;
                                 } else {
-                                    phi_2083_ = _e1008;
+                                    phi_2182_ = _e1008;
                                 }
-                                let _e1447 = phi_2083_;
-                                phi_1522_ = _e1447;
+                                let _e1534 = phi_2182_;
+                                phi_1522_ = _e1534;
                                 phi_1525_ = (_e1010 & (_e1010 - 1u));
-                                phi_2084_ = true;
+                                phi_2183_ = true;
                             }
-                            let _e1449 = phi_1522_;
-                            let _e1451 = phi_1525_;
-                            let _e1453 = phi_2084_;
+                            let _e1536 = phi_1522_;
+                            let _e1538 = phi_1525_;
+                            let _e1540 = phi_2183_;
                             continue;
                             continuing {
-                                phi_1521_ = _e1449;
-                                phi_1524_ = _e1451;
-                                break if !(_e1453);
+                                phi_1521_ = _e1536;
+                                phi_1524_ = _e1538;
+                                break if !(_e1540);
                             }
                         }
-                        let _e1456 = local_1.group_mask;
-                        if ((_e1456 & 4278190080u) == 0u) {
-                            let _e1460 = local_1.len;
-                            if (_e1460 == 0u) {
-                                phi_2123_ = false;
+                        let _e1543 = local_1.group_mask;
+                        if ((_e1543 & 4278190080u) == 0u) {
+                            let _e1547 = local_1.len;
+                            if (_e1547 == 0u) {
+                                phi_2222_ = false;
                             } else {
-                                let _e1464 = local_1.len;
-                                local_1.len = (_e1464 - 1u);
-                                let _e1467 = local_1.len;
-                                if (_e1467 < 32u) {
+                                let _e1551 = local_1.len;
+                                local_1.len = (_e1551 - 1u);
+                                let _e1554 = local_1.len;
+                                if (_e1554 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1472 = local_1.first[(0u + _e1467)];
-                                local_1.group = _e1472;
-                                let _e1475 = local_1.len;
-                                if (_e1475 < 32u) {
+                                let _e1559 = local_1.first[(0u + _e1554)];
+                                local_1.group = _e1559;
+                                let _e1562 = local_1.len;
+                                if (_e1562 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1480 = local_1.mask[(0u + _e1475)];
-                                local_1.group_mask = _e1480;
-                                phi_2123_ = true;
+                                let _e1567 = local_1.mask[(0u + _e1562)];
+                                local_1.group_mask = _e1567;
+                                phi_2222_ = true;
                             }
-                            let _e1483 = phi_2123_;
-                            phi_2124_ = _e1483;
+                            let _e1570 = phi_2222_;
+                            phi_2223_ = _e1570;
                         } else {
-                            phi_2124_ = true;
+                            phi_2223_ = true;
                         }
-                        let _e1485 = phi_2124_;
-                        if _e1485 {
-                            let _e1487 = local_1.group_mask;
-                            let _e1493 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1487)), 32u, (_e1487 == 0u)));
-                            let _e1497 = local_1.group_mask;
-                            let _e1511 = local_1.group_mask;
-                            local_1.group_mask = (_e1511 & ~((1u << bitcast<u32>((_e1493 & 31u)))));
-                            let _e1514 = local_1.group;
-                            phi_2155_ = (_e1514 + countOneBits(((_e1497 & ~((4294967295u << bitcast<u32>((((_e1493 - 24u) ^ _e427) & 31u))))) & 255u)));
+                        let _e1572 = phi_2223_;
+                        if _e1572 {
+                            let _e1574 = local_1.group_mask;
+                            let _e1580 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1574)), 32u, (_e1574 == 0u)));
+                            let _e1584 = local_1.group_mask;
+                            let _e1598 = local_1.group_mask;
+                            local_1.group_mask = (_e1598 & ~((1u << bitcast<u32>((_e1580 & 31u)))));
+                            let _e1601 = local_1.group;
+                            phi_2254_ = (_e1601 + countOneBits(((_e1584 & ~((4294967295u << bitcast<u32>((((_e1580 - 24u) ^ _e427) & 31u))))) & 255u)));
                         } else {
-                            phi_2155_ = 4294967295u;
+                            phi_2254_ = 4294967295u;
                         }
-                        let _e1517 = phi_2155_;
-                        let _e2355 = local_5;
-                        phi_1185_ = _e2355;
-                        phi_1188_ = _e1517;
+                        let _e1604 = phi_2254_;
+                        let _e2448 = local_5;
+                        phi_1185_ = _e2448;
+                        phi_1188_ = _e1604;
                     } else {
                         phi_1185_ = lt_bvh_Hit();
                         phi_1188_ = u32();
                     }
-                    let _e1519 = phi_1185_;
-                    let _e1521 = phi_1188_;
+                    let _e1606 = phi_1185_;
+                    let _e1608 = phi_1188_;
                     continue;
                     continuing {
-                        phi_1184_ = _e1519;
-                        phi_1187_ = _e1521;
+                        phi_1184_ = _e1606;
+                        phi_1187_ = _e1608;
                         break if !(_e568);
                     }
                 }
-                let _e2359 = local_6;
-                phi_2156_ = _e2359;
+                let _e2452 = local_6;
+                phi_2255_ = _e2452;
             }
-            let _e1524 = phi_2156_;
-            phi_2157_ = _e1524;
-            phi_2158_ = _e222;
+            let _e1611 = phi_2255_;
+            phi_2256_ = _e1611;
+            phi_2257_ = _e222;
         } else {
-            phi_2157_ = lt_bvh_Hit();
-            phi_2158_ = true;
+            phi_2256_ = lt_bvh_Hit();
+            phi_2257_ = true;
         }
-        let _e1526 = phi_2157_;
-        let _e1528 = phi_2158_;
-        if _e1528 {
-            phi_2162_ = _e152;
+        let _e1613 = phi_2256_;
+        let _e1615 = phi_2257_;
+        if _e1615 {
+            phi_2261_ = _e152;
         } else {
-            phi_2162_ = _e1526;
+            phi_2261_ = _e1613;
         }
-        let _e1530 = phi_2162_;
-        if (_e1530.triangle != 4294967295u) {
-            let _e1536 = ((1f - _e1530.u) - _e1530.v);
-            if (_e1530.triangle < _e77) {
+        let _e1617 = phi_2261_;
+        if (_e1617.triangle != 4294967295u) {
+            let _e1623 = ((1f - _e1617.u) - _e1617.v);
+            if (_e1617.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1541 = triangles.member[(0u + _e1530.triangle)];
-            let _e1566 = (((_e1541.v0_.x * _e1536) + (_e1541.v1_.x * _e1530.u)) + (_e1541.v2_.x * _e1530.v));
-            let _e1567 = (((_e1541.v0_.y * _e1536) + (_e1541.v1_.y * _e1530.u)) + (_e1541.v2_.y * _e1530.v));
-            let _e1568 = (((_e1541.v0_.z * _e1536) + (_e1541.v1_.z * _e1530.u)) + (_e1541.v2_.z * _e1530.v));
-            let _e1571 = abs(_e1541.v0_.x);
-            let _e1573 = abs(_e1541.v0_.y);
-            let _e1575 = abs(_e1541.v0_.z);
-            let _e1577 = abs(_e1541.v1_.x);
-            let _e1579 = abs(_e1541.v1_.y);
-            let _e1581 = abs(_e1541.v1_.z);
-            if (_e1571 > _e1577) {
-                phi_2226_ = _e1571;
+            let _e1628 = triangles.member[(0u + _e1617.triangle)];
+            let _e1653 = (((_e1628.v0_.x * _e1623) + (_e1628.v1_.x * _e1617.u)) + (_e1628.v2_.x * _e1617.v));
+            let _e1654 = (((_e1628.v0_.y * _e1623) + (_e1628.v1_.y * _e1617.u)) + (_e1628.v2_.y * _e1617.v));
+            let _e1655 = (((_e1628.v0_.z * _e1623) + (_e1628.v1_.z * _e1617.u)) + (_e1628.v2_.z * _e1617.v));
+            let _e1658 = abs(_e1628.v0_.x);
+            let _e1660 = abs(_e1628.v0_.y);
+            let _e1662 = abs(_e1628.v0_.z);
+            let _e1664 = abs(_e1628.v1_.x);
+            let _e1666 = abs(_e1628.v1_.y);
+            let _e1668 = abs(_e1628.v1_.z);
+            if (_e1658 > _e1664) {
+                phi_2325_ = _e1658;
             } else {
-                phi_2226_ = _e1577;
+                phi_2325_ = _e1664;
             }
-            let _e1584 = phi_2226_;
-            if (_e1573 > _e1579) {
-                phi_2231_ = _e1573;
+            let _e1671 = phi_2325_;
+            if (_e1660 > _e1666) {
+                phi_2330_ = _e1660;
             } else {
-                phi_2231_ = _e1579;
+                phi_2330_ = _e1666;
             }
-            let _e1587 = phi_2231_;
-            if (_e1575 > _e1581) {
-                phi_2236_ = _e1575;
+            let _e1674 = phi_2330_;
+            if (_e1662 > _e1668) {
+                phi_2335_ = _e1662;
             } else {
-                phi_2236_ = _e1581;
+                phi_2335_ = _e1668;
             }
-            let _e1590 = phi_2236_;
-            let _e1592 = abs(_e1541.v2_.x);
-            let _e1594 = abs(_e1541.v2_.y);
-            let _e1596 = abs(_e1541.v2_.z);
-            if (_e1584 > _e1592) {
-                phi_2247_ = _e1584;
+            let _e1677 = phi_2335_;
+            let _e1679 = abs(_e1628.v2_.x);
+            let _e1681 = abs(_e1628.v2_.y);
+            let _e1683 = abs(_e1628.v2_.z);
+            if (_e1671 > _e1679) {
+                phi_2346_ = _e1671;
             } else {
-                phi_2247_ = _e1592;
+                phi_2346_ = _e1679;
             }
-            let _e1599 = phi_2247_;
-            if (_e1587 > _e1594) {
-                phi_2252_ = _e1587;
+            let _e1686 = phi_2346_;
+            if (_e1674 > _e1681) {
+                phi_2351_ = _e1674;
             } else {
-                phi_2252_ = _e1594;
+                phi_2351_ = _e1681;
             }
-            let _e1602 = phi_2252_;
-            if (_e1590 > _e1596) {
-                phi_2257_ = _e1590;
+            let _e1689 = phi_2351_;
+            if (_e1677 > _e1683) {
+                phi_2356_ = _e1677;
             } else {
-                phi_2257_ = _e1596;
+                phi_2356_ = _e1683;
             }
-            let _e1605 = phi_2257_;
-            let _e1608 = (_e1541.v1_.x - _e1541.v0_.x);
-            let _e1611 = (_e1541.v1_.y - _e1541.v0_.y);
-            let _e1614 = (_e1541.v1_.z - _e1541.v0_.z);
-            let _e1617 = (_e1541.v2_.x - _e1541.v0_.x);
-            let _e1620 = (_e1541.v2_.y - _e1541.v0_.y);
-            let _e1623 = (_e1541.v2_.z - _e1541.v0_.z);
-            let _e1627 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1611), abs(_e1614));
-            let _e1628 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1608), _e1627);
-            let _e1629 = (_e1608 / _e1628);
-            let _e1630 = (_e1611 / _e1628);
-            let _e1631 = (_e1614 / _e1628);
-            let _e1635 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1620), abs(_e1623));
-            let _e1636 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1617), _e1635);
-            let _e1637 = (_e1617 / _e1636);
-            let _e1638 = (_e1620 / _e1636);
-            let _e1639 = (_e1623 / _e1636);
-            let _e1642 = ((_e1630 * _e1639) - (_e1638 * _e1631));
-            let _e1645 = ((_e1631 * _e1637) - (_e1639 * _e1629));
-            let _e1648 = ((_e1629 * _e1638) - (_e1637 * _e1630));
-            let _e1650 = p.member.eye;
-            let _e1663 = (1f / sqrt((((_e1642 * _e1642) + (_e1645 * _e1645)) + (_e1648 * _e1648))));
-            let _e1664 = (_e1642 * _e1663);
-            let _e1665 = (_e1645 * _e1663);
-            let _e1666 = (_e1648 * _e1663);
-            if ((((_e1664 * (_e1650.x - _e1566)) + (_e1665 * (_e1650.y - _e1567))) + (_e1666 * (_e1650.z - _e1568))) < 0f) {
-                phi_2333_ = vec3<f32>(-(_e1664), -(_e1665), -(_e1666));
+            let _e1692 = phi_2356_;
+            let _e1695 = (_e1628.v1_.x - _e1628.v0_.x);
+            let _e1698 = (_e1628.v1_.y - _e1628.v0_.y);
+            let _e1701 = (_e1628.v1_.z - _e1628.v0_.z);
+            let _e1704 = (_e1628.v2_.x - _e1628.v0_.x);
+            let _e1707 = (_e1628.v2_.y - _e1628.v0_.y);
+            let _e1710 = (_e1628.v2_.z - _e1628.v0_.z);
+            let _e1714 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1698), abs(_e1701));
+            let _e1715 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), _e1714);
+            let _e1716 = (_e1695 / _e1715);
+            let _e1717 = (_e1698 / _e1715);
+            let _e1718 = (_e1701 / _e1715);
+            let _e1722 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1707), abs(_e1710));
+            let _e1723 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), _e1722);
+            let _e1724 = (_e1704 / _e1723);
+            let _e1725 = (_e1707 / _e1723);
+            let _e1726 = (_e1710 / _e1723);
+            let _e1729 = ((_e1717 * _e1726) - (_e1725 * _e1718));
+            let _e1732 = ((_e1718 * _e1724) - (_e1726 * _e1716));
+            let _e1735 = ((_e1716 * _e1725) - (_e1724 * _e1717));
+            let _e1737 = p.member.eye;
+            let _e1750 = (1f / sqrt((((_e1729 * _e1729) + (_e1732 * _e1732)) + (_e1735 * _e1735))));
+            let _e1751 = (_e1729 * _e1750);
+            let _e1752 = (_e1732 * _e1750);
+            let _e1753 = (_e1735 * _e1750);
+            if ((((_e1751 * (_e1737.x - _e1653)) + (_e1752 * (_e1737.y - _e1654))) + (_e1753 * (_e1737.z - _e1655))) < 0f) {
+                phi_2432_ = vec3<f32>(-(_e1751), -(_e1752), -(_e1753));
             } else {
-                phi_2333_ = vec3<f32>(_e1664, _e1665, _e1666);
+                phi_2432_ = vec3<f32>(_e1751, _e1752, _e1753);
             }
-            let _e1679 = phi_2333_;
-            if (_e1530.triangle < _e77) {
+            let _e1766 = phi_2432_;
+            if (_e1617.triangle < _e77) {
             } else {
                 return;
             }
-            let _e1684 = triangles.member[(0u + _e1530.triangle)];
-            let _e1686 = (_e1684.i0_ & 2147483647u);
-            if (_e1686 < _e80) {
+            let _e1771 = triangles.member[(0u + _e1617.triangle)];
+            let _e1773 = (_e1771.i0_ & 2147483647u);
+            if (_e1773 < _e80) {
             } else {
                 return;
             }
-            let _e1692 = vertices.member[(0u + _e1686)];
-            if (_e1684.i1_ < _e80) {
+            let _e1779 = vertices.member[(0u + _e1773)];
+            if (_e1771.i1_ < _e80) {
             } else {
                 return;
             }
-            let _e1696 = vertices.member[(0u + _e1684.i1_)];
-            if (_e1684.i2_ < _e80) {
+            let _e1783 = vertices.member[(0u + _e1771.i1_)];
+            if (_e1771.i2_ < _e80) {
             } else {
                 return;
             }
-            let _e1700 = vertices.member[(0u + _e1684.i2_)];
-            let _e1701 = array<abi_Vertex, 3>(_e1692, _e1696, _e1700);
-            if (_e1701[0].material < arrayLength((&materials.member))) {
+            let _e1787 = vertices.member[(0u + _e1771.i2_)];
+            let _e1788 = array<abi_Vertex, 3>(_e1779, _e1783, _e1787);
+            if (_e1788[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1707 = materials.member[(0u + _e1701[0].material)];
-            let _e1724 = (1f / 255f);
-            let _e1743 = (1f / 255f);
-            let _e1765 = (1f / 255f);
-            if (_e1707.color_size == 0u) {
-                phi_2576_ = vec3<f32>(1f, 1f, 1f);
+            let _e1794 = materials.member[(0u + _e1788[0].material)];
+            let _e1811 = (1f / 255f);
+            let _e1830 = (1f / 255f);
+            let _e1852 = (1f / 255f);
+            if (_e1794.color_size == 0u) {
+                phi_2675_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1707.color_offset;
-                local.size = _e1707.color_size;
-                local.flags = _e1707.flags;
-                let _e1808 = _lt_shaders_texture_TextureView_quad((&local), (((_e1701[0].u * _e1536) + (_e1701[1].u * _e1530.u)) + (_e1701[2].u * _e1530.v)), (((_e1701[0].v * _e1536) + (_e1701[1].v * _e1530.u)) + (_e1701[2].v * _e1530.v)));
-                if (_e1808.indices[0] < _e89) {
+                local.offset = _e1794.color_offset;
+                local.size = _e1794.color_size;
+                local.flags = _e1794.flags;
+                let _e1895 = _lt_shaders_texture_TextureView_quad((&local), (((_e1788[0].u * _e1623) + (_e1788[1].u * _e1617.u)) + (_e1788[2].u * _e1617.v)), (((_e1788[0].v * _e1623) + (_e1788[1].v * _e1617.u)) + (_e1788[2].v * _e1617.v)));
+                if (_e1895.indices[0] < _e89) {
                 } else {
                     return;
                 }
-                let _e1814 = color_texels.member[(0u + _e1808.indices[0])];
-                let _e1825 = (1f / 255f);
-                if (_e1808.indices[1] < _e89) {
+                let _e1901 = color_texels.member[(0u + _e1895.indices[0])];
+                let _e1912 = (1f / 255f);
+                if (_e1895.indices[1] < _e89) {
                 } else {
                     return;
                 }
-                let _e1839 = color_texels.member[(0u + _e1808.indices[1])];
-                let _e1850 = (1f / 255f);
-                if (_e1808.indices[2] < _e89) {
+                let _e1926 = color_texels.member[(0u + _e1895.indices[1])];
+                let _e1937 = (1f / 255f);
+                if (_e1895.indices[2] < _e89) {
                 } else {
                     return;
                 }
-                let _e1867 = color_texels.member[(0u + _e1808.indices[2])];
-                let _e1878 = (1f / 255f);
-                if (_e1808.indices[3] < _e89) {
+                let _e1954 = color_texels.member[(0u + _e1895.indices[2])];
+                let _e1965 = (1f / 255f);
+                if (_e1895.indices[3] < _e89) {
                 } else {
                     return;
                 }
-                let _e1895 = color_texels.member[(0u + _e1808.indices[3])];
-                let _e1906 = (1f / 255f);
-                let _e1915 = (((((f32((_e1814 & 255u)) * _e1825) * _e1808.weights.x) + ((f32((_e1839 & 255u)) * _e1850) * _e1808.weights.y)) + ((f32((_e1867 & 255u)) * _e1878) * _e1808.weights.z)) + ((f32((_e1895 & 255u)) * _e1906) * _e1808.weights.w));
-                let _e1916 = (((((f32(((_e1814 >> bitcast<u32>(8i)) & 255u)) * _e1825) * _e1808.weights.x) + ((f32(((_e1839 >> bitcast<u32>(8i)) & 255u)) * _e1850) * _e1808.weights.y)) + ((f32(((_e1867 >> bitcast<u32>(8i)) & 255u)) * _e1878) * _e1808.weights.z)) + ((f32(((_e1895 >> bitcast<u32>(8i)) & 255u)) * _e1906) * _e1808.weights.w));
-                let _e1917 = (((((f32(((_e1814 >> bitcast<u32>(16i)) & 255u)) * _e1825) * _e1808.weights.x) + ((f32(((_e1839 >> bitcast<u32>(16i)) & 255u)) * _e1850) * _e1808.weights.y)) + ((f32(((_e1867 >> bitcast<u32>(16i)) & 255u)) * _e1878) * _e1808.weights.z)) + ((f32(((_e1895 >> bitcast<u32>(16i)) & 255u)) * _e1906) * _e1808.weights.w));
-                phi_2576_ = vec3<f32>((_e1915 * _e1915), (_e1916 * _e1916), (_e1917 * _e1917));
+                let _e1982 = color_texels.member[(0u + _e1895.indices[3])];
+                let _e1993 = (1f / 255f);
+                let _e2002 = (((((f32((_e1901 & 255u)) * _e1912) * _e1895.weights.x) + ((f32((_e1926 & 255u)) * _e1937) * _e1895.weights.y)) + ((f32((_e1954 & 255u)) * _e1965) * _e1895.weights.z)) + ((f32((_e1982 & 255u)) * _e1993) * _e1895.weights.w));
+                let _e2003 = (((((f32(((_e1901 >> bitcast<u32>(8i)) & 255u)) * _e1912) * _e1895.weights.x) + ((f32(((_e1926 >> bitcast<u32>(8i)) & 255u)) * _e1937) * _e1895.weights.y)) + ((f32(((_e1954 >> bitcast<u32>(8i)) & 255u)) * _e1965) * _e1895.weights.z)) + ((f32(((_e1982 >> bitcast<u32>(8i)) & 255u)) * _e1993) * _e1895.weights.w));
+                let _e2004 = (((((f32(((_e1901 >> bitcast<u32>(16i)) & 255u)) * _e1912) * _e1895.weights.x) + ((f32(((_e1926 >> bitcast<u32>(16i)) & 255u)) * _e1937) * _e1895.weights.y)) + ((f32(((_e1954 >> bitcast<u32>(16i)) & 255u)) * _e1965) * _e1895.weights.z)) + ((f32(((_e1982 >> bitcast<u32>(16i)) & 255u)) * _e1993) * _e1895.weights.w));
+                phi_2675_ = vec3<f32>((_e2002 * _e2002), (_e2003 * _e2003), (_e2004 * _e2004));
             }
-            let _e1923 = phi_2576_;
-            let _e1925 = ((_e1707.base_color.x * ((((f32((_e1701[0].color & 255u)) * _e1724) * _e1536) + ((f32((_e1701[1].color & 255u)) * _e1743) * _e1530.u)) + ((f32((_e1701[2].color & 255u)) * _e1765) * _e1530.v))) * _e1923.x);
-            let _e1927 = ((_e1707.base_color.y * ((((f32(((_e1701[0].color >> bitcast<u32>(8i)) & 255u)) * _e1724) * _e1536) + ((f32(((_e1701[1].color >> bitcast<u32>(8i)) & 255u)) * _e1743) * _e1530.u)) + ((f32(((_e1701[2].color >> bitcast<u32>(8i)) & 255u)) * _e1765) * _e1530.v))) * _e1923.y);
-            let _e1929 = ((_e1707.base_color.z * ((((f32(((_e1701[0].color >> bitcast<u32>(16i)) & 255u)) * _e1724) * _e1536) + ((f32(((_e1701[1].color >> bitcast<u32>(16i)) & 255u)) * _e1743) * _e1530.u)) + ((f32(((_e1701[2].color >> bitcast<u32>(16i)) & 255u)) * _e1765) * _e1530.v))) * _e1923.z);
-            let _e1930 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1602, _e1605);
-            let _e1931 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1599, _e1930);
-            if ((_e1707.flags & 2u) == 0u) {
-                phi_2591_ = 0u;
+            let _e2010 = phi_2675_;
+            let _e2012 = ((_e1794.base_color.x * ((((f32((_e1788[0].color & 255u)) * _e1811) * _e1623) + ((f32((_e1788[1].color & 255u)) * _e1830) * _e1617.u)) + ((f32((_e1788[2].color & 255u)) * _e1852) * _e1617.v))) * _e2010.x);
+            let _e2014 = ((_e1794.base_color.y * ((((f32(((_e1788[0].color >> bitcast<u32>(8i)) & 255u)) * _e1811) * _e1623) + ((f32(((_e1788[1].color >> bitcast<u32>(8i)) & 255u)) * _e1830) * _e1617.u)) + ((f32(((_e1788[2].color >> bitcast<u32>(8i)) & 255u)) * _e1852) * _e1617.v))) * _e2010.y);
+            let _e2016 = ((_e1794.base_color.z * ((((f32(((_e1788[0].color >> bitcast<u32>(16i)) & 255u)) * _e1811) * _e1623) + ((f32(((_e1788[1].color >> bitcast<u32>(16i)) & 255u)) * _e1830) * _e1617.u)) + ((f32(((_e1788[2].color >> bitcast<u32>(16i)) & 255u)) * _e1852) * _e1617.v))) * _e2010.z);
+            let _e2017 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1689, _e1692);
+            let _e2018 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e2017);
+            if ((_e1794.flags & 2u) == 0u) {
+                phi_2690_ = 0u;
             } else {
-                phi_2591_ = 1u;
+                phi_2690_ = 1u;
             }
-            let _e1936 = phi_2591_;
-            if (_e1701[0].normal == 2147516416u) {
-                phi_2794_ = _e1679;
+            let _e2023 = phi_2690_;
+            if (_e1788[0].normal == 2147516416u) {
+                phi_2893_ = _e1766;
             } else {
-                let _e1949 = (f32((bitcast<i32>((_e1701[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1955 = (f32((bitcast<i32>(_e1701[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1959 = ((1f - abs(_e1949)) - abs(_e1955));
-                if (_e1959 < 0f) {
-                    phi_2618_ = -(_e1959);
-                } else {
-                    phi_2618_ = 0f;
-                }
-                let _e1963 = phi_2618_;
-                if (_e1949 < 0f) {
-                    phi_2625_ = (_e1949 + _e1963);
-                } else {
-                    phi_2625_ = (_e1949 - _e1963);
-                }
-                let _e1968 = phi_2625_;
-                if (_e1955 < 0f) {
-                    phi_2632_ = (_e1955 + _e1963);
-                } else {
-                    phi_2632_ = (_e1955 - _e1963);
-                }
-                let _e1973 = phi_2632_;
-                let _e1980 = (1f / sqrt((((_e1968 * _e1968) + (_e1973 * _e1973)) + (_e1959 * _e1959))));
-                let _e1996 = (f32((bitcast<i32>((_e1701[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2002 = (f32((bitcast<i32>(_e1701[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2006 = ((1f - abs(_e1996)) - abs(_e2002));
-                if (_e2006 < 0f) {
-                    phi_2667_ = -(_e2006);
-                } else {
-                    phi_2667_ = 0f;
-                }
-                let _e2010 = phi_2667_;
-                if (_e1996 < 0f) {
-                    phi_2674_ = (_e1996 + _e2010);
-                } else {
-                    phi_2674_ = (_e1996 - _e2010);
-                }
-                let _e2015 = phi_2674_;
-                if (_e2002 < 0f) {
-                    phi_2681_ = (_e2002 + _e2010);
-                } else {
-                    phi_2681_ = (_e2002 - _e2010);
-                }
-                let _e2020 = phi_2681_;
-                let _e2027 = (1f / sqrt((((_e2015 * _e2015) + (_e2020 * _e2020)) + (_e2006 * _e2006))));
-                let _e2046 = (f32((bitcast<i32>((_e1701[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2052 = (f32((bitcast<i32>(_e1701[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2056 = ((1f - abs(_e2046)) - abs(_e2052));
-                if (_e2056 < 0f) {
-                    phi_2719_ = -(_e2056);
-                } else {
-                    phi_2719_ = 0f;
-                }
-                let _e2060 = phi_2719_;
+                let _e2036 = (f32((bitcast<i32>((_e1788[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2042 = (f32((bitcast<i32>(_e1788[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2046 = ((1f - abs(_e2036)) - abs(_e2042));
                 if (_e2046 < 0f) {
-                    phi_2726_ = (_e2046 + _e2060);
+                    phi_2717_ = -(_e2046);
                 } else {
-                    phi_2726_ = (_e2046 - _e2060);
+                    phi_2717_ = 0f;
                 }
-                let _e2065 = phi_2726_;
-                if (_e2052 < 0f) {
-                    phi_2733_ = (_e2052 + _e2060);
+                let _e2050 = phi_2717_;
+                if (_e2036 < 0f) {
+                    phi_2724_ = (_e2036 + _e2050);
                 } else {
-                    phi_2733_ = (_e2052 - _e2060);
+                    phi_2724_ = (_e2036 - _e2050);
                 }
-                let _e2070 = phi_2733_;
-                let _e2077 = (1f / sqrt((((_e2065 * _e2065) + (_e2070 * _e2070)) + (_e2056 * _e2056))));
-                let _e2088 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1968 * _e1980) * _e1536) + ((_e2015 * _e2027) * _e1530.u)) + ((_e2065 * _e2077) * _e1530.v)), ((((_e1973 * _e1980) * _e1536) + ((_e2020 * _e2027) * _e1530.u)) + ((_e2070 * _e2077) * _e1530.v)), ((((_e1959 * _e1980) * _e1536) + ((_e2006 * _e2027) * _e1530.u)) + ((_e2056 * _e2077) * _e1530.v))));
-                let _e2100 = sqrt((((_e2088.x * _e2088.x) + (_e2088.y * _e2088.y)) + (_e2088.z * _e2088.z)));
-                if (_e2100 > 0f) {
-                    let _e2103 = (_e2088.x / _e2100);
-                    let _e2105 = (_e2088.y / _e2100);
-                    let _e2107 = (_e2088.z / _e2100);
-                    if ((((_e2103 * _e1679.x) + (_e2105 * _e1679.y)) + (_e2107 * _e1679.z)) < 0f) {
-                        phi_2792_ = vec3<f32>(-(_e2103), -(_e2105), -(_e2107));
+                let _e2055 = phi_2724_;
+                if (_e2042 < 0f) {
+                    phi_2731_ = (_e2042 + _e2050);
+                } else {
+                    phi_2731_ = (_e2042 - _e2050);
+                }
+                let _e2060 = phi_2731_;
+                let _e2067 = (1f / sqrt((((_e2055 * _e2055) + (_e2060 * _e2060)) + (_e2046 * _e2046))));
+                let _e2083 = (f32((bitcast<i32>((_e1788[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2089 = (f32((bitcast<i32>(_e1788[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2093 = ((1f - abs(_e2083)) - abs(_e2089));
+                if (_e2093 < 0f) {
+                    phi_2766_ = -(_e2093);
+                } else {
+                    phi_2766_ = 0f;
+                }
+                let _e2097 = phi_2766_;
+                if (_e2083 < 0f) {
+                    phi_2773_ = (_e2083 + _e2097);
+                } else {
+                    phi_2773_ = (_e2083 - _e2097);
+                }
+                let _e2102 = phi_2773_;
+                if (_e2089 < 0f) {
+                    phi_2780_ = (_e2089 + _e2097);
+                } else {
+                    phi_2780_ = (_e2089 - _e2097);
+                }
+                let _e2107 = phi_2780_;
+                let _e2114 = (1f / sqrt((((_e2102 * _e2102) + (_e2107 * _e2107)) + (_e2093 * _e2093))));
+                let _e2133 = (f32((bitcast<i32>((_e1788[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2139 = (f32((bitcast<i32>(_e1788[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2143 = ((1f - abs(_e2133)) - abs(_e2139));
+                if (_e2143 < 0f) {
+                    phi_2818_ = -(_e2143);
+                } else {
+                    phi_2818_ = 0f;
+                }
+                let _e2147 = phi_2818_;
+                if (_e2133 < 0f) {
+                    phi_2825_ = (_e2133 + _e2147);
+                } else {
+                    phi_2825_ = (_e2133 - _e2147);
+                }
+                let _e2152 = phi_2825_;
+                if (_e2139 < 0f) {
+                    phi_2832_ = (_e2139 + _e2147);
+                } else {
+                    phi_2832_ = (_e2139 - _e2147);
+                }
+                let _e2157 = phi_2832_;
+                let _e2164 = (1f / sqrt((((_e2152 * _e2152) + (_e2157 * _e2157)) + (_e2143 * _e2143))));
+                let _e2175 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2055 * _e2067) * _e1623) + ((_e2102 * _e2114) * _e1617.u)) + ((_e2152 * _e2164) * _e1617.v)), ((((_e2060 * _e2067) * _e1623) + ((_e2107 * _e2114) * _e1617.u)) + ((_e2157 * _e2164) * _e1617.v)), ((((_e2046 * _e2067) * _e1623) + ((_e2093 * _e2114) * _e1617.u)) + ((_e2143 * _e2164) * _e1617.v))));
+                let _e2187 = sqrt((((_e2175.x * _e2175.x) + (_e2175.y * _e2175.y)) + (_e2175.z * _e2175.z)));
+                if (_e2187 > 0f) {
+                    let _e2190 = (_e2175.x / _e2187);
+                    let _e2192 = (_e2175.y / _e2187);
+                    let _e2194 = (_e2175.z / _e2187);
+                    if ((((_e2190 * _e1766.x) + (_e2192 * _e1766.y)) + (_e2194 * _e1766.z)) < 0f) {
+                        phi_2891_ = vec3<f32>(-(_e2190), -(_e2192), -(_e2194));
                     } else {
-                        phi_2792_ = (_e2088 / vec3(_e2100));
+                        phi_2891_ = (_e2175 / vec3(_e2187));
                     }
-                    let _e2124 = phi_2792_;
-                    phi_2793_ = _e2124;
+                    let _e2211 = phi_2891_;
+                    phi_2892_ = _e2211;
                 } else {
-                    phi_2793_ = _e1679;
+                    phi_2892_ = _e1766;
                 }
-                let _e2126 = phi_2793_;
-                phi_2794_ = _e2126;
+                let _e2213 = phi_2892_;
+                phi_2893_ = _e2213;
             }
-            let _e2128 = phi_2794_;
-            if (_e1925 > 0f) {
-                if (_e1925 < 1f) {
-                    phi_2803_ = _e1925;
+            let _e2215 = phi_2893_;
+            if (_e2012 > 0f) {
+                if (_e2012 < 1f) {
+                    phi_2902_ = _e2012;
                 } else {
-                    phi_2803_ = 1f;
+                    phi_2902_ = 1f;
                 }
-                let _e2132 = phi_2803_;
-                phi_2804_ = _e2132;
+                let _e2219 = phi_2902_;
+                phi_2903_ = _e2219;
             } else {
-                phi_2804_ = 0f;
+                phi_2903_ = 0f;
             }
-            let _e2134 = phi_2804_;
-            if (_e1927 > 0f) {
-                if (_e1927 < 1f) {
-                    phi_2814_ = _e1927;
+            let _e2221 = phi_2903_;
+            if (_e2014 > 0f) {
+                if (_e2014 < 1f) {
+                    phi_2913_ = _e2014;
                 } else {
-                    phi_2814_ = 1f;
+                    phi_2913_ = 1f;
                 }
-                let _e2139 = phi_2814_;
-                phi_2815_ = _e2139;
+                let _e2226 = phi_2913_;
+                phi_2914_ = _e2226;
             } else {
-                phi_2815_ = 0f;
+                phi_2914_ = 0f;
             }
-            let _e2141 = phi_2815_;
-            if (_e1929 > 0f) {
-                if (_e1929 < 1f) {
-                    phi_2825_ = _e1929;
+            let _e2228 = phi_2914_;
+            if (_e2016 > 0f) {
+                if (_e2016 < 1f) {
+                    phi_2924_ = _e2016;
                 } else {
-                    phi_2825_ = 1f;
+                    phi_2924_ = 1f;
                 }
-                let _e2146 = phi_2825_;
-                phi_2826_ = _e2146;
+                let _e2233 = phi_2924_;
+                phi_2925_ = _e2233;
             } else {
-                phi_2826_ = 0f;
+                phi_2925_ = 0f;
             }
-            let _e2148 = phi_2826_;
-            let _e2151 = ((sqrt(_e2134) * 255f) + 0.5f);
-            let _e2160 = ((sqrt(_e2141) * 255f) + 0.5f);
-            let _e2172 = ((sqrt(_e2148) * 255f) + 0.5f);
-            phi_2861_ = abi_Sample(vec3<f32>(_e1566, _e1567, _e1568), _e1931, _e1679, _e1936, _e2128, ((select(select(u32(_e2151), 0u, (_e2151 < bitcast<f32>(0u))), 4294967295u, (_e2151 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2160), 0u, (_e2160 < bitcast<f32>(0u))), 4294967295u, (_e2160 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2172), 0u, (_e2172 < bitcast<f32>(0u))), 4294967295u, (_e2172 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2235 = phi_2925_;
+            let _e2238 = ((sqrt(_e2221) * 255f) + 0.5f);
+            let _e2247 = ((sqrt(_e2228) * 255f) + 0.5f);
+            let _e2259 = ((sqrt(_e2235) * 255f) + 0.5f);
+            phi_2960_ = abi_Sample(vec3<f32>(_e1653, _e1654, _e1655), _e2018, _e1766, _e2023, _e2215, ((select(select(u32(_e2238), 0u, (_e2238 < bitcast<f32>(0u))), 4294967295u, (_e2238 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2247), 0u, (_e2247 < bitcast<f32>(0u))), 4294967295u, (_e2247 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2259), 0u, (_e2259 < bitcast<f32>(0u))), 4294967295u, (_e2259 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2861_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2960_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2186 = phi_2861_;
+        let _e2273 = phi_2960_;
         if (_e95.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e95.first_primitive)] = _e2186;
+        samples.member[(0u + _e95.first_primitive)] = _e2273;
     }
     return;
 }

@@ -690,133 +690,139 @@ fn function_() {
     var phi_1538_: u32;
     var phi_1584_: vec3<f32>;
     var phi_1585_: vec3<f32>;
-    var phi_1618_: vec3<f32>;
-    var phi_1619_: vec3<f32>;
-    var phi_1652_: vec3<f32>;
-    var phi_1653_: vec3<f32>;
-    var phi_1673_: bool;
-    var phi_1674_: bool;
-    var phi_1678_: f32;
-    var phi_1679_: f32;
-    var phi_1680_: f32;
-    var phi_1681_: f32;
-    var phi_1689_: f32;
-    var phi_1699_: bool;
-    var phi_1700_: bool;
-    var phi_1704_: f32;
-    var phi_1705_: f32;
-    var phi_1706_: f32;
-    var phi_1707_: f32;
-    var phi_1715_: f32;
-    var phi_1725_: bool;
-    var phi_1726_: bool;
-    var phi_1730_: f32;
-    var phi_1731_: f32;
-    var phi_1732_: f32;
-    var phi_1733_: f32;
-    var phi_1741_: f32;
-    var phi_1756_: f32;
-    var phi_1757_: bool;
-    var phi_1758_: f32;
-    var phi_1759_: bool;
-    var phi_1760_: f32;
-    var phi_1761_: bool;
-    var phi_1779_: f32;
-    var phi_1780_: bool;
-    var phi_1781_: bool;
-    var phi_1782_: f32;
-    var phi_1783_: bool;
+    var phi_1616_: vec3<f32>;
+    var phi_1617_: vec3<f32>;
+    var phi_1648_: vec3<f32>;
+    var phi_1649_: vec3<f32>;
+    var phi_1667_: bool;
+    var phi_1668_: bool;
+    var phi_1672_: f32;
+    var phi_1673_: f32;
+    var phi_1674_: f32;
+    var phi_1675_: f32;
+    var phi_1683_: f32;
+    var phi_1693_: bool;
+    var phi_1694_: bool;
+    var phi_1698_: f32;
+    var phi_1699_: f32;
+    var phi_1700_: f32;
+    var phi_1701_: f32;
+    var phi_1709_: f32;
+    var phi_1719_: bool;
+    var phi_1720_: bool;
+    var phi_1724_: f32;
+    var phi_1725_: f32;
+    var phi_1726_: f32;
+    var phi_1727_: f32;
+    var phi_1735_: f32;
+    var phi_1750_: f32;
+    var phi_1751_: bool;
+    var phi_1752_: f32;
+    var phi_1753_: bool;
+    var phi_1754_: f32;
+    var phi_1755_: bool;
+    var phi_1773_: f32;
+    var phi_1774_: bool;
+    var phi_1775_: bool;
+    var phi_1776_: f32;
+    var phi_1777_: bool;
+    var phi_1778_: bool;
+    var phi_1782_: bool;
+    var phi_1783_: f32;
     var phi_1784_: bool;
-    var phi_1788_: bool;
-    var phi_1789_: f32;
-    var phi_1790_: bool;
-    var phi_1826_: f32;
-    var phi_1835_: f32;
-    var phi_1844_: f32;
-    var phi_1853_: f32;
-    var phi_1860_: f32;
-    var phi_1867_: f32;
-    var phi_1880_: f32;
-    var phi_1889_: f32;
-    var phi_1898_: f32;
-    var phi_1907_: f32;
-    var phi_1914_: f32;
-    var phi_1921_: f32;
-    var phi_1944_: f32;
-    var phi_1949_: f32;
-    var phi_1954_: f32;
-    var phi_1962_: f32;
-    var phi_1967_: f32;
-    var phi_1972_: f32;
-    var phi_1984_: f32;
-    var phi_1989_: f32;
-    var phi_1994_: f32;
-    var phi_1999_: f32;
-    var phi_2004_: lt_bvh_triangle_Intersection;
-    var phi_2005_: bool;
-    var phi_2006_: lt_bvh_triangle_Intersection;
-    var phi_2007_: bool;
-    var phi_2011_: lt_bvh_triangle_Intersection;
-    var phi_2012_: bool;
-    var phi_2013_: lt_bvh_triangle_Intersection;
-    var phi_2014_: bool;
-    var phi_2015_: bool;
-    var phi_2019_: bool;
-    var phi_2023_: lt_bvh_triangle_Intersection;
-    var phi_2062_: bool;
-    var phi_2063_: bool;
-    var phi_2064_: bool;
-    var phi_2065_: bool;
-    var phi_2066_: bool;
-    var phi_2067_: bool;
-    var phi_2071_: bool;
-    var phi_2072_: bool;
-    var phi_2086_: bool;
-    var phi_2094_: lt_bvh_Hit;
-    var phi_2095_: lt_bvh_Hit;
-    var phi_2096_: lt_bvh_Hit;
-    var phi_2097_: lt_bvh_Hit;
+    var phi_1814_: vec3<f32>;
+    var phi_1815_: vec3<f32>;
+    var phi_1840_: vec3<f32>;
+    var phi_1841_: vec3<f32>;
+    var phi_1866_: vec3<f32>;
+    var phi_1867_: vec3<f32>;
+    var phi_1925_: f32;
+    var phi_1934_: f32;
+    var phi_1943_: f32;
+    var phi_1952_: f32;
+    var phi_1959_: f32;
+    var phi_1966_: f32;
+    var phi_1979_: f32;
+    var phi_1988_: f32;
+    var phi_1997_: f32;
+    var phi_2006_: f32;
+    var phi_2013_: f32;
+    var phi_2020_: f32;
+    var phi_2043_: f32;
+    var phi_2048_: f32;
+    var phi_2053_: f32;
+    var phi_2061_: f32;
+    var phi_2066_: f32;
+    var phi_2071_: f32;
+    var phi_2083_: f32;
+    var phi_2088_: f32;
+    var phi_2093_: f32;
+    var phi_2098_: f32;
+    var phi_2103_: lt_bvh_triangle_Intersection;
+    var phi_2104_: bool;
+    var phi_2105_: lt_bvh_triangle_Intersection;
+    var phi_2106_: bool;
+    var phi_2110_: lt_bvh_triangle_Intersection;
+    var phi_2111_: bool;
+    var phi_2112_: lt_bvh_triangle_Intersection;
+    var phi_2113_: bool;
+    var phi_2114_: bool;
+    var phi_2118_: bool;
+    var phi_2122_: lt_bvh_triangle_Intersection;
+    var phi_2161_: bool;
+    var phi_2162_: bool;
+    var phi_2163_: bool;
+    var phi_2164_: bool;
+    var phi_2165_: bool;
+    var phi_2166_: bool;
+    var phi_2170_: bool;
+    var phi_2171_: bool;
+    var phi_2185_: bool;
+    var phi_2193_: lt_bvh_Hit;
+    var phi_2194_: lt_bvh_Hit;
+    var phi_2195_: lt_bvh_Hit;
+    var phi_2196_: lt_bvh_Hit;
     var phi_1536_: lt_bvh_Hit;
     var phi_1539_: u32;
-    var phi_2098_: bool;
-    var phi_2137_: bool;
-    var phi_2138_: bool;
-    var phi_2169_: u32;
+    var phi_2197_: bool;
+    var phi_2236_: bool;
+    var phi_2237_: bool;
+    var phi_2268_: u32;
     var phi_1199_: lt_bvh_Hit;
     var phi_1202_: u32;
-    var phi_2170_: lt_bvh_Hit;
-    var phi_2171_: lt_bvh_Hit;
-    var phi_2172_: bool;
-    var phi_2176_: lt_bvh_Hit;
-    var phi_2240_: f32;
-    var phi_2245_: f32;
-    var phi_2250_: f32;
-    var phi_2261_: f32;
-    var phi_2266_: f32;
-    var phi_2271_: f32;
-    var phi_2347_: vec3<f32>;
-    var phi_2590_: vec3<f32>;
-    var phi_2605_: u32;
-    var phi_2632_: f32;
-    var phi_2639_: f32;
-    var phi_2646_: f32;
-    var phi_2681_: f32;
-    var phi_2688_: f32;
-    var phi_2695_: f32;
-    var phi_2733_: f32;
-    var phi_2740_: f32;
-    var phi_2747_: f32;
-    var phi_2806_: vec3<f32>;
-    var phi_2807_: vec3<f32>;
-    var phi_2808_: vec3<f32>;
-    var phi_2817_: f32;
-    var phi_2818_: f32;
-    var phi_2828_: f32;
-    var phi_2829_: f32;
+    var phi_2269_: lt_bvh_Hit;
+    var phi_2270_: lt_bvh_Hit;
+    var phi_2271_: bool;
+    var phi_2275_: lt_bvh_Hit;
+    var phi_2339_: f32;
+    var phi_2344_: f32;
+    var phi_2349_: f32;
+    var phi_2360_: f32;
+    var phi_2365_: f32;
+    var phi_2370_: f32;
+    var phi_2446_: vec3<f32>;
+    var phi_2689_: vec3<f32>;
+    var phi_2704_: u32;
+    var phi_2731_: f32;
+    var phi_2738_: f32;
+    var phi_2745_: f32;
+    var phi_2780_: f32;
+    var phi_2787_: f32;
+    var phi_2794_: f32;
+    var phi_2832_: f32;
     var phi_2839_: f32;
-    var phi_2840_: f32;
-    var phi_2875_: abi_Sample;
-    var phi_2965_: vec3<f32>;
+    var phi_2846_: f32;
+    var phi_2905_: vec3<f32>;
+    var phi_2906_: vec3<f32>;
+    var phi_2907_: vec3<f32>;
+    var phi_2916_: f32;
+    var phi_2917_: f32;
+    var phi_2927_: f32;
+    var phi_2928_: f32;
+    var phi_2938_: f32;
+    var phi_2939_: f32;
+    var phi_2974_: abi_Sample;
+    var phi_3064_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -949,7 +955,7 @@ fn function_() {
         if _e229 {
             let _e230 = (0u >= _e76);
             if _e230 {
-                phi_2170_ = lt_bvh_Hit();
+                phi_2269_ = lt_bvh_Hit();
             } else {
                 if (0u < _e76) {
                 } else {
@@ -1076,7 +1082,6 @@ fn function_() {
                 let _e415 = phi_1026_;
                 let _e419 = (_e415.x / _e415.z);
                 let _e422 = (_e415.y / _e415.z);
-                let _e424 = (1f / _e415.z);
                 if (_e312 < 0f) {
                     phi_1040_ = 0u;
                 } else {
@@ -1344,7 +1349,7 @@ fn function_() {
                             if (_e1018 == 0u) {
                                 phi_1536_ = lt_bvh_Hit();
                                 phi_1539_ = u32();
-                                phi_2098_ = false;
+                                phi_2197_ = false;
                             } else {
                                 let _e1022 = nodes.member[(0u + _e575)].links[1u];
                                 let _e1027 = ((0u + _e1022) + select(firstTrailingBit(_e1018), 32u, (_e1018 == 0u)));
@@ -1370,917 +1375,970 @@ fn function_() {
                                 let _e1052 = phi_1585_;
                                 let _e1056 = (_e1052.x - (_e419 * _e1052.z));
                                 let _e1060 = (_e1052.y - (_e422 * _e1052.z));
-                                let _e1064 = triangles.member[(0u + _e1027)].v1_;
-                                let _e1067 = (_e1064.x - _e158.origin.x);
-                                let _e1070 = (_e1064.y - _e158.origin.y);
-                                let _e1073 = (_e1064.z - _e158.origin.z);
+                                let _e1062 = triangles.member[(0u + _e1027)].v1_;
+                                let _e1065 = (_e1062.x - _e158.origin.x);
+                                let _e1068 = (_e1062.y - _e158.origin.y);
+                                let _e1071 = (_e1062.z - _e158.origin.z);
                                 if (_e400 == 0u) {
-                                    phi_1619_ = vec3<f32>(_e1070, _e1073, _e1067);
+                                    phi_1617_ = vec3<f32>(_e1068, _e1071, _e1065);
                                 } else {
                                     if (_e400 == 1u) {
-                                        phi_1618_ = vec3<f32>(_e1073, _e1067, _e1070);
+                                        phi_1616_ = vec3<f32>(_e1071, _e1065, _e1068);
                                     } else {
-                                        phi_1618_ = (_e1064 - _e158.origin);
+                                        phi_1616_ = (_e1062 - _e158.origin);
                                     }
-                                    let _e1080 = phi_1618_;
-                                    phi_1619_ = _e1080;
+                                    let _e1078 = phi_1616_;
+                                    phi_1617_ = _e1078;
                                 }
-                                let _e1082 = phi_1619_;
-                                let _e1086 = (_e1082.x - (_e419 * _e1082.z));
-                                let _e1090 = (_e1082.y - (_e422 * _e1082.z));
-                                let _e1094 = triangles.member[(0u + _e1027)].v2_;
-                                let _e1097 = (_e1094.x - _e158.origin.x);
-                                let _e1100 = (_e1094.y - _e158.origin.y);
-                                let _e1103 = (_e1094.z - _e158.origin.z);
+                                let _e1080 = phi_1617_;
+                                let _e1084 = (_e1080.x - (_e419 * _e1080.z));
+                                let _e1088 = (_e1080.y - (_e422 * _e1080.z));
+                                let _e1090 = triangles.member[(0u + _e1027)].v2_;
+                                let _e1093 = (_e1090.x - _e158.origin.x);
+                                let _e1096 = (_e1090.y - _e158.origin.y);
+                                let _e1099 = (_e1090.z - _e158.origin.z);
                                 if (_e400 == 0u) {
-                                    phi_1653_ = vec3<f32>(_e1100, _e1103, _e1097);
+                                    phi_1649_ = vec3<f32>(_e1096, _e1099, _e1093);
                                 } else {
                                     if (_e400 == 1u) {
-                                        phi_1652_ = vec3<f32>(_e1103, _e1097, _e1100);
+                                        phi_1648_ = vec3<f32>(_e1099, _e1093, _e1096);
                                     } else {
-                                        phi_1652_ = (_e1094 - _e158.origin);
+                                        phi_1648_ = (_e1090 - _e158.origin);
                                     }
-                                    let _e1110 = phi_1652_;
-                                    phi_1653_ = _e1110;
+                                    let _e1106 = phi_1648_;
+                                    phi_1649_ = _e1106;
                                 }
-                                let _e1112 = phi_1653_;
-                                let _e1116 = (_e1112.x - (_e419 * _e1112.z));
-                                let _e1120 = (_e1112.y - (_e422 * _e1112.z));
-                                if (_e1086 < _e1116) {
-                                    phi_1674_ = true;
+                                let _e1108 = phi_1649_;
+                                let _e1112 = (_e1108.x - (_e419 * _e1108.z));
+                                let _e1116 = (_e1108.y - (_e422 * _e1108.z));
+                                if (_e1084 < _e1112) {
+                                    phi_1668_ = true;
                                 } else {
-                                    if (_e1086 == _e1116) {
-                                        phi_1673_ = (_e1090 < _e1120);
+                                    if (_e1084 == _e1112) {
+                                        phi_1667_ = (_e1088 < _e1116);
                                     } else {
-                                        phi_1673_ = false;
+                                        phi_1667_ = false;
                                     }
-                                    let _e1127 = phi_1673_;
-                                    phi_1674_ = _e1127;
+                                    let _e1121 = phi_1667_;
+                                    phi_1668_ = _e1121;
                                 }
+                                let _e1123 = phi_1668_;
+                                if _e1123 {
+                                    phi_1672_ = _e1116;
+                                    phi_1673_ = _e1112;
+                                    phi_1674_ = _e1088;
+                                    phi_1675_ = _e1084;
+                                } else {
+                                    phi_1672_ = _e1088;
+                                    phi_1673_ = _e1084;
+                                    phi_1674_ = _e1116;
+                                    phi_1675_ = _e1112;
+                                }
+                                let _e1125 = phi_1672_;
+                                let _e1127 = phi_1673_;
                                 let _e1129 = phi_1674_;
-                                if _e1129 {
-                                    phi_1678_ = _e1120;
-                                    phi_1679_ = _e1116;
-                                    phi_1680_ = _e1090;
-                                    phi_1681_ = _e1086;
+                                let _e1131 = phi_1675_;
+                                let _e1134 = ((_e1131 * _e1125) - (_e1129 * _e1127));
+                                if _e1123 {
+                                    phi_1683_ = -(_e1134);
                                 } else {
-                                    phi_1678_ = _e1090;
-                                    phi_1679_ = _e1086;
-                                    phi_1680_ = _e1120;
-                                    phi_1681_ = _e1116;
+                                    phi_1683_ = _e1134;
                                 }
-                                let _e1131 = phi_1678_;
-                                let _e1133 = phi_1679_;
-                                let _e1135 = phi_1680_;
-                                let _e1137 = phi_1681_;
-                                let _e1140 = ((_e1137 * _e1131) - (_e1135 * _e1133));
-                                if _e1129 {
-                                    phi_1689_ = -(_e1140);
+                                let _e1137 = phi_1683_;
+                                if (_e1112 < _e1056) {
+                                    phi_1694_ = true;
                                 } else {
-                                    phi_1689_ = _e1140;
-                                }
-                                let _e1143 = phi_1689_;
-                                if (_e1116 < _e1056) {
-                                    phi_1700_ = true;
-                                } else {
-                                    if (_e1116 == _e1056) {
-                                        phi_1699_ = (_e1120 < _e1060);
+                                    if (_e1112 == _e1056) {
+                                        phi_1693_ = (_e1116 < _e1060);
                                     } else {
-                                        phi_1699_ = false;
+                                        phi_1693_ = false;
                                     }
-                                    let _e1148 = phi_1699_;
-                                    phi_1700_ = _e1148;
+                                    let _e1142 = phi_1693_;
+                                    phi_1694_ = _e1142;
                                 }
+                                let _e1144 = phi_1694_;
+                                if _e1144 {
+                                    phi_1698_ = _e1060;
+                                    phi_1699_ = _e1056;
+                                    phi_1700_ = _e1116;
+                                    phi_1701_ = _e1112;
+                                } else {
+                                    phi_1698_ = _e1116;
+                                    phi_1699_ = _e1112;
+                                    phi_1700_ = _e1060;
+                                    phi_1701_ = _e1056;
+                                }
+                                let _e1146 = phi_1698_;
+                                let _e1148 = phi_1699_;
                                 let _e1150 = phi_1700_;
-                                if _e1150 {
-                                    phi_1704_ = _e1060;
-                                    phi_1705_ = _e1056;
-                                    phi_1706_ = _e1120;
-                                    phi_1707_ = _e1116;
+                                let _e1152 = phi_1701_;
+                                let _e1155 = ((_e1152 * _e1146) - (_e1150 * _e1148));
+                                if _e1144 {
+                                    phi_1709_ = -(_e1155);
                                 } else {
-                                    phi_1704_ = _e1120;
-                                    phi_1705_ = _e1116;
-                                    phi_1706_ = _e1060;
-                                    phi_1707_ = _e1056;
+                                    phi_1709_ = _e1155;
                                 }
-                                let _e1152 = phi_1704_;
-                                let _e1154 = phi_1705_;
-                                let _e1156 = phi_1706_;
-                                let _e1158 = phi_1707_;
-                                let _e1161 = ((_e1158 * _e1152) - (_e1156 * _e1154));
-                                if _e1150 {
-                                    phi_1715_ = -(_e1161);
+                                let _e1158 = phi_1709_;
+                                if (_e1056 < _e1084) {
+                                    phi_1720_ = true;
                                 } else {
-                                    phi_1715_ = _e1161;
-                                }
-                                let _e1164 = phi_1715_;
-                                if (_e1056 < _e1086) {
-                                    phi_1726_ = true;
-                                } else {
-                                    if (_e1056 == _e1086) {
-                                        phi_1725_ = (_e1060 < _e1090);
+                                    if (_e1056 == _e1084) {
+                                        phi_1719_ = (_e1060 < _e1088);
                                     } else {
-                                        phi_1725_ = false;
+                                        phi_1719_ = false;
                                     }
-                                    let _e1169 = phi_1725_;
-                                    phi_1726_ = _e1169;
+                                    let _e1163 = phi_1719_;
+                                    phi_1720_ = _e1163;
                                 }
+                                let _e1165 = phi_1720_;
+                                if _e1165 {
+                                    phi_1724_ = _e1088;
+                                    phi_1725_ = _e1084;
+                                    phi_1726_ = _e1060;
+                                    phi_1727_ = _e1056;
+                                } else {
+                                    phi_1724_ = _e1060;
+                                    phi_1725_ = _e1056;
+                                    phi_1726_ = _e1088;
+                                    phi_1727_ = _e1084;
+                                }
+                                let _e1167 = phi_1724_;
+                                let _e1169 = phi_1725_;
                                 let _e1171 = phi_1726_;
-                                if _e1171 {
-                                    phi_1730_ = _e1090;
-                                    phi_1731_ = _e1086;
-                                    phi_1732_ = _e1060;
-                                    phi_1733_ = _e1056;
+                                let _e1173 = phi_1727_;
+                                let _e1176 = ((_e1173 * _e1167) - (_e1171 * _e1169));
+                                if _e1165 {
+                                    phi_1735_ = -(_e1176);
                                 } else {
-                                    phi_1730_ = _e1060;
-                                    phi_1731_ = _e1056;
-                                    phi_1732_ = _e1090;
-                                    phi_1733_ = _e1086;
+                                    phi_1735_ = _e1176;
                                 }
-                                let _e1173 = phi_1730_;
-                                let _e1175 = phi_1731_;
-                                let _e1177 = phi_1732_;
-                                let _e1179 = phi_1733_;
-                                let _e1182 = ((_e1179 * _e1173) - (_e1177 * _e1175));
-                                if _e1171 {
-                                    phi_1741_ = -(_e1182);
-                                } else {
-                                    phi_1741_ = _e1182;
-                                }
-                                let _e1185 = phi_1741_;
-                                if (_e1143 >= 0f) {
-                                    if (_e1164 >= 0f) {
-                                        if (_e1185 >= 0f) {
-                                            phi_1756_ = ((_e1143 + _e1164) + _e1185);
-                                            phi_1757_ = false;
+                                let _e1179 = phi_1735_;
+                                if (_e1137 >= 0f) {
+                                    if (_e1158 >= 0f) {
+                                        if (_e1179 >= 0f) {
+                                            phi_1750_ = ((_e1137 + _e1158) + _e1179);
+                                            phi_1751_ = false;
                                         } else {
-                                            phi_1756_ = f32();
-                                            phi_1757_ = true;
+                                            phi_1750_ = f32();
+                                            phi_1751_ = true;
                                         }
-                                        let _e1192 = phi_1756_;
-                                        let _e1194 = phi_1757_;
-                                        phi_1758_ = _e1192;
-                                        phi_1759_ = _e1194;
+                                        let _e1186 = phi_1750_;
+                                        let _e1188 = phi_1751_;
+                                        phi_1752_ = _e1186;
+                                        phi_1753_ = _e1188;
                                     } else {
-                                        phi_1758_ = f32();
-                                        phi_1759_ = true;
+                                        phi_1752_ = f32();
+                                        phi_1753_ = true;
                                     }
-                                    let _e1196 = phi_1758_;
-                                    let _e1198 = phi_1759_;
-                                    phi_1760_ = _e1196;
-                                    phi_1761_ = _e1198;
+                                    let _e1190 = phi_1752_;
+                                    let _e1192 = phi_1753_;
+                                    phi_1754_ = _e1190;
+                                    phi_1755_ = _e1192;
                                 } else {
-                                    phi_1760_ = f32();
-                                    phi_1761_ = true;
+                                    phi_1754_ = f32();
+                                    phi_1755_ = true;
                                 }
-                                let _e1200 = phi_1760_;
-                                let _e1202 = phi_1761_;
-                                if _e1202 {
-                                    if (_e1143 <= 0f) {
-                                        if (_e1164 <= 0f) {
-                                            let _e1205 = (_e1185 <= 0f);
-                                            if _e1205 {
+                                let _e1194 = phi_1754_;
+                                let _e1196 = phi_1755_;
+                                if _e1196 {
+                                    if (_e1137 <= 0f) {
+                                        if (_e1158 <= 0f) {
+                                            let _e1199 = (_e1179 <= 0f);
+                                            if _e1199 {
                                             }
-                                            phi_1779_ = ((_e1143 + _e1164) + _e1185);
-                                            phi_1780_ = false;
-                                            phi_1781_ = _e1205;
+                                            phi_1773_ = ((_e1137 + _e1158) + _e1179);
+                                            phi_1774_ = false;
+                                            phi_1775_ = _e1199;
                                         } else {
-                                            phi_1779_ = f32();
-                                            phi_1780_ = true;
-                                            phi_1781_ = false;
+                                            phi_1773_ = f32();
+                                            phi_1774_ = true;
+                                            phi_1775_ = false;
                                         }
-                                        let _e1209 = phi_1779_;
-                                        let _e1211 = phi_1780_;
-                                        let _e1213 = phi_1781_;
-                                        phi_1782_ = _e1209;
-                                        phi_1783_ = _e1211;
-                                        phi_1784_ = _e1213;
+                                        let _e1203 = phi_1773_;
+                                        let _e1205 = phi_1774_;
+                                        let _e1207 = phi_1775_;
+                                        phi_1776_ = _e1203;
+                                        phi_1777_ = _e1205;
+                                        phi_1778_ = _e1207;
                                     } else {
-                                        phi_1782_ = f32();
-                                        phi_1783_ = true;
-                                        phi_1784_ = false;
+                                        phi_1776_ = f32();
+                                        phi_1777_ = true;
+                                        phi_1778_ = false;
+                                    }
+                                    let _e1209 = phi_1776_;
+                                    let _e1211 = phi_1777_;
+                                    let _e1213 = phi_1778_;
+                                    if _e1211 {
+                                        phi_1782_ = false;
+                                    } else {
+                                        phi_1782_ = _e1213;
                                     }
                                     let _e1215 = phi_1782_;
-                                    let _e1217 = phi_1783_;
-                                    let _e1219 = phi_1784_;
-                                    if _e1217 {
-                                        phi_1788_ = false;
-                                    } else {
-                                        phi_1788_ = _e1219;
-                                    }
-                                    let _e1221 = phi_1788_;
-                                    phi_1789_ = _e1215;
-                                    phi_1790_ = _e1221;
+                                    phi_1783_ = _e1209;
+                                    phi_1784_ = _e1215;
                                 } else {
-                                    phi_1789_ = _e1200;
-                                    phi_1790_ = true;
+                                    phi_1783_ = _e1194;
+                                    phi_1784_ = true;
                                 }
-                                let _e1223 = phi_1789_;
-                                let _e1225 = phi_1790_;
-                                if _e1225 {
-                                    let _e1226 = (_e1223 == 0f);
-                                    if _e1226 {
-                                        phi_2011_ = lt_bvh_triangle_Intersection();
-                                        phi_2012_ = false;
+                                let _e1217 = phi_1783_;
+                                let _e1219 = phi_1784_;
+                                if _e1219 {
+                                    let _e1220 = (_e1217 == 0f);
+                                    if _e1220 {
+                                        phi_2110_ = lt_bvh_triangle_Intersection();
+                                        phi_2111_ = false;
                                     } else {
-                                        let _e1232 = ((((_e1143 * (_e424 * _e1052.z)) + (_e1164 * (_e424 * _e1082.z))) + (_e1185 * (_e424 * _e1112.z))) / _e1223);
-                                        if (_e1232 > _e158.tmin) {
-                                            if (_e1232 < _e158.tmax) {
-                                                let _e1238 = triangles.member[(0u + _e1027)].v0_;
-                                                let _e1240 = triangles.member[(0u + _e1027)].v1_;
-                                                if (_e1238.x < _e1240.x) {
-                                                    phi_1826_ = _e1238.x;
-                                                } else {
-                                                    phi_1826_ = _e1240.x;
-                                                }
-                                                let _e1247 = phi_1826_;
-                                                if (_e1238.y < _e1240.y) {
-                                                    phi_1835_ = _e1238.y;
-                                                } else {
-                                                    phi_1835_ = _e1240.y;
-                                                }
-                                                let _e1254 = phi_1835_;
-                                                if (_e1238.z < _e1240.z) {
-                                                    phi_1844_ = _e1238.z;
-                                                } else {
-                                                    phi_1844_ = _e1240.z;
-                                                }
-                                                let _e1261 = phi_1844_;
-                                                let _e1263 = triangles.member[(0u + _e1027)].v2_;
-                                                if (_e1247 < _e1263.x) {
-                                                    phi_1853_ = _e1247;
-                                                } else {
-                                                    phi_1853_ = _e1263.x;
-                                                }
-                                                let _e1268 = phi_1853_;
-                                                if (_e1254 < _e1263.y) {
-                                                    phi_1860_ = _e1254;
-                                                } else {
-                                                    phi_1860_ = _e1263.y;
-                                                }
-                                                let _e1273 = phi_1860_;
-                                                if (_e1261 < _e1263.z) {
-                                                    phi_1867_ = _e1261;
-                                                } else {
-                                                    phi_1867_ = _e1263.z;
-                                                }
-                                                let _e1278 = phi_1867_;
-                                                let _e1280 = triangles.member[(0u + _e1027)].v0_;
-                                                let _e1282 = triangles.member[(0u + _e1027)].v1_;
-                                                if (_e1280.x > _e1282.x) {
-                                                    phi_1880_ = _e1280.x;
-                                                } else {
-                                                    phi_1880_ = _e1282.x;
-                                                }
-                                                let _e1289 = phi_1880_;
-                                                if (_e1280.y > _e1282.y) {
-                                                    phi_1889_ = _e1280.y;
-                                                } else {
-                                                    phi_1889_ = _e1282.y;
-                                                }
-                                                let _e1296 = phi_1889_;
-                                                if (_e1280.z > _e1282.z) {
-                                                    phi_1898_ = _e1280.z;
-                                                } else {
-                                                    phi_1898_ = _e1282.z;
-                                                }
-                                                let _e1303 = phi_1898_;
-                                                let _e1305 = triangles.member[(0u + _e1027)].v2_;
-                                                if (_e1289 > _e1305.x) {
-                                                    phi_1907_ = _e1289;
-                                                } else {
-                                                    phi_1907_ = _e1305.x;
-                                                }
-                                                let _e1310 = phi_1907_;
-                                                if (_e1296 > _e1305.y) {
-                                                    phi_1914_ = _e1296;
-                                                } else {
-                                                    phi_1914_ = _e1305.y;
-                                                }
-                                                let _e1315 = phi_1914_;
-                                                if (_e1303 > _e1305.z) {
-                                                    phi_1921_ = _e1303;
-                                                } else {
-                                                    phi_1921_ = _e1305.z;
-                                                }
-                                                let _e1320 = phi_1921_;
-                                                let _e1327 = ((_e1268 - _e158.origin.x) * _e312);
-                                                let _e1328 = ((_e1273 - _e158.origin.y) * _e324);
-                                                let _e1329 = ((_e1278 - _e158.origin.z) * _e336);
-                                                let _e1336 = ((_e1310 - _e158.origin.x) * _e312);
-                                                let _e1337 = ((_e1315 - _e158.origin.y) * _e324);
-                                                let _e1338 = ((_e1320 - _e158.origin.z) * _e336);
-                                                if (_e1327 < _e1336) {
-                                                    phi_1944_ = _e1327;
-                                                } else {
-                                                    phi_1944_ = _e1336;
-                                                }
-                                                let _e1341 = phi_1944_;
-                                                if (_e1328 < _e1337) {
-                                                    phi_1949_ = _e1328;
-                                                } else {
-                                                    phi_1949_ = _e1337;
-                                                }
-                                                let _e1344 = phi_1949_;
-                                                if (_e1329 < _e1338) {
-                                                    phi_1954_ = _e1329;
-                                                } else {
-                                                    phi_1954_ = _e1338;
-                                                }
-                                                let _e1347 = phi_1954_;
-                                                if (_e1327 > _e1336) {
-                                                    phi_1962_ = _e1327;
-                                                } else {
-                                                    phi_1962_ = _e1336;
-                                                }
-                                                let _e1353 = phi_1962_;
-                                                if (_e1328 > _e1337) {
-                                                    phi_1967_ = _e1328;
-                                                } else {
-                                                    phi_1967_ = _e1337;
-                                                }
-                                                let _e1356 = phi_1967_;
-                                                if (_e1329 > _e1338) {
-                                                    phi_1972_ = _e1329;
-                                                } else {
-                                                    phi_1972_ = _e1338;
-                                                }
-                                                let _e1359 = phi_1972_;
-                                                let _e1363 = core_intrinsics_maximum_number_nsz_f32_((_e1341 - _e380), (_e1344 - _e381));
-                                                let _e1364 = core_intrinsics_maximum_number_nsz_f32_(_e1363, (_e1347 - _e382));
-                                                let _e1365 = core_intrinsics_minimum_number_nsz_f32_((_e1353 + _e380), (_e1356 + _e381));
-                                                let _e1366 = core_intrinsics_minimum_number_nsz_f32_(_e1365, (_e1359 + _e382));
-                                                if (_e1364 > -300000000000000000000000000000000000000f) {
-                                                    phi_1984_ = _e1364;
-                                                } else {
-                                                    phi_1984_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1369 = phi_1984_;
-                                                if (_e1366 < 300000000000000000000000000000000000000f) {
-                                                    phi_1989_ = _e1366;
-                                                } else {
-                                                    phi_1989_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1372 = phi_1989_;
-                                                if (_e1232 < _e1369) {
-                                                    phi_1994_ = _e1369;
-                                                } else {
-                                                    phi_1994_ = _e1232;
-                                                }
-                                                let _e1375 = phi_1994_;
-                                                if (_e1375 > _e1372) {
-                                                    phi_1999_ = _e1372;
-                                                } else {
-                                                    phi_1999_ = _e1375;
-                                                }
-                                                let _e1378 = phi_1999_;
-                                                phi_2004_ = lt_bvh_triangle_Intersection(_e1378, (_e1164 / _e1223), (_e1185 / _e1223), (_e1369 <= _e1372));
-                                                phi_2005_ = false;
+                                        let _e1222 = triangles.member[(0u + _e1027)].v0_;
+                                        let _e1225 = (_e1222.x - _e158.origin.x);
+                                        let _e1228 = (_e1222.y - _e158.origin.y);
+                                        let _e1231 = (_e1222.z - _e158.origin.z);
+                                        if (_e400 == 0u) {
+                                            phi_1815_ = vec3<f32>(_e1228, _e1231, _e1225);
+                                        } else {
+                                            if (_e400 == 1u) {
+                                                phi_1814_ = vec3<f32>(_e1231, _e1225, _e1228);
                                             } else {
-                                                phi_2004_ = lt_bvh_triangle_Intersection();
-                                                phi_2005_ = true;
+                                                phi_1814_ = (_e1222 - _e158.origin);
                                             }
-                                            let _e1384 = phi_2004_;
-                                            let _e1386 = phi_2005_;
-                                            phi_2006_ = _e1384;
-                                            phi_2007_ = _e1386;
+                                            let _e1238 = phi_1814_;
+                                            phi_1815_ = _e1238;
+                                        }
+                                        let _e1240 = phi_1815_;
+                                        let _e1242 = triangles.member[(0u + _e1027)].v1_;
+                                        let _e1244 = triangles.member[(0u + _e1027)].v0_;
+                                        let _e1247 = (_e1242.x - _e1244.x);
+                                        let _e1250 = (_e1242.y - _e1244.y);
+                                        let _e1253 = (_e1242.z - _e1244.z);
+                                        if (_e400 == 0u) {
+                                            phi_1841_ = vec3<f32>(_e1250, _e1253, _e1247);
                                         } else {
-                                            phi_2006_ = lt_bvh_triangle_Intersection();
-                                            phi_2007_ = true;
+                                            if (_e400 == 1u) {
+                                                phi_1840_ = vec3<f32>(_e1253, _e1247, _e1250);
+                                            } else {
+                                                phi_1840_ = (_e1242 - _e1244);
+                                            }
+                                            let _e1260 = phi_1840_;
+                                            phi_1841_ = _e1260;
                                         }
-                                        let _e1388 = phi_2006_;
-                                        let _e1390 = phi_2007_;
-                                        if _e1390 {
+                                        let _e1262 = phi_1841_;
+                                        let _e1264 = triangles.member[(0u + _e1027)].v2_;
+                                        let _e1266 = triangles.member[(0u + _e1027)].v0_;
+                                        let _e1269 = (_e1264.x - _e1266.x);
+                                        let _e1272 = (_e1264.y - _e1266.y);
+                                        let _e1275 = (_e1264.z - _e1266.z);
+                                        if (_e400 == 0u) {
+                                            phi_1867_ = vec3<f32>(_e1272, _e1275, _e1269);
+                                        } else {
+                                            if (_e400 == 1u) {
+                                                phi_1866_ = vec3<f32>(_e1275, _e1269, _e1272);
+                                            } else {
+                                                phi_1866_ = (_e1264 - _e1266);
+                                            }
+                                            let _e1282 = phi_1866_;
+                                            phi_1867_ = _e1282;
                                         }
-                                        phi_2011_ = _e1388;
-                                        phi_2012_ = _e1390;
+                                        let _e1284 = phi_1867_;
+                                        let _e1291 = ((_e1262.y * _e1284.z) - (_e1262.z * _e1284.y));
+                                        let _e1298 = ((_e1262.z * _e1284.x) - (_e1262.x * _e1284.z));
+                                        let _e1305 = ((_e1262.x * _e1284.y) - (_e1262.y * _e1284.x));
+                                        let _e1319 = (((1f / _e415.z) * (((_e1291 * _e1240.x) + (_e1298 * _e1240.y)) + (_e1305 * _e1240.z))) / (((_e1291 * _e419) + (_e1298 * _e422)) + _e1305));
+                                        if (_e1319 > _e158.tmin) {
+                                            if (_e1319 < _e158.tmax) {
+                                                let _e1325 = triangles.member[(0u + _e1027)].v0_;
+                                                let _e1327 = triangles.member[(0u + _e1027)].v1_;
+                                                if (_e1325.x < _e1327.x) {
+                                                    phi_1925_ = _e1325.x;
+                                                } else {
+                                                    phi_1925_ = _e1327.x;
+                                                }
+                                                let _e1334 = phi_1925_;
+                                                if (_e1325.y < _e1327.y) {
+                                                    phi_1934_ = _e1325.y;
+                                                } else {
+                                                    phi_1934_ = _e1327.y;
+                                                }
+                                                let _e1341 = phi_1934_;
+                                                if (_e1325.z < _e1327.z) {
+                                                    phi_1943_ = _e1325.z;
+                                                } else {
+                                                    phi_1943_ = _e1327.z;
+                                                }
+                                                let _e1348 = phi_1943_;
+                                                let _e1350 = triangles.member[(0u + _e1027)].v2_;
+                                                if (_e1334 < _e1350.x) {
+                                                    phi_1952_ = _e1334;
+                                                } else {
+                                                    phi_1952_ = _e1350.x;
+                                                }
+                                                let _e1355 = phi_1952_;
+                                                if (_e1341 < _e1350.y) {
+                                                    phi_1959_ = _e1341;
+                                                } else {
+                                                    phi_1959_ = _e1350.y;
+                                                }
+                                                let _e1360 = phi_1959_;
+                                                if (_e1348 < _e1350.z) {
+                                                    phi_1966_ = _e1348;
+                                                } else {
+                                                    phi_1966_ = _e1350.z;
+                                                }
+                                                let _e1365 = phi_1966_;
+                                                let _e1367 = triangles.member[(0u + _e1027)].v0_;
+                                                let _e1369 = triangles.member[(0u + _e1027)].v1_;
+                                                if (_e1367.x > _e1369.x) {
+                                                    phi_1979_ = _e1367.x;
+                                                } else {
+                                                    phi_1979_ = _e1369.x;
+                                                }
+                                                let _e1376 = phi_1979_;
+                                                if (_e1367.y > _e1369.y) {
+                                                    phi_1988_ = _e1367.y;
+                                                } else {
+                                                    phi_1988_ = _e1369.y;
+                                                }
+                                                let _e1383 = phi_1988_;
+                                                if (_e1367.z > _e1369.z) {
+                                                    phi_1997_ = _e1367.z;
+                                                } else {
+                                                    phi_1997_ = _e1369.z;
+                                                }
+                                                let _e1390 = phi_1997_;
+                                                let _e1392 = triangles.member[(0u + _e1027)].v2_;
+                                                if (_e1376 > _e1392.x) {
+                                                    phi_2006_ = _e1376;
+                                                } else {
+                                                    phi_2006_ = _e1392.x;
+                                                }
+                                                let _e1397 = phi_2006_;
+                                                if (_e1383 > _e1392.y) {
+                                                    phi_2013_ = _e1383;
+                                                } else {
+                                                    phi_2013_ = _e1392.y;
+                                                }
+                                                let _e1402 = phi_2013_;
+                                                if (_e1390 > _e1392.z) {
+                                                    phi_2020_ = _e1390;
+                                                } else {
+                                                    phi_2020_ = _e1392.z;
+                                                }
+                                                let _e1407 = phi_2020_;
+                                                let _e1414 = ((_e1355 - _e158.origin.x) * _e312);
+                                                let _e1415 = ((_e1360 - _e158.origin.y) * _e324);
+                                                let _e1416 = ((_e1365 - _e158.origin.z) * _e336);
+                                                let _e1423 = ((_e1397 - _e158.origin.x) * _e312);
+                                                let _e1424 = ((_e1402 - _e158.origin.y) * _e324);
+                                                let _e1425 = ((_e1407 - _e158.origin.z) * _e336);
+                                                if (_e1414 < _e1423) {
+                                                    phi_2043_ = _e1414;
+                                                } else {
+                                                    phi_2043_ = _e1423;
+                                                }
+                                                let _e1428 = phi_2043_;
+                                                if (_e1415 < _e1424) {
+                                                    phi_2048_ = _e1415;
+                                                } else {
+                                                    phi_2048_ = _e1424;
+                                                }
+                                                let _e1431 = phi_2048_;
+                                                if (_e1416 < _e1425) {
+                                                    phi_2053_ = _e1416;
+                                                } else {
+                                                    phi_2053_ = _e1425;
+                                                }
+                                                let _e1434 = phi_2053_;
+                                                if (_e1414 > _e1423) {
+                                                    phi_2061_ = _e1414;
+                                                } else {
+                                                    phi_2061_ = _e1423;
+                                                }
+                                                let _e1440 = phi_2061_;
+                                                if (_e1415 > _e1424) {
+                                                    phi_2066_ = _e1415;
+                                                } else {
+                                                    phi_2066_ = _e1424;
+                                                }
+                                                let _e1443 = phi_2066_;
+                                                if (_e1416 > _e1425) {
+                                                    phi_2071_ = _e1416;
+                                                } else {
+                                                    phi_2071_ = _e1425;
+                                                }
+                                                let _e1446 = phi_2071_;
+                                                let _e1450 = core_intrinsics_maximum_number_nsz_f32_((_e1428 - _e380), (_e1431 - _e381));
+                                                let _e1451 = core_intrinsics_maximum_number_nsz_f32_(_e1450, (_e1434 - _e382));
+                                                let _e1452 = core_intrinsics_minimum_number_nsz_f32_((_e1440 + _e380), (_e1443 + _e381));
+                                                let _e1453 = core_intrinsics_minimum_number_nsz_f32_(_e1452, (_e1446 + _e382));
+                                                if (_e1451 > -300000000000000000000000000000000000000f) {
+                                                    phi_2083_ = _e1451;
+                                                } else {
+                                                    phi_2083_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1456 = phi_2083_;
+                                                if (_e1453 < 300000000000000000000000000000000000000f) {
+                                                    phi_2088_ = _e1453;
+                                                } else {
+                                                    phi_2088_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1459 = phi_2088_;
+                                                if (_e1319 < _e1456) {
+                                                    phi_2093_ = _e1456;
+                                                } else {
+                                                    phi_2093_ = _e1319;
+                                                }
+                                                let _e1462 = phi_2093_;
+                                                if (_e1462 > _e1459) {
+                                                    phi_2098_ = _e1459;
+                                                } else {
+                                                    phi_2098_ = _e1462;
+                                                }
+                                                let _e1465 = phi_2098_;
+                                                phi_2103_ = lt_bvh_triangle_Intersection(_e1465, (_e1158 / _e1217), (_e1179 / _e1217), (_e1456 <= _e1459));
+                                                phi_2104_ = false;
+                                            } else {
+                                                phi_2103_ = lt_bvh_triangle_Intersection();
+                                                phi_2104_ = true;
+                                            }
+                                            let _e1471 = phi_2103_;
+                                            let _e1473 = phi_2104_;
+                                            phi_2105_ = _e1471;
+                                            phi_2106_ = _e1473;
+                                        } else {
+                                            phi_2105_ = lt_bvh_triangle_Intersection();
+                                            phi_2106_ = true;
+                                        }
+                                        let _e1475 = phi_2105_;
+                                        let _e1477 = phi_2106_;
+                                        if _e1477 {
+                                        }
+                                        phi_2110_ = _e1475;
+                                        phi_2111_ = _e1477;
                                     }
-                                    let _e1392 = phi_2011_;
-                                    let _e1394 = phi_2012_;
-                                    phi_2013_ = _e1392;
-                                    phi_2014_ = _e1226;
-                                    phi_2015_ = _e1394;
+                                    let _e1479 = phi_2110_;
+                                    let _e1481 = phi_2111_;
+                                    phi_2112_ = _e1479;
+                                    phi_2113_ = _e1220;
+                                    phi_2114_ = _e1481;
                                 } else {
-                                    phi_2013_ = lt_bvh_triangle_Intersection();
-                                    phi_2014_ = true;
-                                    phi_2015_ = false;
+                                    phi_2112_ = lt_bvh_triangle_Intersection();
+                                    phi_2113_ = true;
+                                    phi_2114_ = false;
                                 }
-                                let _e1396 = phi_2013_;
-                                let _e1398 = phi_2014_;
-                                let _e1400 = phi_2015_;
-                                if _e1398 {
-                                    phi_2019_ = true;
+                                let _e1483 = phi_2112_;
+                                let _e1485 = phi_2113_;
+                                let _e1487 = phi_2114_;
+                                if _e1485 {
+                                    phi_2118_ = true;
                                 } else {
-                                    phi_2019_ = _e1400;
+                                    phi_2118_ = _e1487;
                                 }
-                                let _e1402 = phi_2019_;
-                                if _e1402 {
-                                    phi_2023_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1489 = phi_2118_;
+                                if _e1489 {
+                                    phi_2122_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2023_ = _e1396;
+                                    phi_2122_ = _e1483;
                                 }
-                                let _e1404 = phi_2023_;
-                                if _e1404.is_hit {
-                                    if (_e1404.t > _e158.tmin) {
-                                        if (_e1404.t < _e1016.t) {
-                                            phi_2072_ = true;
+                                let _e1491 = phi_2122_;
+                                if _e1491.is_hit {
+                                    if (_e1491.t > _e158.tmin) {
+                                        if (_e1491.t < _e1016.t) {
+                                            phi_2171_ = true;
                                         } else {
-                                            if (_e1404.t == _e1016.t) {
+                                            if (_e1491.t == _e1016.t) {
                                                 if (_e1016.triangle != 4294967295u) {
                                                     if (_e1027 < _e1016.triangle) {
-                                                        phi_2063_ = true;
+                                                        phi_2162_ = true;
                                                     } else {
                                                         if (_e1027 == _e1016.triangle) {
-                                                            phi_2062_ = (4294967295u < _e1016.instance);
+                                                            phi_2161_ = (4294967295u < _e1016.instance);
                                                         } else {
-                                                            phi_2062_ = false;
+                                                            phi_2161_ = false;
                                                         }
-                                                        let _e1423 = phi_2062_;
-                                                        phi_2063_ = _e1423;
+                                                        let _e1510 = phi_2161_;
+                                                        phi_2162_ = _e1510;
                                                     }
-                                                    let _e1425 = phi_2063_;
-                                                    phi_2064_ = _e1425;
-                                                    phi_2065_ = false;
+                                                    let _e1512 = phi_2162_;
+                                                    phi_2163_ = _e1512;
+                                                    phi_2164_ = false;
                                                 } else {
-                                                    phi_2064_ = bool();
-                                                    phi_2065_ = true;
+                                                    phi_2163_ = bool();
+                                                    phi_2164_ = true;
                                                 }
-                                                let _e1427 = phi_2064_;
-                                                let _e1429 = phi_2065_;
-                                                phi_2066_ = _e1427;
-                                                phi_2067_ = _e1429;
+                                                let _e1514 = phi_2163_;
+                                                let _e1516 = phi_2164_;
+                                                phi_2165_ = _e1514;
+                                                phi_2166_ = _e1516;
                                             } else {
-                                                phi_2066_ = bool();
-                                                phi_2067_ = true;
+                                                phi_2165_ = bool();
+                                                phi_2166_ = true;
                                             }
-                                            let _e1431 = phi_2066_;
-                                            let _e1433 = phi_2067_;
-                                            if _e1433 {
-                                                phi_2071_ = false;
+                                            let _e1518 = phi_2165_;
+                                            let _e1520 = phi_2166_;
+                                            if _e1520 {
+                                                phi_2170_ = false;
                                             } else {
-                                                phi_2071_ = _e1431;
+                                                phi_2170_ = _e1518;
                                             }
-                                            let _e1435 = phi_2071_;
-                                            phi_2072_ = _e1435;
+                                            let _e1522 = phi_2170_;
+                                            phi_2171_ = _e1522;
                                         }
-                                        let _e1437 = phi_2072_;
-                                        if _e1437 {
-                                            let _e1439 = triangles.member[(0u + _e1027)].i0_;
-                                            if ((_e1439 & 2147483648u) == 0u) {
-                                                phi_2086_ = true;
+                                        let _e1524 = phi_2171_;
+                                        if _e1524 {
+                                            let _e1526 = triangles.member[(0u + _e1027)].i0_;
+                                            if ((_e1526 & 2147483648u) == 0u) {
+                                                phi_2185_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_2086_ = true;
+                                                phi_2185_ = true;
                                             }
-                                            let _e1443 = phi_2086_;
-                                            if _e1443 {
-                                                phi_2094_ = lt_bvh_Hit(_e1404.t, _e1404.u, _e1404.v, _e1027, 4294967295u);
+                                            let _e1530 = phi_2185_;
+                                            if _e1530 {
+                                                phi_2193_ = lt_bvh_Hit(_e1491.t, _e1491.u, _e1491.v, _e1027, 4294967295u);
                                             } else {
-                                                phi_2094_ = _e1016;
+                                                phi_2193_ = _e1016;
                                             }
-                                            let _e1449 = phi_2094_;
-                                            phi_2095_ = _e1449;
+                                            let _e1536 = phi_2193_;
+                                            phi_2194_ = _e1536;
                                         } else {
-                                            phi_2095_ = _e1016;
+                                            phi_2194_ = _e1016;
                                         }
-                                        let _e1451 = phi_2095_;
-                                        phi_2096_ = _e1451;
+                                        let _e1538 = phi_2194_;
+                                        phi_2195_ = _e1538;
                                     } else {
-                                        phi_2096_ = _e1016;
+                                        phi_2195_ = _e1016;
                                     }
-                                    let _e1453 = phi_2096_;
-                                    phi_2097_ = _e1453;
+                                    let _e1540 = phi_2195_;
+                                    phi_2196_ = _e1540;
                                 } else {
-                                    phi_2097_ = _e1016;
+                                    phi_2196_ = _e1016;
                                 }
-                                let _e1455 = phi_2097_;
-                                phi_1536_ = _e1455;
+                                let _e1542 = phi_2196_;
+                                phi_1536_ = _e1542;
                                 phi_1539_ = (_e1018 & (_e1018 - 1u));
-                                phi_2098_ = true;
+                                phi_2197_ = true;
                             }
-                            let _e1457 = phi_1536_;
-                            let _e1459 = phi_1539_;
-                            let _e1461 = phi_2098_;
+                            let _e1544 = phi_1536_;
+                            let _e1546 = phi_1539_;
+                            let _e1548 = phi_2197_;
                             continue;
                             continuing {
-                                phi_1535_ = _e1457;
-                                phi_1538_ = _e1459;
-                                break if !(_e1461);
+                                phi_1535_ = _e1544;
+                                phi_1538_ = _e1546;
+                                break if !(_e1548);
                             }
                         }
-                        let _e1464 = local_1.group_mask;
-                        if ((_e1464 & 4278190080u) == 0u) {
-                            let _e1468 = local_1.len;
-                            if (_e1468 == 0u) {
-                                phi_2137_ = false;
+                        let _e1551 = local_1.group_mask;
+                        if ((_e1551 & 4278190080u) == 0u) {
+                            let _e1555 = local_1.len;
+                            if (_e1555 == 0u) {
+                                phi_2236_ = false;
                             } else {
-                                let _e1472 = local_1.len;
-                                local_1.len = (_e1472 - 1u);
-                                let _e1475 = local_1.len;
-                                if (_e1475 < 32u) {
+                                let _e1559 = local_1.len;
+                                local_1.len = (_e1559 - 1u);
+                                let _e1562 = local_1.len;
+                                if (_e1562 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1480 = local_1.first[(0u + _e1475)];
-                                local_1.group = _e1480;
-                                let _e1483 = local_1.len;
-                                if (_e1483 < 32u) {
+                                let _e1567 = local_1.first[(0u + _e1562)];
+                                local_1.group = _e1567;
+                                let _e1570 = local_1.len;
+                                if (_e1570 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1488 = local_1.mask[(0u + _e1483)];
-                                local_1.group_mask = _e1488;
-                                phi_2137_ = true;
+                                let _e1575 = local_1.mask[(0u + _e1570)];
+                                local_1.group_mask = _e1575;
+                                phi_2236_ = true;
                             }
-                            let _e1491 = phi_2137_;
-                            phi_2138_ = _e1491;
+                            let _e1578 = phi_2236_;
+                            phi_2237_ = _e1578;
                         } else {
-                            phi_2138_ = true;
+                            phi_2237_ = true;
                         }
-                        let _e1493 = phi_2138_;
-                        if _e1493 {
-                            let _e1495 = local_1.group_mask;
-                            let _e1501 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1495)), 32u, (_e1495 == 0u)));
-                            let _e1505 = local_1.group_mask;
-                            let _e1519 = local_1.group_mask;
-                            local_1.group_mask = (_e1519 & ~((1u << bitcast<u32>((_e1501 & 31u)))));
-                            let _e1522 = local_1.group;
-                            phi_2169_ = (_e1522 + countOneBits(((_e1505 & ~((4294967295u << bitcast<u32>((((_e1501 - 24u) ^ _e435) & 31u))))) & 255u)));
+                        let _e1580 = phi_2237_;
+                        if _e1580 {
+                            let _e1582 = local_1.group_mask;
+                            let _e1588 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1582)), 32u, (_e1582 == 0u)));
+                            let _e1592 = local_1.group_mask;
+                            let _e1606 = local_1.group_mask;
+                            local_1.group_mask = (_e1606 & ~((1u << bitcast<u32>((_e1588 & 31u)))));
+                            let _e1609 = local_1.group;
+                            phi_2268_ = (_e1609 + countOneBits(((_e1592 & ~((4294967295u << bitcast<u32>((((_e1588 - 24u) ^ _e435) & 31u))))) & 255u)));
                         } else {
-                            phi_2169_ = 4294967295u;
+                            phi_2268_ = 4294967295u;
                         }
-                        let _e1525 = phi_2169_;
-                        let _e2438 = local_5;
-                        phi_1199_ = _e2438;
-                        phi_1202_ = _e1525;
+                        let _e1612 = phi_2268_;
+                        let _e2531 = local_5;
+                        phi_1199_ = _e2531;
+                        phi_1202_ = _e1612;
                     } else {
                         phi_1199_ = lt_bvh_Hit();
                         phi_1202_ = u32();
                     }
-                    let _e1527 = phi_1199_;
-                    let _e1529 = phi_1202_;
+                    let _e1614 = phi_1199_;
+                    let _e1616 = phi_1202_;
                     continue;
                     continuing {
-                        phi_1198_ = _e1527;
-                        phi_1201_ = _e1529;
+                        phi_1198_ = _e1614;
+                        phi_1201_ = _e1616;
                         break if !(_e576);
                     }
                 }
-                let _e2442 = local_6;
-                phi_2170_ = _e2442;
+                let _e2535 = local_6;
+                phi_2269_ = _e2535;
             }
-            let _e1532 = phi_2170_;
-            phi_2171_ = _e1532;
-            phi_2172_ = _e230;
+            let _e1619 = phi_2269_;
+            phi_2270_ = _e1619;
+            phi_2271_ = _e230;
         } else {
-            phi_2171_ = lt_bvh_Hit();
-            phi_2172_ = true;
+            phi_2270_ = lt_bvh_Hit();
+            phi_2271_ = true;
         }
-        let _e1534 = phi_2171_;
-        let _e1536 = phi_2172_;
-        if _e1536 {
-            phi_2176_ = _e160;
+        let _e1621 = phi_2270_;
+        let _e1623 = phi_2271_;
+        if _e1623 {
+            phi_2275_ = _e160;
         } else {
-            phi_2176_ = _e1534;
+            phi_2275_ = _e1621;
         }
-        let _e1538 = phi_2176_;
-        if (_e1538.triangle != 4294967295u) {
-            let _e1544 = ((1f - _e1538.u) - _e1538.v);
-            if (_e1538.triangle < _e79) {
+        let _e1625 = phi_2275_;
+        if (_e1625.triangle != 4294967295u) {
+            let _e1631 = ((1f - _e1625.u) - _e1625.v);
+            if (_e1625.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1549 = triangles.member[(0u + _e1538.triangle)];
-            let _e1574 = (((_e1549.v0_.x * _e1544) + (_e1549.v1_.x * _e1538.u)) + (_e1549.v2_.x * _e1538.v));
-            let _e1575 = (((_e1549.v0_.y * _e1544) + (_e1549.v1_.y * _e1538.u)) + (_e1549.v2_.y * _e1538.v));
-            let _e1576 = (((_e1549.v0_.z * _e1544) + (_e1549.v1_.z * _e1538.u)) + (_e1549.v2_.z * _e1538.v));
-            let _e1579 = abs(_e1549.v0_.x);
-            let _e1581 = abs(_e1549.v0_.y);
-            let _e1583 = abs(_e1549.v0_.z);
-            let _e1585 = abs(_e1549.v1_.x);
-            let _e1587 = abs(_e1549.v1_.y);
-            let _e1589 = abs(_e1549.v1_.z);
-            if (_e1579 > _e1585) {
-                phi_2240_ = _e1579;
+            let _e1636 = triangles.member[(0u + _e1625.triangle)];
+            let _e1661 = (((_e1636.v0_.x * _e1631) + (_e1636.v1_.x * _e1625.u)) + (_e1636.v2_.x * _e1625.v));
+            let _e1662 = (((_e1636.v0_.y * _e1631) + (_e1636.v1_.y * _e1625.u)) + (_e1636.v2_.y * _e1625.v));
+            let _e1663 = (((_e1636.v0_.z * _e1631) + (_e1636.v1_.z * _e1625.u)) + (_e1636.v2_.z * _e1625.v));
+            let _e1666 = abs(_e1636.v0_.x);
+            let _e1668 = abs(_e1636.v0_.y);
+            let _e1670 = abs(_e1636.v0_.z);
+            let _e1672 = abs(_e1636.v1_.x);
+            let _e1674 = abs(_e1636.v1_.y);
+            let _e1676 = abs(_e1636.v1_.z);
+            if (_e1666 > _e1672) {
+                phi_2339_ = _e1666;
             } else {
-                phi_2240_ = _e1585;
+                phi_2339_ = _e1672;
             }
-            let _e1592 = phi_2240_;
-            if (_e1581 > _e1587) {
-                phi_2245_ = _e1581;
+            let _e1679 = phi_2339_;
+            if (_e1668 > _e1674) {
+                phi_2344_ = _e1668;
             } else {
-                phi_2245_ = _e1587;
+                phi_2344_ = _e1674;
             }
-            let _e1595 = phi_2245_;
-            if (_e1583 > _e1589) {
-                phi_2250_ = _e1583;
+            let _e1682 = phi_2344_;
+            if (_e1670 > _e1676) {
+                phi_2349_ = _e1670;
             } else {
-                phi_2250_ = _e1589;
+                phi_2349_ = _e1676;
             }
-            let _e1598 = phi_2250_;
-            let _e1600 = abs(_e1549.v2_.x);
-            let _e1602 = abs(_e1549.v2_.y);
-            let _e1604 = abs(_e1549.v2_.z);
-            if (_e1592 > _e1600) {
-                phi_2261_ = _e1592;
+            let _e1685 = phi_2349_;
+            let _e1687 = abs(_e1636.v2_.x);
+            let _e1689 = abs(_e1636.v2_.y);
+            let _e1691 = abs(_e1636.v2_.z);
+            if (_e1679 > _e1687) {
+                phi_2360_ = _e1679;
             } else {
-                phi_2261_ = _e1600;
+                phi_2360_ = _e1687;
             }
-            let _e1607 = phi_2261_;
-            if (_e1595 > _e1602) {
-                phi_2266_ = _e1595;
+            let _e1694 = phi_2360_;
+            if (_e1682 > _e1689) {
+                phi_2365_ = _e1682;
             } else {
-                phi_2266_ = _e1602;
+                phi_2365_ = _e1689;
             }
-            let _e1610 = phi_2266_;
-            if (_e1598 > _e1604) {
-                phi_2271_ = _e1598;
+            let _e1697 = phi_2365_;
+            if (_e1685 > _e1691) {
+                phi_2370_ = _e1685;
             } else {
-                phi_2271_ = _e1604;
+                phi_2370_ = _e1691;
             }
-            let _e1613 = phi_2271_;
-            let _e1616 = (_e1549.v1_.x - _e1549.v0_.x);
-            let _e1619 = (_e1549.v1_.y - _e1549.v0_.y);
-            let _e1622 = (_e1549.v1_.z - _e1549.v0_.z);
-            let _e1625 = (_e1549.v2_.x - _e1549.v0_.x);
-            let _e1628 = (_e1549.v2_.y - _e1549.v0_.y);
-            let _e1631 = (_e1549.v2_.z - _e1549.v0_.z);
-            let _e1635 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1619), abs(_e1622));
-            let _e1636 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1616), _e1635);
-            let _e1637 = (_e1616 / _e1636);
-            let _e1638 = (_e1619 / _e1636);
-            let _e1639 = (_e1622 / _e1636);
-            let _e1643 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1628), abs(_e1631));
-            let _e1644 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1625), _e1643);
-            let _e1645 = (_e1625 / _e1644);
-            let _e1646 = (_e1628 / _e1644);
-            let _e1647 = (_e1631 / _e1644);
-            let _e1650 = ((_e1638 * _e1647) - (_e1646 * _e1639));
-            let _e1653 = ((_e1639 * _e1645) - (_e1647 * _e1637));
-            let _e1656 = ((_e1637 * _e1646) - (_e1645 * _e1638));
-            let _e1658 = p.member.eye;
-            let _e1671 = (1f / sqrt((((_e1650 * _e1650) + (_e1653 * _e1653)) + (_e1656 * _e1656))));
-            let _e1672 = (_e1650 * _e1671);
-            let _e1673 = (_e1653 * _e1671);
-            let _e1674 = (_e1656 * _e1671);
-            if ((((_e1672 * (_e1658.x - _e1574)) + (_e1673 * (_e1658.y - _e1575))) + (_e1674 * (_e1658.z - _e1576))) < 0f) {
-                phi_2347_ = vec3<f32>(-(_e1672), -(_e1673), -(_e1674));
+            let _e1700 = phi_2370_;
+            let _e1703 = (_e1636.v1_.x - _e1636.v0_.x);
+            let _e1706 = (_e1636.v1_.y - _e1636.v0_.y);
+            let _e1709 = (_e1636.v1_.z - _e1636.v0_.z);
+            let _e1712 = (_e1636.v2_.x - _e1636.v0_.x);
+            let _e1715 = (_e1636.v2_.y - _e1636.v0_.y);
+            let _e1718 = (_e1636.v2_.z - _e1636.v0_.z);
+            let _e1722 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1706), abs(_e1709));
+            let _e1723 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1703), _e1722);
+            let _e1724 = (_e1703 / _e1723);
+            let _e1725 = (_e1706 / _e1723);
+            let _e1726 = (_e1709 / _e1723);
+            let _e1730 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1715), abs(_e1718));
+            let _e1731 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1712), _e1730);
+            let _e1732 = (_e1712 / _e1731);
+            let _e1733 = (_e1715 / _e1731);
+            let _e1734 = (_e1718 / _e1731);
+            let _e1737 = ((_e1725 * _e1734) - (_e1733 * _e1726));
+            let _e1740 = ((_e1726 * _e1732) - (_e1734 * _e1724));
+            let _e1743 = ((_e1724 * _e1733) - (_e1732 * _e1725));
+            let _e1745 = p.member.eye;
+            let _e1758 = (1f / sqrt((((_e1737 * _e1737) + (_e1740 * _e1740)) + (_e1743 * _e1743))));
+            let _e1759 = (_e1737 * _e1758);
+            let _e1760 = (_e1740 * _e1758);
+            let _e1761 = (_e1743 * _e1758);
+            if ((((_e1759 * (_e1745.x - _e1661)) + (_e1760 * (_e1745.y - _e1662))) + (_e1761 * (_e1745.z - _e1663))) < 0f) {
+                phi_2446_ = vec3<f32>(-(_e1759), -(_e1760), -(_e1761));
             } else {
-                phi_2347_ = vec3<f32>(_e1672, _e1673, _e1674);
+                phi_2446_ = vec3<f32>(_e1759, _e1760, _e1761);
             }
-            let _e1687 = phi_2347_;
-            if (_e1538.triangle < _e79) {
+            let _e1774 = phi_2446_;
+            if (_e1625.triangle < _e79) {
             } else {
                 return;
             }
-            let _e1692 = triangles.member[(0u + _e1538.triangle)];
-            let _e1694 = (_e1692.i0_ & 2147483647u);
-            if (_e1694 < _e82) {
+            let _e1779 = triangles.member[(0u + _e1625.triangle)];
+            let _e1781 = (_e1779.i0_ & 2147483647u);
+            if (_e1781 < _e82) {
             } else {
                 return;
             }
-            let _e1700 = vertices.member[(0u + _e1694)];
-            if (_e1692.i1_ < _e82) {
+            let _e1787 = vertices.member[(0u + _e1781)];
+            if (_e1779.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e1704 = vertices.member[(0u + _e1692.i1_)];
-            if (_e1692.i2_ < _e82) {
+            let _e1791 = vertices.member[(0u + _e1779.i1_)];
+            if (_e1779.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e1708 = vertices.member[(0u + _e1692.i2_)];
-            let _e1709 = array<abi_Vertex, 3>(_e1700, _e1704, _e1708);
-            if (_e1709[0].material < arrayLength((&materials.member))) {
+            let _e1795 = vertices.member[(0u + _e1779.i2_)];
+            let _e1796 = array<abi_Vertex, 3>(_e1787, _e1791, _e1795);
+            if (_e1796[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1715 = materials.member[(0u + _e1709[0].material)];
-            let _e1732 = (1f / 255f);
-            let _e1751 = (1f / 255f);
-            let _e1773 = (1f / 255f);
-            if (_e1715.color_size == 0u) {
-                phi_2590_ = vec3<f32>(1f, 1f, 1f);
+            let _e1802 = materials.member[(0u + _e1796[0].material)];
+            let _e1819 = (1f / 255f);
+            let _e1838 = (1f / 255f);
+            let _e1860 = (1f / 255f);
+            if (_e1802.color_size == 0u) {
+                phi_2689_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e1715.color_offset;
-                local.size = _e1715.color_size;
-                local.flags = _e1715.flags;
-                let _e1816 = _lt_shaders_texture_TextureView_quad((&local), (((_e1709[0].u * _e1544) + (_e1709[1].u * _e1538.u)) + (_e1709[2].u * _e1538.v)), (((_e1709[0].v * _e1544) + (_e1709[1].v * _e1538.u)) + (_e1709[2].v * _e1538.v)));
-                if (_e1816.indices[0] < _e91) {
+                local.offset = _e1802.color_offset;
+                local.size = _e1802.color_size;
+                local.flags = _e1802.flags;
+                let _e1903 = _lt_shaders_texture_TextureView_quad((&local), (((_e1796[0].u * _e1631) + (_e1796[1].u * _e1625.u)) + (_e1796[2].u * _e1625.v)), (((_e1796[0].v * _e1631) + (_e1796[1].v * _e1625.u)) + (_e1796[2].v * _e1625.v)));
+                if (_e1903.indices[0] < _e91) {
                 } else {
                     return;
                 }
-                let _e1822 = color_texels.member[(0u + _e1816.indices[0])];
-                let _e1833 = (1f / 255f);
-                if (_e1816.indices[1] < _e91) {
+                let _e1909 = color_texels.member[(0u + _e1903.indices[0])];
+                let _e1920 = (1f / 255f);
+                if (_e1903.indices[1] < _e91) {
                 } else {
                     return;
                 }
-                let _e1847 = color_texels.member[(0u + _e1816.indices[1])];
-                let _e1858 = (1f / 255f);
-                if (_e1816.indices[2] < _e91) {
+                let _e1934 = color_texels.member[(0u + _e1903.indices[1])];
+                let _e1945 = (1f / 255f);
+                if (_e1903.indices[2] < _e91) {
                 } else {
                     return;
                 }
-                let _e1875 = color_texels.member[(0u + _e1816.indices[2])];
-                let _e1886 = (1f / 255f);
-                if (_e1816.indices[3] < _e91) {
+                let _e1962 = color_texels.member[(0u + _e1903.indices[2])];
+                let _e1973 = (1f / 255f);
+                if (_e1903.indices[3] < _e91) {
                 } else {
                     return;
                 }
-                let _e1903 = color_texels.member[(0u + _e1816.indices[3])];
-                let _e1914 = (1f / 255f);
-                let _e1923 = (((((f32((_e1822 & 255u)) * _e1833) * _e1816.weights.x) + ((f32((_e1847 & 255u)) * _e1858) * _e1816.weights.y)) + ((f32((_e1875 & 255u)) * _e1886) * _e1816.weights.z)) + ((f32((_e1903 & 255u)) * _e1914) * _e1816.weights.w));
-                let _e1924 = (((((f32(((_e1822 >> bitcast<u32>(8i)) & 255u)) * _e1833) * _e1816.weights.x) + ((f32(((_e1847 >> bitcast<u32>(8i)) & 255u)) * _e1858) * _e1816.weights.y)) + ((f32(((_e1875 >> bitcast<u32>(8i)) & 255u)) * _e1886) * _e1816.weights.z)) + ((f32(((_e1903 >> bitcast<u32>(8i)) & 255u)) * _e1914) * _e1816.weights.w));
-                let _e1925 = (((((f32(((_e1822 >> bitcast<u32>(16i)) & 255u)) * _e1833) * _e1816.weights.x) + ((f32(((_e1847 >> bitcast<u32>(16i)) & 255u)) * _e1858) * _e1816.weights.y)) + ((f32(((_e1875 >> bitcast<u32>(16i)) & 255u)) * _e1886) * _e1816.weights.z)) + ((f32(((_e1903 >> bitcast<u32>(16i)) & 255u)) * _e1914) * _e1816.weights.w));
-                phi_2590_ = vec3<f32>((_e1923 * _e1923), (_e1924 * _e1924), (_e1925 * _e1925));
+                let _e1990 = color_texels.member[(0u + _e1903.indices[3])];
+                let _e2001 = (1f / 255f);
+                let _e2010 = (((((f32((_e1909 & 255u)) * _e1920) * _e1903.weights.x) + ((f32((_e1934 & 255u)) * _e1945) * _e1903.weights.y)) + ((f32((_e1962 & 255u)) * _e1973) * _e1903.weights.z)) + ((f32((_e1990 & 255u)) * _e2001) * _e1903.weights.w));
+                let _e2011 = (((((f32(((_e1909 >> bitcast<u32>(8i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(8i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(8i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(8i)) & 255u)) * _e2001) * _e1903.weights.w));
+                let _e2012 = (((((f32(((_e1909 >> bitcast<u32>(16i)) & 255u)) * _e1920) * _e1903.weights.x) + ((f32(((_e1934 >> bitcast<u32>(16i)) & 255u)) * _e1945) * _e1903.weights.y)) + ((f32(((_e1962 >> bitcast<u32>(16i)) & 255u)) * _e1973) * _e1903.weights.z)) + ((f32(((_e1990 >> bitcast<u32>(16i)) & 255u)) * _e2001) * _e1903.weights.w));
+                phi_2689_ = vec3<f32>((_e2010 * _e2010), (_e2011 * _e2011), (_e2012 * _e2012));
             }
-            let _e1931 = phi_2590_;
-            let _e1933 = ((_e1715.base_color.x * ((((f32((_e1709[0].color & 255u)) * _e1732) * _e1544) + ((f32((_e1709[1].color & 255u)) * _e1751) * _e1538.u)) + ((f32((_e1709[2].color & 255u)) * _e1773) * _e1538.v))) * _e1931.x);
-            let _e1935 = ((_e1715.base_color.y * ((((f32(((_e1709[0].color >> bitcast<u32>(8i)) & 255u)) * _e1732) * _e1544) + ((f32(((_e1709[1].color >> bitcast<u32>(8i)) & 255u)) * _e1751) * _e1538.u)) + ((f32(((_e1709[2].color >> bitcast<u32>(8i)) & 255u)) * _e1773) * _e1538.v))) * _e1931.y);
-            let _e1937 = ((_e1715.base_color.z * ((((f32(((_e1709[0].color >> bitcast<u32>(16i)) & 255u)) * _e1732) * _e1544) + ((f32(((_e1709[1].color >> bitcast<u32>(16i)) & 255u)) * _e1751) * _e1538.u)) + ((f32(((_e1709[2].color >> bitcast<u32>(16i)) & 255u)) * _e1773) * _e1538.v))) * _e1931.z);
-            let _e1938 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1610, _e1613);
-            let _e1939 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1607, _e1938);
-            if ((_e1715.flags & 2u) == 0u) {
-                phi_2605_ = 0u;
+            let _e2018 = phi_2689_;
+            let _e2020 = ((_e1802.base_color.x * ((((f32((_e1796[0].color & 255u)) * _e1819) * _e1631) + ((f32((_e1796[1].color & 255u)) * _e1838) * _e1625.u)) + ((f32((_e1796[2].color & 255u)) * _e1860) * _e1625.v))) * _e2018.x);
+            let _e2022 = ((_e1802.base_color.y * ((((f32(((_e1796[0].color >> bitcast<u32>(8i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(8i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(8i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.y);
+            let _e2024 = ((_e1802.base_color.z * ((((f32(((_e1796[0].color >> bitcast<u32>(16i)) & 255u)) * _e1819) * _e1631) + ((f32(((_e1796[1].color >> bitcast<u32>(16i)) & 255u)) * _e1838) * _e1625.u)) + ((f32(((_e1796[2].color >> bitcast<u32>(16i)) & 255u)) * _e1860) * _e1625.v))) * _e2018.z);
+            let _e2025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1697, _e1700);
+            let _e2026 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1694, _e2025);
+            if ((_e1802.flags & 2u) == 0u) {
+                phi_2704_ = 0u;
             } else {
-                phi_2605_ = 1u;
+                phi_2704_ = 1u;
             }
-            let _e1944 = phi_2605_;
-            if (_e1709[0].normal == 2147516416u) {
-                phi_2808_ = _e1687;
+            let _e2031 = phi_2704_;
+            if (_e1796[0].normal == 2147516416u) {
+                phi_2907_ = _e1774;
             } else {
-                let _e1957 = (f32((bitcast<i32>((_e1709[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1963 = (f32((bitcast<i32>(_e1709[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1967 = ((1f - abs(_e1957)) - abs(_e1963));
-                if (_e1967 < 0f) {
-                    phi_2632_ = -(_e1967);
-                } else {
-                    phi_2632_ = 0f;
-                }
-                let _e1971 = phi_2632_;
-                if (_e1957 < 0f) {
-                    phi_2639_ = (_e1957 + _e1971);
-                } else {
-                    phi_2639_ = (_e1957 - _e1971);
-                }
-                let _e1976 = phi_2639_;
-                if (_e1963 < 0f) {
-                    phi_2646_ = (_e1963 + _e1971);
-                } else {
-                    phi_2646_ = (_e1963 - _e1971);
-                }
-                let _e1981 = phi_2646_;
-                let _e1988 = (1f / sqrt((((_e1976 * _e1976) + (_e1981 * _e1981)) + (_e1967 * _e1967))));
-                let _e2004 = (f32((bitcast<i32>((_e1709[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2010 = (f32((bitcast<i32>(_e1709[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2014 = ((1f - abs(_e2004)) - abs(_e2010));
-                if (_e2014 < 0f) {
-                    phi_2681_ = -(_e2014);
-                } else {
-                    phi_2681_ = 0f;
-                }
-                let _e2018 = phi_2681_;
-                if (_e2004 < 0f) {
-                    phi_2688_ = (_e2004 + _e2018);
-                } else {
-                    phi_2688_ = (_e2004 - _e2018);
-                }
-                let _e2023 = phi_2688_;
-                if (_e2010 < 0f) {
-                    phi_2695_ = (_e2010 + _e2018);
-                } else {
-                    phi_2695_ = (_e2010 - _e2018);
-                }
-                let _e2028 = phi_2695_;
-                let _e2035 = (1f / sqrt((((_e2023 * _e2023) + (_e2028 * _e2028)) + (_e2014 * _e2014))));
-                let _e2054 = (f32((bitcast<i32>((_e1709[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2060 = (f32((bitcast<i32>(_e1709[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2064 = ((1f - abs(_e2054)) - abs(_e2060));
-                if (_e2064 < 0f) {
-                    phi_2733_ = -(_e2064);
-                } else {
-                    phi_2733_ = 0f;
-                }
-                let _e2068 = phi_2733_;
+                let _e2044 = (f32((bitcast<i32>((_e1796[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2050 = (f32((bitcast<i32>(_e1796[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2054 = ((1f - abs(_e2044)) - abs(_e2050));
                 if (_e2054 < 0f) {
-                    phi_2740_ = (_e2054 + _e2068);
+                    phi_2731_ = -(_e2054);
                 } else {
-                    phi_2740_ = (_e2054 - _e2068);
+                    phi_2731_ = 0f;
                 }
-                let _e2073 = phi_2740_;
-                if (_e2060 < 0f) {
-                    phi_2747_ = (_e2060 + _e2068);
+                let _e2058 = phi_2731_;
+                if (_e2044 < 0f) {
+                    phi_2738_ = (_e2044 + _e2058);
                 } else {
-                    phi_2747_ = (_e2060 - _e2068);
+                    phi_2738_ = (_e2044 - _e2058);
                 }
-                let _e2078 = phi_2747_;
-                let _e2085 = (1f / sqrt((((_e2073 * _e2073) + (_e2078 * _e2078)) + (_e2064 * _e2064))));
-                let _e2096 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1976 * _e1988) * _e1544) + ((_e2023 * _e2035) * _e1538.u)) + ((_e2073 * _e2085) * _e1538.v)), ((((_e1981 * _e1988) * _e1544) + ((_e2028 * _e2035) * _e1538.u)) + ((_e2078 * _e2085) * _e1538.v)), ((((_e1967 * _e1988) * _e1544) + ((_e2014 * _e2035) * _e1538.u)) + ((_e2064 * _e2085) * _e1538.v))));
-                let _e2108 = sqrt((((_e2096.x * _e2096.x) + (_e2096.y * _e2096.y)) + (_e2096.z * _e2096.z)));
-                if (_e2108 > 0f) {
-                    let _e2111 = (_e2096.x / _e2108);
-                    let _e2113 = (_e2096.y / _e2108);
-                    let _e2115 = (_e2096.z / _e2108);
-                    if ((((_e2111 * _e1687.x) + (_e2113 * _e1687.y)) + (_e2115 * _e1687.z)) < 0f) {
-                        phi_2806_ = vec3<f32>(-(_e2111), -(_e2113), -(_e2115));
+                let _e2063 = phi_2738_;
+                if (_e2050 < 0f) {
+                    phi_2745_ = (_e2050 + _e2058);
+                } else {
+                    phi_2745_ = (_e2050 - _e2058);
+                }
+                let _e2068 = phi_2745_;
+                let _e2075 = (1f / sqrt((((_e2063 * _e2063) + (_e2068 * _e2068)) + (_e2054 * _e2054))));
+                let _e2091 = (f32((bitcast<i32>((_e1796[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2097 = (f32((bitcast<i32>(_e1796[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2101 = ((1f - abs(_e2091)) - abs(_e2097));
+                if (_e2101 < 0f) {
+                    phi_2780_ = -(_e2101);
+                } else {
+                    phi_2780_ = 0f;
+                }
+                let _e2105 = phi_2780_;
+                if (_e2091 < 0f) {
+                    phi_2787_ = (_e2091 + _e2105);
+                } else {
+                    phi_2787_ = (_e2091 - _e2105);
+                }
+                let _e2110 = phi_2787_;
+                if (_e2097 < 0f) {
+                    phi_2794_ = (_e2097 + _e2105);
+                } else {
+                    phi_2794_ = (_e2097 - _e2105);
+                }
+                let _e2115 = phi_2794_;
+                let _e2122 = (1f / sqrt((((_e2110 * _e2110) + (_e2115 * _e2115)) + (_e2101 * _e2101))));
+                let _e2141 = (f32((bitcast<i32>((_e1796[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2147 = (f32((bitcast<i32>(_e1796[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e2151 = ((1f - abs(_e2141)) - abs(_e2147));
+                if (_e2151 < 0f) {
+                    phi_2832_ = -(_e2151);
+                } else {
+                    phi_2832_ = 0f;
+                }
+                let _e2155 = phi_2832_;
+                if (_e2141 < 0f) {
+                    phi_2839_ = (_e2141 + _e2155);
+                } else {
+                    phi_2839_ = (_e2141 - _e2155);
+                }
+                let _e2160 = phi_2839_;
+                if (_e2147 < 0f) {
+                    phi_2846_ = (_e2147 + _e2155);
+                } else {
+                    phi_2846_ = (_e2147 - _e2155);
+                }
+                let _e2165 = phi_2846_;
+                let _e2172 = (1f / sqrt((((_e2160 * _e2160) + (_e2165 * _e2165)) + (_e2151 * _e2151))));
+                let _e2183 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e2063 * _e2075) * _e1631) + ((_e2110 * _e2122) * _e1625.u)) + ((_e2160 * _e2172) * _e1625.v)), ((((_e2068 * _e2075) * _e1631) + ((_e2115 * _e2122) * _e1625.u)) + ((_e2165 * _e2172) * _e1625.v)), ((((_e2054 * _e2075) * _e1631) + ((_e2101 * _e2122) * _e1625.u)) + ((_e2151 * _e2172) * _e1625.v))));
+                let _e2195 = sqrt((((_e2183.x * _e2183.x) + (_e2183.y * _e2183.y)) + (_e2183.z * _e2183.z)));
+                if (_e2195 > 0f) {
+                    let _e2198 = (_e2183.x / _e2195);
+                    let _e2200 = (_e2183.y / _e2195);
+                    let _e2202 = (_e2183.z / _e2195);
+                    if ((((_e2198 * _e1774.x) + (_e2200 * _e1774.y)) + (_e2202 * _e1774.z)) < 0f) {
+                        phi_2905_ = vec3<f32>(-(_e2198), -(_e2200), -(_e2202));
                     } else {
-                        phi_2806_ = (_e2096 / vec3(_e2108));
+                        phi_2905_ = (_e2183 / vec3(_e2195));
                     }
-                    let _e2132 = phi_2806_;
-                    phi_2807_ = _e2132;
+                    let _e2219 = phi_2905_;
+                    phi_2906_ = _e2219;
                 } else {
-                    phi_2807_ = _e1687;
+                    phi_2906_ = _e1774;
                 }
-                let _e2134 = phi_2807_;
-                phi_2808_ = _e2134;
+                let _e2221 = phi_2906_;
+                phi_2907_ = _e2221;
             }
-            let _e2136 = phi_2808_;
-            if (_e1933 > 0f) {
-                if (_e1933 < 1f) {
-                    phi_2817_ = _e1933;
+            let _e2223 = phi_2907_;
+            if (_e2020 > 0f) {
+                if (_e2020 < 1f) {
+                    phi_2916_ = _e2020;
                 } else {
-                    phi_2817_ = 1f;
+                    phi_2916_ = 1f;
                 }
-                let _e2140 = phi_2817_;
-                phi_2818_ = _e2140;
+                let _e2227 = phi_2916_;
+                phi_2917_ = _e2227;
             } else {
-                phi_2818_ = 0f;
+                phi_2917_ = 0f;
             }
-            let _e2142 = phi_2818_;
-            if (_e1935 > 0f) {
-                if (_e1935 < 1f) {
-                    phi_2828_ = _e1935;
+            let _e2229 = phi_2917_;
+            if (_e2022 > 0f) {
+                if (_e2022 < 1f) {
+                    phi_2927_ = _e2022;
                 } else {
-                    phi_2828_ = 1f;
+                    phi_2927_ = 1f;
                 }
-                let _e2147 = phi_2828_;
-                phi_2829_ = _e2147;
+                let _e2234 = phi_2927_;
+                phi_2928_ = _e2234;
             } else {
-                phi_2829_ = 0f;
+                phi_2928_ = 0f;
             }
-            let _e2149 = phi_2829_;
-            if (_e1937 > 0f) {
-                if (_e1937 < 1f) {
-                    phi_2839_ = _e1937;
+            let _e2236 = phi_2928_;
+            if (_e2024 > 0f) {
+                if (_e2024 < 1f) {
+                    phi_2938_ = _e2024;
                 } else {
-                    phi_2839_ = 1f;
+                    phi_2938_ = 1f;
                 }
-                let _e2154 = phi_2839_;
-                phi_2840_ = _e2154;
+                let _e2241 = phi_2938_;
+                phi_2939_ = _e2241;
             } else {
-                phi_2840_ = 0f;
+                phi_2939_ = 0f;
             }
-            let _e2156 = phi_2840_;
-            let _e2159 = ((sqrt(_e2142) * 255f) + 0.5f);
-            let _e2168 = ((sqrt(_e2149) * 255f) + 0.5f);
-            let _e2180 = ((sqrt(_e2156) * 255f) + 0.5f);
-            phi_2875_ = abi_Sample(vec3<f32>(_e1574, _e1575, _e1576), _e1939, _e1687, _e1944, _e2136, ((select(select(u32(_e2159), 0u, (_e2159 < bitcast<f32>(0u))), 4294967295u, (_e2159 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2168), 0u, (_e2168 < bitcast<f32>(0u))), 4294967295u, (_e2168 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2180), 0u, (_e2180 < bitcast<f32>(0u))), 4294967295u, (_e2180 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2243 = phi_2939_;
+            let _e2246 = ((sqrt(_e2229) * 255f) + 0.5f);
+            let _e2255 = ((sqrt(_e2236) * 255f) + 0.5f);
+            let _e2267 = ((sqrt(_e2243) * 255f) + 0.5f);
+            phi_2974_ = abi_Sample(vec3<f32>(_e1661, _e1662, _e1663), _e2026, _e1774, _e2031, _e2223, ((select(select(u32(_e2246), 0u, (_e2246 < bitcast<f32>(0u))), 4294967295u, (_e2246 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2255), 0u, (_e2255 < bitcast<f32>(0u))), 4294967295u, (_e2255 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2267), 0u, (_e2267 < bitcast<f32>(0u))), 4294967295u, (_e2267 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2875_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2974_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2194 = phi_2875_;
+        let _e2281 = phi_2974_;
         if (_e103.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e103.first_primitive)] = _e2194;
-        if (_e1538.triangle != 4294967295u) {
-            let _e2203 = ((1f - _e1538.u) - _e1538.v);
-            if (_e1538.triangle < _e79) {
+        samples.member[(0u + _e103.first_primitive)] = _e2281;
+        if (_e1625.triangle != 4294967295u) {
+            let _e2290 = ((1f - _e1625.u) - _e1625.v);
+            if (_e1625.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2208 = triangles.member[(0u + _e1538.triangle)];
-            if (_e2208.i0_ < _e94) {
+            let _e2295 = triangles.member[(0u + _e1625.triangle)];
+            if (_e2295.i0_ < _e94) {
             } else {
                 return;
             }
-            let _e2213 = before.member[(0u + _e2208.i0_)];
-            if (_e2208.i1_ < _e94) {
+            let _e2300 = before.member[(0u + _e2295.i0_)];
+            if (_e2295.i1_ < _e94) {
             } else {
                 return;
             }
-            let _e2218 = before.member[(0u + _e2208.i1_)];
-            if (_e2208.i2_ < _e94) {
+            let _e2305 = before.member[(0u + _e2295.i1_)];
+            if (_e2295.i2_ < _e94) {
             } else {
                 return;
             }
-            let _e2223 = before.member[(0u + _e2208.i2_)];
-            let _e2228 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2213.x, _e2213.y, _e2213.z));
-            let _e2239 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2218.x, _e2218.y, _e2218.z));
-            let _e2253 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2223.x, _e2223.y, _e2223.z));
-            phi_2965_ = vec3<f32>((((_e2228.x * _e2203) + (_e2239.x * _e1538.u)) + (_e2253.x * _e1538.v)), (((_e2228.y * _e2203) + (_e2239.y * _e1538.u)) + (_e2253.y * _e1538.v)), (((_e2228.z * _e2203) + (_e2239.z * _e1538.u)) + (_e2253.z * _e1538.v)));
+            let _e2310 = before.member[(0u + _e2295.i2_)];
+            let _e2315 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2300.x, _e2300.y, _e2300.z));
+            let _e2326 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2305.x, _e2305.y, _e2305.z));
+            let _e2340 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2310.x, _e2310.y, _e2310.z));
+            phi_3064_ = vec3<f32>((((_e2315.x * _e2290) + (_e2326.x * _e1625.u)) + (_e2340.x * _e1625.v)), (((_e2315.y * _e2290) + (_e2326.y * _e1625.u)) + (_e2340.y * _e1625.v)), (((_e2315.z * _e2290) + (_e2326.z * _e1625.u)) + (_e2340.z * _e1625.v)));
         } else {
-            phi_2965_ = vec3<f32>(0f, 0f, 0f);
+            phi_3064_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2265 = phi_2965_;
+        let _e2352 = phi_3064_;
         if (_e103.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2265.x, _e2265.y, _e2265.z, 1f);
+        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2352.x, _e2352.y, _e2352.z, 1f);
     }
     return;
 }

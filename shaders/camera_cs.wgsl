@@ -309,131 +309,137 @@ fn function_() {
     var phi_1131_: u32;
     var phi_1177_: vec3<f32>;
     var phi_1178_: vec3<f32>;
-    var phi_1211_: vec3<f32>;
-    var phi_1212_: vec3<f32>;
-    var phi_1245_: vec3<f32>;
-    var phi_1246_: vec3<f32>;
-    var phi_1266_: bool;
-    var phi_1267_: bool;
-    var phi_1271_: f32;
-    var phi_1272_: f32;
-    var phi_1273_: f32;
-    var phi_1274_: f32;
-    var phi_1282_: f32;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1297_: f32;
-    var phi_1298_: f32;
-    var phi_1299_: f32;
-    var phi_1300_: f32;
-    var phi_1308_: f32;
-    var phi_1318_: bool;
-    var phi_1319_: bool;
-    var phi_1323_: f32;
-    var phi_1324_: f32;
-    var phi_1325_: f32;
-    var phi_1326_: f32;
-    var phi_1334_: f32;
-    var phi_1349_: f32;
-    var phi_1350_: bool;
-    var phi_1351_: f32;
-    var phi_1352_: bool;
-    var phi_1353_: f32;
-    var phi_1354_: bool;
-    var phi_1372_: f32;
-    var phi_1373_: bool;
-    var phi_1374_: bool;
-    var phi_1375_: f32;
-    var phi_1376_: bool;
+    var phi_1209_: vec3<f32>;
+    var phi_1210_: vec3<f32>;
+    var phi_1241_: vec3<f32>;
+    var phi_1242_: vec3<f32>;
+    var phi_1260_: bool;
+    var phi_1261_: bool;
+    var phi_1265_: f32;
+    var phi_1266_: f32;
+    var phi_1267_: f32;
+    var phi_1268_: f32;
+    var phi_1276_: f32;
+    var phi_1286_: bool;
+    var phi_1287_: bool;
+    var phi_1291_: f32;
+    var phi_1292_: f32;
+    var phi_1293_: f32;
+    var phi_1294_: f32;
+    var phi_1302_: f32;
+    var phi_1312_: bool;
+    var phi_1313_: bool;
+    var phi_1317_: f32;
+    var phi_1318_: f32;
+    var phi_1319_: f32;
+    var phi_1320_: f32;
+    var phi_1328_: f32;
+    var phi_1343_: f32;
+    var phi_1344_: bool;
+    var phi_1345_: f32;
+    var phi_1346_: bool;
+    var phi_1347_: f32;
+    var phi_1348_: bool;
+    var phi_1366_: f32;
+    var phi_1367_: bool;
+    var phi_1368_: bool;
+    var phi_1369_: f32;
+    var phi_1370_: bool;
+    var phi_1371_: bool;
+    var phi_1375_: bool;
+    var phi_1376_: f32;
     var phi_1377_: bool;
-    var phi_1381_: bool;
-    var phi_1382_: f32;
-    var phi_1383_: bool;
-    var phi_1419_: f32;
-    var phi_1428_: f32;
-    var phi_1437_: f32;
-    var phi_1446_: f32;
-    var phi_1453_: f32;
-    var phi_1460_: f32;
-    var phi_1473_: f32;
-    var phi_1482_: f32;
-    var phi_1491_: f32;
-    var phi_1500_: f32;
-    var phi_1507_: f32;
-    var phi_1514_: f32;
-    var phi_1537_: f32;
-    var phi_1542_: f32;
-    var phi_1547_: f32;
-    var phi_1555_: f32;
-    var phi_1560_: f32;
-    var phi_1565_: f32;
-    var phi_1577_: f32;
-    var phi_1582_: f32;
-    var phi_1587_: f32;
-    var phi_1592_: f32;
-    var phi_1597_: lt_bvh_triangle_Intersection;
-    var phi_1598_: bool;
-    var phi_1599_: lt_bvh_triangle_Intersection;
-    var phi_1600_: bool;
-    var phi_1604_: lt_bvh_triangle_Intersection;
-    var phi_1605_: bool;
-    var phi_1606_: lt_bvh_triangle_Intersection;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var phi_1612_: bool;
-    var phi_1616_: lt_bvh_triangle_Intersection;
-    var phi_1655_: bool;
-    var phi_1656_: bool;
-    var phi_1657_: bool;
-    var phi_1658_: bool;
-    var phi_1659_: bool;
-    var phi_1660_: bool;
-    var phi_1664_: bool;
-    var phi_1665_: bool;
-    var phi_1679_: bool;
-    var phi_1687_: lt_bvh_Hit;
-    var phi_1688_: lt_bvh_Hit;
-    var phi_1689_: lt_bvh_Hit;
-    var phi_1690_: lt_bvh_Hit;
+    var phi_1407_: vec3<f32>;
+    var phi_1408_: vec3<f32>;
+    var phi_1433_: vec3<f32>;
+    var phi_1434_: vec3<f32>;
+    var phi_1459_: vec3<f32>;
+    var phi_1460_: vec3<f32>;
+    var phi_1518_: f32;
+    var phi_1527_: f32;
+    var phi_1536_: f32;
+    var phi_1545_: f32;
+    var phi_1552_: f32;
+    var phi_1559_: f32;
+    var phi_1572_: f32;
+    var phi_1581_: f32;
+    var phi_1590_: f32;
+    var phi_1599_: f32;
+    var phi_1606_: f32;
+    var phi_1613_: f32;
+    var phi_1636_: f32;
+    var phi_1641_: f32;
+    var phi_1646_: f32;
+    var phi_1654_: f32;
+    var phi_1659_: f32;
+    var phi_1664_: f32;
+    var phi_1676_: f32;
+    var phi_1681_: f32;
+    var phi_1686_: f32;
+    var phi_1691_: f32;
+    var phi_1696_: lt_bvh_triangle_Intersection;
+    var phi_1697_: bool;
+    var phi_1698_: lt_bvh_triangle_Intersection;
+    var phi_1699_: bool;
+    var phi_1703_: lt_bvh_triangle_Intersection;
+    var phi_1704_: bool;
+    var phi_1705_: lt_bvh_triangle_Intersection;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
+    var phi_1711_: bool;
+    var phi_1715_: lt_bvh_triangle_Intersection;
+    var phi_1754_: bool;
+    var phi_1755_: bool;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1758_: bool;
+    var phi_1759_: bool;
+    var phi_1763_: bool;
+    var phi_1764_: bool;
+    var phi_1778_: bool;
+    var phi_1786_: lt_bvh_Hit;
+    var phi_1787_: lt_bvh_Hit;
+    var phi_1788_: lt_bvh_Hit;
+    var phi_1789_: lt_bvh_Hit;
     var phi_1129_: lt_bvh_Hit;
     var phi_1132_: u32;
-    var phi_1691_: bool;
-    var phi_1730_: bool;
-    var phi_1731_: bool;
-    var phi_1762_: u32;
+    var phi_1790_: bool;
+    var phi_1829_: bool;
+    var phi_1830_: bool;
+    var phi_1861_: u32;
     var phi_792_: lt_bvh_Hit;
     var phi_795_: u32;
-    var phi_1763_: lt_bvh_Hit;
-    var phi_1764_: lt_bvh_Hit;
-    var phi_1765_: bool;
-    var phi_1769_: lt_bvh_Hit;
-    var phi_1834_: f32;
-    var phi_1839_: f32;
-    var phi_1844_: f32;
-    var phi_1855_: f32;
-    var phi_1860_: f32;
-    var phi_1865_: f32;
-    var phi_1941_: vec3<f32>;
-    var phi_2062_: u32;
-    var phi_2089_: f32;
-    var phi_2096_: f32;
-    var phi_2103_: f32;
-    var phi_2138_: f32;
-    var phi_2145_: f32;
-    var phi_2152_: f32;
-    var phi_2190_: f32;
-    var phi_2197_: f32;
-    var phi_2204_: f32;
-    var phi_2263_: vec3<f32>;
-    var phi_2264_: vec3<f32>;
-    var phi_2265_: vec3<f32>;
-    var phi_2274_: f32;
-    var phi_2275_: f32;
-    var phi_2285_: f32;
-    var phi_2286_: f32;
+    var phi_1862_: lt_bvh_Hit;
+    var phi_1863_: lt_bvh_Hit;
+    var phi_1864_: bool;
+    var phi_1868_: lt_bvh_Hit;
+    var phi_1933_: f32;
+    var phi_1938_: f32;
+    var phi_1943_: f32;
+    var phi_1954_: f32;
+    var phi_1959_: f32;
+    var phi_1964_: f32;
+    var phi_2040_: vec3<f32>;
+    var phi_2161_: u32;
+    var phi_2188_: f32;
+    var phi_2195_: f32;
+    var phi_2202_: f32;
+    var phi_2237_: f32;
+    var phi_2244_: f32;
+    var phi_2251_: f32;
+    var phi_2289_: f32;
     var phi_2296_: f32;
-    var phi_2297_: f32;
-    var phi_2332_: abi_Sample;
+    var phi_2303_: f32;
+    var phi_2362_: vec3<f32>;
+    var phi_2363_: vec3<f32>;
+    var phi_2364_: vec3<f32>;
+    var phi_2373_: f32;
+    var phi_2374_: f32;
+    var phi_2384_: f32;
+    var phi_2385_: f32;
+    var phi_2395_: f32;
+    var phi_2396_: f32;
+    var phi_2431_: abi_Sample;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
@@ -564,7 +570,7 @@ fn function_() {
         if _e209 {
             let _e210 = (0u >= _e65);
             if _e210 {
-                phi_1763_ = lt_bvh_Hit();
+                phi_1862_ = lt_bvh_Hit();
             } else {
                 if (0u < _e65) {
                 } else {
@@ -691,7 +697,6 @@ fn function_() {
                 let _e395 = phi_619_;
                 let _e399 = (_e395.x / _e395.z);
                 let _e402 = (_e395.y / _e395.z);
-                let _e404 = (1f / _e395.z);
                 if (_e292 < 0f) {
                     phi_633_ = 0u;
                 } else {
@@ -959,7 +964,7 @@ fn function_() {
                             if (_e998 == 0u) {
                                 phi_1129_ = lt_bvh_Hit();
                                 phi_1132_ = u32();
-                                phi_1691_ = false;
+                                phi_1790_ = false;
                             } else {
                                 let _e1002 = nodes.member[(0u + _e555)].links[1u];
                                 let _e1007 = ((0u + _e1002) + select(firstTrailingBit(_e998), 32u, (_e998 == 0u)));
@@ -985,846 +990,899 @@ fn function_() {
                                 let _e1032 = phi_1178_;
                                 let _e1036 = (_e1032.x - (_e399 * _e1032.z));
                                 let _e1040 = (_e1032.y - (_e402 * _e1032.z));
-                                let _e1044 = triangles.member[(0u + _e1007)].v1_;
-                                let _e1047 = (_e1044.x - _e138.origin.x);
-                                let _e1050 = (_e1044.y - _e138.origin.y);
-                                let _e1053 = (_e1044.z - _e138.origin.z);
+                                let _e1042 = triangles.member[(0u + _e1007)].v1_;
+                                let _e1045 = (_e1042.x - _e138.origin.x);
+                                let _e1048 = (_e1042.y - _e138.origin.y);
+                                let _e1051 = (_e1042.z - _e138.origin.z);
                                 if (_e380 == 0u) {
-                                    phi_1212_ = vec3<f32>(_e1050, _e1053, _e1047);
+                                    phi_1210_ = vec3<f32>(_e1048, _e1051, _e1045);
                                 } else {
                                     if (_e380 == 1u) {
-                                        phi_1211_ = vec3<f32>(_e1053, _e1047, _e1050);
+                                        phi_1209_ = vec3<f32>(_e1051, _e1045, _e1048);
                                     } else {
-                                        phi_1211_ = (_e1044 - _e138.origin);
+                                        phi_1209_ = (_e1042 - _e138.origin);
                                     }
-                                    let _e1060 = phi_1211_;
-                                    phi_1212_ = _e1060;
+                                    let _e1058 = phi_1209_;
+                                    phi_1210_ = _e1058;
                                 }
-                                let _e1062 = phi_1212_;
-                                let _e1066 = (_e1062.x - (_e399 * _e1062.z));
-                                let _e1070 = (_e1062.y - (_e402 * _e1062.z));
-                                let _e1074 = triangles.member[(0u + _e1007)].v2_;
-                                let _e1077 = (_e1074.x - _e138.origin.x);
-                                let _e1080 = (_e1074.y - _e138.origin.y);
-                                let _e1083 = (_e1074.z - _e138.origin.z);
+                                let _e1060 = phi_1210_;
+                                let _e1064 = (_e1060.x - (_e399 * _e1060.z));
+                                let _e1068 = (_e1060.y - (_e402 * _e1060.z));
+                                let _e1070 = triangles.member[(0u + _e1007)].v2_;
+                                let _e1073 = (_e1070.x - _e138.origin.x);
+                                let _e1076 = (_e1070.y - _e138.origin.y);
+                                let _e1079 = (_e1070.z - _e138.origin.z);
                                 if (_e380 == 0u) {
-                                    phi_1246_ = vec3<f32>(_e1080, _e1083, _e1077);
+                                    phi_1242_ = vec3<f32>(_e1076, _e1079, _e1073);
                                 } else {
                                     if (_e380 == 1u) {
-                                        phi_1245_ = vec3<f32>(_e1083, _e1077, _e1080);
+                                        phi_1241_ = vec3<f32>(_e1079, _e1073, _e1076);
                                     } else {
-                                        phi_1245_ = (_e1074 - _e138.origin);
+                                        phi_1241_ = (_e1070 - _e138.origin);
                                     }
-                                    let _e1090 = phi_1245_;
-                                    phi_1246_ = _e1090;
+                                    let _e1086 = phi_1241_;
+                                    phi_1242_ = _e1086;
                                 }
-                                let _e1092 = phi_1246_;
-                                let _e1096 = (_e1092.x - (_e399 * _e1092.z));
-                                let _e1100 = (_e1092.y - (_e402 * _e1092.z));
-                                if (_e1066 < _e1096) {
-                                    phi_1267_ = true;
+                                let _e1088 = phi_1242_;
+                                let _e1092 = (_e1088.x - (_e399 * _e1088.z));
+                                let _e1096 = (_e1088.y - (_e402 * _e1088.z));
+                                if (_e1064 < _e1092) {
+                                    phi_1261_ = true;
                                 } else {
-                                    if (_e1066 == _e1096) {
-                                        phi_1266_ = (_e1070 < _e1100);
+                                    if (_e1064 == _e1092) {
+                                        phi_1260_ = (_e1068 < _e1096);
                                     } else {
-                                        phi_1266_ = false;
+                                        phi_1260_ = false;
                                     }
-                                    let _e1107 = phi_1266_;
-                                    phi_1267_ = _e1107;
+                                    let _e1101 = phi_1260_;
+                                    phi_1261_ = _e1101;
                                 }
+                                let _e1103 = phi_1261_;
+                                if _e1103 {
+                                    phi_1265_ = _e1096;
+                                    phi_1266_ = _e1092;
+                                    phi_1267_ = _e1068;
+                                    phi_1268_ = _e1064;
+                                } else {
+                                    phi_1265_ = _e1068;
+                                    phi_1266_ = _e1064;
+                                    phi_1267_ = _e1096;
+                                    phi_1268_ = _e1092;
+                                }
+                                let _e1105 = phi_1265_;
+                                let _e1107 = phi_1266_;
                                 let _e1109 = phi_1267_;
-                                if _e1109 {
-                                    phi_1271_ = _e1100;
-                                    phi_1272_ = _e1096;
-                                    phi_1273_ = _e1070;
-                                    phi_1274_ = _e1066;
+                                let _e1111 = phi_1268_;
+                                let _e1114 = ((_e1111 * _e1105) - (_e1109 * _e1107));
+                                if _e1103 {
+                                    phi_1276_ = -(_e1114);
                                 } else {
-                                    phi_1271_ = _e1070;
-                                    phi_1272_ = _e1066;
-                                    phi_1273_ = _e1100;
-                                    phi_1274_ = _e1096;
+                                    phi_1276_ = _e1114;
                                 }
-                                let _e1111 = phi_1271_;
-                                let _e1113 = phi_1272_;
-                                let _e1115 = phi_1273_;
-                                let _e1117 = phi_1274_;
-                                let _e1120 = ((_e1117 * _e1111) - (_e1115 * _e1113));
-                                if _e1109 {
-                                    phi_1282_ = -(_e1120);
+                                let _e1117 = phi_1276_;
+                                if (_e1092 < _e1036) {
+                                    phi_1287_ = true;
                                 } else {
-                                    phi_1282_ = _e1120;
-                                }
-                                let _e1123 = phi_1282_;
-                                if (_e1096 < _e1036) {
-                                    phi_1293_ = true;
-                                } else {
-                                    if (_e1096 == _e1036) {
-                                        phi_1292_ = (_e1100 < _e1040);
+                                    if (_e1092 == _e1036) {
+                                        phi_1286_ = (_e1096 < _e1040);
                                     } else {
-                                        phi_1292_ = false;
+                                        phi_1286_ = false;
                                     }
-                                    let _e1128 = phi_1292_;
-                                    phi_1293_ = _e1128;
+                                    let _e1122 = phi_1286_;
+                                    phi_1287_ = _e1122;
                                 }
+                                let _e1124 = phi_1287_;
+                                if _e1124 {
+                                    phi_1291_ = _e1040;
+                                    phi_1292_ = _e1036;
+                                    phi_1293_ = _e1096;
+                                    phi_1294_ = _e1092;
+                                } else {
+                                    phi_1291_ = _e1096;
+                                    phi_1292_ = _e1092;
+                                    phi_1293_ = _e1040;
+                                    phi_1294_ = _e1036;
+                                }
+                                let _e1126 = phi_1291_;
+                                let _e1128 = phi_1292_;
                                 let _e1130 = phi_1293_;
-                                if _e1130 {
-                                    phi_1297_ = _e1040;
-                                    phi_1298_ = _e1036;
-                                    phi_1299_ = _e1100;
-                                    phi_1300_ = _e1096;
+                                let _e1132 = phi_1294_;
+                                let _e1135 = ((_e1132 * _e1126) - (_e1130 * _e1128));
+                                if _e1124 {
+                                    phi_1302_ = -(_e1135);
                                 } else {
-                                    phi_1297_ = _e1100;
-                                    phi_1298_ = _e1096;
-                                    phi_1299_ = _e1040;
-                                    phi_1300_ = _e1036;
+                                    phi_1302_ = _e1135;
                                 }
-                                let _e1132 = phi_1297_;
-                                let _e1134 = phi_1298_;
-                                let _e1136 = phi_1299_;
-                                let _e1138 = phi_1300_;
-                                let _e1141 = ((_e1138 * _e1132) - (_e1136 * _e1134));
-                                if _e1130 {
-                                    phi_1308_ = -(_e1141);
+                                let _e1138 = phi_1302_;
+                                if (_e1036 < _e1064) {
+                                    phi_1313_ = true;
                                 } else {
-                                    phi_1308_ = _e1141;
-                                }
-                                let _e1144 = phi_1308_;
-                                if (_e1036 < _e1066) {
-                                    phi_1319_ = true;
-                                } else {
-                                    if (_e1036 == _e1066) {
-                                        phi_1318_ = (_e1040 < _e1070);
+                                    if (_e1036 == _e1064) {
+                                        phi_1312_ = (_e1040 < _e1068);
                                     } else {
-                                        phi_1318_ = false;
+                                        phi_1312_ = false;
                                     }
-                                    let _e1149 = phi_1318_;
-                                    phi_1319_ = _e1149;
+                                    let _e1143 = phi_1312_;
+                                    phi_1313_ = _e1143;
                                 }
+                                let _e1145 = phi_1313_;
+                                if _e1145 {
+                                    phi_1317_ = _e1068;
+                                    phi_1318_ = _e1064;
+                                    phi_1319_ = _e1040;
+                                    phi_1320_ = _e1036;
+                                } else {
+                                    phi_1317_ = _e1040;
+                                    phi_1318_ = _e1036;
+                                    phi_1319_ = _e1068;
+                                    phi_1320_ = _e1064;
+                                }
+                                let _e1147 = phi_1317_;
+                                let _e1149 = phi_1318_;
                                 let _e1151 = phi_1319_;
-                                if _e1151 {
-                                    phi_1323_ = _e1070;
-                                    phi_1324_ = _e1066;
-                                    phi_1325_ = _e1040;
-                                    phi_1326_ = _e1036;
+                                let _e1153 = phi_1320_;
+                                let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
+                                if _e1145 {
+                                    phi_1328_ = -(_e1156);
                                 } else {
-                                    phi_1323_ = _e1040;
-                                    phi_1324_ = _e1036;
-                                    phi_1325_ = _e1070;
-                                    phi_1326_ = _e1066;
+                                    phi_1328_ = _e1156;
                                 }
-                                let _e1153 = phi_1323_;
-                                let _e1155 = phi_1324_;
-                                let _e1157 = phi_1325_;
-                                let _e1159 = phi_1326_;
-                                let _e1162 = ((_e1159 * _e1153) - (_e1157 * _e1155));
-                                if _e1151 {
-                                    phi_1334_ = -(_e1162);
-                                } else {
-                                    phi_1334_ = _e1162;
-                                }
-                                let _e1165 = phi_1334_;
-                                if (_e1123 >= 0f) {
-                                    if (_e1144 >= 0f) {
-                                        if (_e1165 >= 0f) {
-                                            phi_1349_ = ((_e1123 + _e1144) + _e1165);
-                                            phi_1350_ = false;
+                                let _e1159 = phi_1328_;
+                                if (_e1117 >= 0f) {
+                                    if (_e1138 >= 0f) {
+                                        if (_e1159 >= 0f) {
+                                            phi_1343_ = ((_e1117 + _e1138) + _e1159);
+                                            phi_1344_ = false;
                                         } else {
-                                            phi_1349_ = f32();
-                                            phi_1350_ = true;
+                                            phi_1343_ = f32();
+                                            phi_1344_ = true;
                                         }
-                                        let _e1172 = phi_1349_;
-                                        let _e1174 = phi_1350_;
-                                        phi_1351_ = _e1172;
-                                        phi_1352_ = _e1174;
+                                        let _e1166 = phi_1343_;
+                                        let _e1168 = phi_1344_;
+                                        phi_1345_ = _e1166;
+                                        phi_1346_ = _e1168;
                                     } else {
-                                        phi_1351_ = f32();
-                                        phi_1352_ = true;
+                                        phi_1345_ = f32();
+                                        phi_1346_ = true;
                                     }
-                                    let _e1176 = phi_1351_;
-                                    let _e1178 = phi_1352_;
-                                    phi_1353_ = _e1176;
-                                    phi_1354_ = _e1178;
+                                    let _e1170 = phi_1345_;
+                                    let _e1172 = phi_1346_;
+                                    phi_1347_ = _e1170;
+                                    phi_1348_ = _e1172;
                                 } else {
-                                    phi_1353_ = f32();
-                                    phi_1354_ = true;
+                                    phi_1347_ = f32();
+                                    phi_1348_ = true;
                                 }
-                                let _e1180 = phi_1353_;
-                                let _e1182 = phi_1354_;
-                                if _e1182 {
-                                    if (_e1123 <= 0f) {
-                                        if (_e1144 <= 0f) {
-                                            let _e1185 = (_e1165 <= 0f);
-                                            if _e1185 {
+                                let _e1174 = phi_1347_;
+                                let _e1176 = phi_1348_;
+                                if _e1176 {
+                                    if (_e1117 <= 0f) {
+                                        if (_e1138 <= 0f) {
+                                            let _e1179 = (_e1159 <= 0f);
+                                            if _e1179 {
                                             }
-                                            phi_1372_ = ((_e1123 + _e1144) + _e1165);
-                                            phi_1373_ = false;
-                                            phi_1374_ = _e1185;
+                                            phi_1366_ = ((_e1117 + _e1138) + _e1159);
+                                            phi_1367_ = false;
+                                            phi_1368_ = _e1179;
                                         } else {
-                                            phi_1372_ = f32();
-                                            phi_1373_ = true;
-                                            phi_1374_ = false;
+                                            phi_1366_ = f32();
+                                            phi_1367_ = true;
+                                            phi_1368_ = false;
                                         }
-                                        let _e1189 = phi_1372_;
-                                        let _e1191 = phi_1373_;
-                                        let _e1193 = phi_1374_;
-                                        phi_1375_ = _e1189;
-                                        phi_1376_ = _e1191;
-                                        phi_1377_ = _e1193;
+                                        let _e1183 = phi_1366_;
+                                        let _e1185 = phi_1367_;
+                                        let _e1187 = phi_1368_;
+                                        phi_1369_ = _e1183;
+                                        phi_1370_ = _e1185;
+                                        phi_1371_ = _e1187;
                                     } else {
-                                        phi_1375_ = f32();
-                                        phi_1376_ = true;
-                                        phi_1377_ = false;
+                                        phi_1369_ = f32();
+                                        phi_1370_ = true;
+                                        phi_1371_ = false;
+                                    }
+                                    let _e1189 = phi_1369_;
+                                    let _e1191 = phi_1370_;
+                                    let _e1193 = phi_1371_;
+                                    if _e1191 {
+                                        phi_1375_ = false;
+                                    } else {
+                                        phi_1375_ = _e1193;
                                     }
                                     let _e1195 = phi_1375_;
-                                    let _e1197 = phi_1376_;
-                                    let _e1199 = phi_1377_;
-                                    if _e1197 {
-                                        phi_1381_ = false;
-                                    } else {
-                                        phi_1381_ = _e1199;
-                                    }
-                                    let _e1201 = phi_1381_;
-                                    phi_1382_ = _e1195;
-                                    phi_1383_ = _e1201;
+                                    phi_1376_ = _e1189;
+                                    phi_1377_ = _e1195;
                                 } else {
-                                    phi_1382_ = _e1180;
-                                    phi_1383_ = true;
+                                    phi_1376_ = _e1174;
+                                    phi_1377_ = true;
                                 }
-                                let _e1203 = phi_1382_;
-                                let _e1205 = phi_1383_;
-                                if _e1205 {
-                                    let _e1206 = (_e1203 == 0f);
-                                    if _e1206 {
-                                        phi_1604_ = lt_bvh_triangle_Intersection();
-                                        phi_1605_ = false;
+                                let _e1197 = phi_1376_;
+                                let _e1199 = phi_1377_;
+                                if _e1199 {
+                                    let _e1200 = (_e1197 == 0f);
+                                    if _e1200 {
+                                        phi_1703_ = lt_bvh_triangle_Intersection();
+                                        phi_1704_ = false;
                                     } else {
-                                        let _e1212 = ((((_e1123 * (_e404 * _e1032.z)) + (_e1144 * (_e404 * _e1062.z))) + (_e1165 * (_e404 * _e1092.z))) / _e1203);
-                                        if (_e1212 > _e138.tmin) {
-                                            if (_e1212 < _e138.tmax) {
-                                                let _e1218 = triangles.member[(0u + _e1007)].v0_;
-                                                let _e1220 = triangles.member[(0u + _e1007)].v1_;
-                                                if (_e1218.x < _e1220.x) {
-                                                    phi_1419_ = _e1218.x;
-                                                } else {
-                                                    phi_1419_ = _e1220.x;
-                                                }
-                                                let _e1227 = phi_1419_;
-                                                if (_e1218.y < _e1220.y) {
-                                                    phi_1428_ = _e1218.y;
-                                                } else {
-                                                    phi_1428_ = _e1220.y;
-                                                }
-                                                let _e1234 = phi_1428_;
-                                                if (_e1218.z < _e1220.z) {
-                                                    phi_1437_ = _e1218.z;
-                                                } else {
-                                                    phi_1437_ = _e1220.z;
-                                                }
-                                                let _e1241 = phi_1437_;
-                                                let _e1243 = triangles.member[(0u + _e1007)].v2_;
-                                                if (_e1227 < _e1243.x) {
-                                                    phi_1446_ = _e1227;
-                                                } else {
-                                                    phi_1446_ = _e1243.x;
-                                                }
-                                                let _e1248 = phi_1446_;
-                                                if (_e1234 < _e1243.y) {
-                                                    phi_1453_ = _e1234;
-                                                } else {
-                                                    phi_1453_ = _e1243.y;
-                                                }
-                                                let _e1253 = phi_1453_;
-                                                if (_e1241 < _e1243.z) {
-                                                    phi_1460_ = _e1241;
-                                                } else {
-                                                    phi_1460_ = _e1243.z;
-                                                }
-                                                let _e1258 = phi_1460_;
-                                                let _e1260 = triangles.member[(0u + _e1007)].v0_;
-                                                let _e1262 = triangles.member[(0u + _e1007)].v1_;
-                                                if (_e1260.x > _e1262.x) {
-                                                    phi_1473_ = _e1260.x;
-                                                } else {
-                                                    phi_1473_ = _e1262.x;
-                                                }
-                                                let _e1269 = phi_1473_;
-                                                if (_e1260.y > _e1262.y) {
-                                                    phi_1482_ = _e1260.y;
-                                                } else {
-                                                    phi_1482_ = _e1262.y;
-                                                }
-                                                let _e1276 = phi_1482_;
-                                                if (_e1260.z > _e1262.z) {
-                                                    phi_1491_ = _e1260.z;
-                                                } else {
-                                                    phi_1491_ = _e1262.z;
-                                                }
-                                                let _e1283 = phi_1491_;
-                                                let _e1285 = triangles.member[(0u + _e1007)].v2_;
-                                                if (_e1269 > _e1285.x) {
-                                                    phi_1500_ = _e1269;
-                                                } else {
-                                                    phi_1500_ = _e1285.x;
-                                                }
-                                                let _e1290 = phi_1500_;
-                                                if (_e1276 > _e1285.y) {
-                                                    phi_1507_ = _e1276;
-                                                } else {
-                                                    phi_1507_ = _e1285.y;
-                                                }
-                                                let _e1295 = phi_1507_;
-                                                if (_e1283 > _e1285.z) {
-                                                    phi_1514_ = _e1283;
-                                                } else {
-                                                    phi_1514_ = _e1285.z;
-                                                }
-                                                let _e1300 = phi_1514_;
-                                                let _e1307 = ((_e1248 - _e138.origin.x) * _e292);
-                                                let _e1308 = ((_e1253 - _e138.origin.y) * _e304);
-                                                let _e1309 = ((_e1258 - _e138.origin.z) * _e316);
-                                                let _e1316 = ((_e1290 - _e138.origin.x) * _e292);
-                                                let _e1317 = ((_e1295 - _e138.origin.y) * _e304);
-                                                let _e1318 = ((_e1300 - _e138.origin.z) * _e316);
-                                                if (_e1307 < _e1316) {
-                                                    phi_1537_ = _e1307;
-                                                } else {
-                                                    phi_1537_ = _e1316;
-                                                }
-                                                let _e1321 = phi_1537_;
-                                                if (_e1308 < _e1317) {
-                                                    phi_1542_ = _e1308;
-                                                } else {
-                                                    phi_1542_ = _e1317;
-                                                }
-                                                let _e1324 = phi_1542_;
-                                                if (_e1309 < _e1318) {
-                                                    phi_1547_ = _e1309;
-                                                } else {
-                                                    phi_1547_ = _e1318;
-                                                }
-                                                let _e1327 = phi_1547_;
-                                                if (_e1307 > _e1316) {
-                                                    phi_1555_ = _e1307;
-                                                } else {
-                                                    phi_1555_ = _e1316;
-                                                }
-                                                let _e1333 = phi_1555_;
-                                                if (_e1308 > _e1317) {
-                                                    phi_1560_ = _e1308;
-                                                } else {
-                                                    phi_1560_ = _e1317;
-                                                }
-                                                let _e1336 = phi_1560_;
-                                                if (_e1309 > _e1318) {
-                                                    phi_1565_ = _e1309;
-                                                } else {
-                                                    phi_1565_ = _e1318;
-                                                }
-                                                let _e1339 = phi_1565_;
-                                                let _e1343 = core_intrinsics_maximum_number_nsz_f32_((_e1321 - _e360), (_e1324 - _e361));
-                                                let _e1344 = core_intrinsics_maximum_number_nsz_f32_(_e1343, (_e1327 - _e362));
-                                                let _e1345 = core_intrinsics_minimum_number_nsz_f32_((_e1333 + _e360), (_e1336 + _e361));
-                                                let _e1346 = core_intrinsics_minimum_number_nsz_f32_(_e1345, (_e1339 + _e362));
-                                                if (_e1344 > -300000000000000000000000000000000000000f) {
-                                                    phi_1577_ = _e1344;
-                                                } else {
-                                                    phi_1577_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1349 = phi_1577_;
-                                                if (_e1346 < 300000000000000000000000000000000000000f) {
-                                                    phi_1582_ = _e1346;
-                                                } else {
-                                                    phi_1582_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1352 = phi_1582_;
-                                                if (_e1212 < _e1349) {
-                                                    phi_1587_ = _e1349;
-                                                } else {
-                                                    phi_1587_ = _e1212;
-                                                }
-                                                let _e1355 = phi_1587_;
-                                                if (_e1355 > _e1352) {
-                                                    phi_1592_ = _e1352;
-                                                } else {
-                                                    phi_1592_ = _e1355;
-                                                }
-                                                let _e1358 = phi_1592_;
-                                                phi_1597_ = lt_bvh_triangle_Intersection(_e1358, (_e1144 / _e1203), (_e1165 / _e1203), (_e1349 <= _e1352));
-                                                phi_1598_ = false;
+                                        let _e1202 = triangles.member[(0u + _e1007)].v0_;
+                                        let _e1205 = (_e1202.x - _e138.origin.x);
+                                        let _e1208 = (_e1202.y - _e138.origin.y);
+                                        let _e1211 = (_e1202.z - _e138.origin.z);
+                                        if (_e380 == 0u) {
+                                            phi_1408_ = vec3<f32>(_e1208, _e1211, _e1205);
+                                        } else {
+                                            if (_e380 == 1u) {
+                                                phi_1407_ = vec3<f32>(_e1211, _e1205, _e1208);
                                             } else {
-                                                phi_1597_ = lt_bvh_triangle_Intersection();
-                                                phi_1598_ = true;
+                                                phi_1407_ = (_e1202 - _e138.origin);
                                             }
-                                            let _e1364 = phi_1597_;
-                                            let _e1366 = phi_1598_;
-                                            phi_1599_ = _e1364;
-                                            phi_1600_ = _e1366;
+                                            let _e1218 = phi_1407_;
+                                            phi_1408_ = _e1218;
+                                        }
+                                        let _e1220 = phi_1408_;
+                                        let _e1222 = triangles.member[(0u + _e1007)].v1_;
+                                        let _e1224 = triangles.member[(0u + _e1007)].v0_;
+                                        let _e1227 = (_e1222.x - _e1224.x);
+                                        let _e1230 = (_e1222.y - _e1224.y);
+                                        let _e1233 = (_e1222.z - _e1224.z);
+                                        if (_e380 == 0u) {
+                                            phi_1434_ = vec3<f32>(_e1230, _e1233, _e1227);
                                         } else {
-                                            phi_1599_ = lt_bvh_triangle_Intersection();
-                                            phi_1600_ = true;
+                                            if (_e380 == 1u) {
+                                                phi_1433_ = vec3<f32>(_e1233, _e1227, _e1230);
+                                            } else {
+                                                phi_1433_ = (_e1222 - _e1224);
+                                            }
+                                            let _e1240 = phi_1433_;
+                                            phi_1434_ = _e1240;
                                         }
-                                        let _e1368 = phi_1599_;
-                                        let _e1370 = phi_1600_;
-                                        if _e1370 {
+                                        let _e1242 = phi_1434_;
+                                        let _e1244 = triangles.member[(0u + _e1007)].v2_;
+                                        let _e1246 = triangles.member[(0u + _e1007)].v0_;
+                                        let _e1249 = (_e1244.x - _e1246.x);
+                                        let _e1252 = (_e1244.y - _e1246.y);
+                                        let _e1255 = (_e1244.z - _e1246.z);
+                                        if (_e380 == 0u) {
+                                            phi_1460_ = vec3<f32>(_e1252, _e1255, _e1249);
+                                        } else {
+                                            if (_e380 == 1u) {
+                                                phi_1459_ = vec3<f32>(_e1255, _e1249, _e1252);
+                                            } else {
+                                                phi_1459_ = (_e1244 - _e1246);
+                                            }
+                                            let _e1262 = phi_1459_;
+                                            phi_1460_ = _e1262;
                                         }
-                                        phi_1604_ = _e1368;
-                                        phi_1605_ = _e1370;
+                                        let _e1264 = phi_1460_;
+                                        let _e1271 = ((_e1242.y * _e1264.z) - (_e1242.z * _e1264.y));
+                                        let _e1278 = ((_e1242.z * _e1264.x) - (_e1242.x * _e1264.z));
+                                        let _e1285 = ((_e1242.x * _e1264.y) - (_e1242.y * _e1264.x));
+                                        let _e1299 = (((1f / _e395.z) * (((_e1271 * _e1220.x) + (_e1278 * _e1220.y)) + (_e1285 * _e1220.z))) / (((_e1271 * _e399) + (_e1278 * _e402)) + _e1285));
+                                        if (_e1299 > _e138.tmin) {
+                                            if (_e1299 < _e138.tmax) {
+                                                let _e1305 = triangles.member[(0u + _e1007)].v0_;
+                                                let _e1307 = triangles.member[(0u + _e1007)].v1_;
+                                                if (_e1305.x < _e1307.x) {
+                                                    phi_1518_ = _e1305.x;
+                                                } else {
+                                                    phi_1518_ = _e1307.x;
+                                                }
+                                                let _e1314 = phi_1518_;
+                                                if (_e1305.y < _e1307.y) {
+                                                    phi_1527_ = _e1305.y;
+                                                } else {
+                                                    phi_1527_ = _e1307.y;
+                                                }
+                                                let _e1321 = phi_1527_;
+                                                if (_e1305.z < _e1307.z) {
+                                                    phi_1536_ = _e1305.z;
+                                                } else {
+                                                    phi_1536_ = _e1307.z;
+                                                }
+                                                let _e1328 = phi_1536_;
+                                                let _e1330 = triangles.member[(0u + _e1007)].v2_;
+                                                if (_e1314 < _e1330.x) {
+                                                    phi_1545_ = _e1314;
+                                                } else {
+                                                    phi_1545_ = _e1330.x;
+                                                }
+                                                let _e1335 = phi_1545_;
+                                                if (_e1321 < _e1330.y) {
+                                                    phi_1552_ = _e1321;
+                                                } else {
+                                                    phi_1552_ = _e1330.y;
+                                                }
+                                                let _e1340 = phi_1552_;
+                                                if (_e1328 < _e1330.z) {
+                                                    phi_1559_ = _e1328;
+                                                } else {
+                                                    phi_1559_ = _e1330.z;
+                                                }
+                                                let _e1345 = phi_1559_;
+                                                let _e1347 = triangles.member[(0u + _e1007)].v0_;
+                                                let _e1349 = triangles.member[(0u + _e1007)].v1_;
+                                                if (_e1347.x > _e1349.x) {
+                                                    phi_1572_ = _e1347.x;
+                                                } else {
+                                                    phi_1572_ = _e1349.x;
+                                                }
+                                                let _e1356 = phi_1572_;
+                                                if (_e1347.y > _e1349.y) {
+                                                    phi_1581_ = _e1347.y;
+                                                } else {
+                                                    phi_1581_ = _e1349.y;
+                                                }
+                                                let _e1363 = phi_1581_;
+                                                if (_e1347.z > _e1349.z) {
+                                                    phi_1590_ = _e1347.z;
+                                                } else {
+                                                    phi_1590_ = _e1349.z;
+                                                }
+                                                let _e1370 = phi_1590_;
+                                                let _e1372 = triangles.member[(0u + _e1007)].v2_;
+                                                if (_e1356 > _e1372.x) {
+                                                    phi_1599_ = _e1356;
+                                                } else {
+                                                    phi_1599_ = _e1372.x;
+                                                }
+                                                let _e1377 = phi_1599_;
+                                                if (_e1363 > _e1372.y) {
+                                                    phi_1606_ = _e1363;
+                                                } else {
+                                                    phi_1606_ = _e1372.y;
+                                                }
+                                                let _e1382 = phi_1606_;
+                                                if (_e1370 > _e1372.z) {
+                                                    phi_1613_ = _e1370;
+                                                } else {
+                                                    phi_1613_ = _e1372.z;
+                                                }
+                                                let _e1387 = phi_1613_;
+                                                let _e1394 = ((_e1335 - _e138.origin.x) * _e292);
+                                                let _e1395 = ((_e1340 - _e138.origin.y) * _e304);
+                                                let _e1396 = ((_e1345 - _e138.origin.z) * _e316);
+                                                let _e1403 = ((_e1377 - _e138.origin.x) * _e292);
+                                                let _e1404 = ((_e1382 - _e138.origin.y) * _e304);
+                                                let _e1405 = ((_e1387 - _e138.origin.z) * _e316);
+                                                if (_e1394 < _e1403) {
+                                                    phi_1636_ = _e1394;
+                                                } else {
+                                                    phi_1636_ = _e1403;
+                                                }
+                                                let _e1408 = phi_1636_;
+                                                if (_e1395 < _e1404) {
+                                                    phi_1641_ = _e1395;
+                                                } else {
+                                                    phi_1641_ = _e1404;
+                                                }
+                                                let _e1411 = phi_1641_;
+                                                if (_e1396 < _e1405) {
+                                                    phi_1646_ = _e1396;
+                                                } else {
+                                                    phi_1646_ = _e1405;
+                                                }
+                                                let _e1414 = phi_1646_;
+                                                if (_e1394 > _e1403) {
+                                                    phi_1654_ = _e1394;
+                                                } else {
+                                                    phi_1654_ = _e1403;
+                                                }
+                                                let _e1420 = phi_1654_;
+                                                if (_e1395 > _e1404) {
+                                                    phi_1659_ = _e1395;
+                                                } else {
+                                                    phi_1659_ = _e1404;
+                                                }
+                                                let _e1423 = phi_1659_;
+                                                if (_e1396 > _e1405) {
+                                                    phi_1664_ = _e1396;
+                                                } else {
+                                                    phi_1664_ = _e1405;
+                                                }
+                                                let _e1426 = phi_1664_;
+                                                let _e1430 = core_intrinsics_maximum_number_nsz_f32_((_e1408 - _e360), (_e1411 - _e361));
+                                                let _e1431 = core_intrinsics_maximum_number_nsz_f32_(_e1430, (_e1414 - _e362));
+                                                let _e1432 = core_intrinsics_minimum_number_nsz_f32_((_e1420 + _e360), (_e1423 + _e361));
+                                                let _e1433 = core_intrinsics_minimum_number_nsz_f32_(_e1432, (_e1426 + _e362));
+                                                if (_e1431 > -300000000000000000000000000000000000000f) {
+                                                    phi_1676_ = _e1431;
+                                                } else {
+                                                    phi_1676_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1436 = phi_1676_;
+                                                if (_e1433 < 300000000000000000000000000000000000000f) {
+                                                    phi_1681_ = _e1433;
+                                                } else {
+                                                    phi_1681_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1439 = phi_1681_;
+                                                if (_e1299 < _e1436) {
+                                                    phi_1686_ = _e1436;
+                                                } else {
+                                                    phi_1686_ = _e1299;
+                                                }
+                                                let _e1442 = phi_1686_;
+                                                if (_e1442 > _e1439) {
+                                                    phi_1691_ = _e1439;
+                                                } else {
+                                                    phi_1691_ = _e1442;
+                                                }
+                                                let _e1445 = phi_1691_;
+                                                phi_1696_ = lt_bvh_triangle_Intersection(_e1445, (_e1138 / _e1197), (_e1159 / _e1197), (_e1436 <= _e1439));
+                                                phi_1697_ = false;
+                                            } else {
+                                                phi_1696_ = lt_bvh_triangle_Intersection();
+                                                phi_1697_ = true;
+                                            }
+                                            let _e1451 = phi_1696_;
+                                            let _e1453 = phi_1697_;
+                                            phi_1698_ = _e1451;
+                                            phi_1699_ = _e1453;
+                                        } else {
+                                            phi_1698_ = lt_bvh_triangle_Intersection();
+                                            phi_1699_ = true;
+                                        }
+                                        let _e1455 = phi_1698_;
+                                        let _e1457 = phi_1699_;
+                                        if _e1457 {
+                                        }
+                                        phi_1703_ = _e1455;
+                                        phi_1704_ = _e1457;
                                     }
-                                    let _e1372 = phi_1604_;
-                                    let _e1374 = phi_1605_;
-                                    phi_1606_ = _e1372;
-                                    phi_1607_ = _e1206;
-                                    phi_1608_ = _e1374;
+                                    let _e1459 = phi_1703_;
+                                    let _e1461 = phi_1704_;
+                                    phi_1705_ = _e1459;
+                                    phi_1706_ = _e1200;
+                                    phi_1707_ = _e1461;
                                 } else {
-                                    phi_1606_ = lt_bvh_triangle_Intersection();
-                                    phi_1607_ = true;
-                                    phi_1608_ = false;
+                                    phi_1705_ = lt_bvh_triangle_Intersection();
+                                    phi_1706_ = true;
+                                    phi_1707_ = false;
                                 }
-                                let _e1376 = phi_1606_;
-                                let _e1378 = phi_1607_;
-                                let _e1380 = phi_1608_;
-                                if _e1378 {
-                                    phi_1612_ = true;
+                                let _e1463 = phi_1705_;
+                                let _e1465 = phi_1706_;
+                                let _e1467 = phi_1707_;
+                                if _e1465 {
+                                    phi_1711_ = true;
                                 } else {
-                                    phi_1612_ = _e1380;
+                                    phi_1711_ = _e1467;
                                 }
-                                let _e1382 = phi_1612_;
-                                if _e1382 {
-                                    phi_1616_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1469 = phi_1711_;
+                                if _e1469 {
+                                    phi_1715_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1616_ = _e1376;
+                                    phi_1715_ = _e1463;
                                 }
-                                let _e1384 = phi_1616_;
-                                if _e1384.is_hit {
-                                    if (_e1384.t > _e138.tmin) {
-                                        if (_e1384.t < _e996.t) {
-                                            phi_1665_ = true;
+                                let _e1471 = phi_1715_;
+                                if _e1471.is_hit {
+                                    if (_e1471.t > _e138.tmin) {
+                                        if (_e1471.t < _e996.t) {
+                                            phi_1764_ = true;
                                         } else {
-                                            if (_e1384.t == _e996.t) {
+                                            if (_e1471.t == _e996.t) {
                                                 if (_e996.triangle != 4294967295u) {
                                                     if (_e1007 < _e996.triangle) {
-                                                        phi_1656_ = true;
+                                                        phi_1755_ = true;
                                                     } else {
                                                         if (_e1007 == _e996.triangle) {
-                                                            phi_1655_ = (4294967295u < _e996.instance);
+                                                            phi_1754_ = (4294967295u < _e996.instance);
                                                         } else {
-                                                            phi_1655_ = false;
+                                                            phi_1754_ = false;
                                                         }
-                                                        let _e1403 = phi_1655_;
-                                                        phi_1656_ = _e1403;
+                                                        let _e1490 = phi_1754_;
+                                                        phi_1755_ = _e1490;
                                                     }
-                                                    let _e1405 = phi_1656_;
-                                                    phi_1657_ = _e1405;
-                                                    phi_1658_ = false;
+                                                    let _e1492 = phi_1755_;
+                                                    phi_1756_ = _e1492;
+                                                    phi_1757_ = false;
                                                 } else {
-                                                    phi_1657_ = bool();
-                                                    phi_1658_ = true;
+                                                    phi_1756_ = bool();
+                                                    phi_1757_ = true;
                                                 }
-                                                let _e1407 = phi_1657_;
-                                                let _e1409 = phi_1658_;
-                                                phi_1659_ = _e1407;
-                                                phi_1660_ = _e1409;
+                                                let _e1494 = phi_1756_;
+                                                let _e1496 = phi_1757_;
+                                                phi_1758_ = _e1494;
+                                                phi_1759_ = _e1496;
                                             } else {
-                                                phi_1659_ = bool();
-                                                phi_1660_ = true;
+                                                phi_1758_ = bool();
+                                                phi_1759_ = true;
                                             }
-                                            let _e1411 = phi_1659_;
-                                            let _e1413 = phi_1660_;
-                                            if _e1413 {
-                                                phi_1664_ = false;
+                                            let _e1498 = phi_1758_;
+                                            let _e1500 = phi_1759_;
+                                            if _e1500 {
+                                                phi_1763_ = false;
                                             } else {
-                                                phi_1664_ = _e1411;
+                                                phi_1763_ = _e1498;
                                             }
-                                            let _e1415 = phi_1664_;
-                                            phi_1665_ = _e1415;
+                                            let _e1502 = phi_1763_;
+                                            phi_1764_ = _e1502;
                                         }
-                                        let _e1417 = phi_1665_;
-                                        if _e1417 {
-                                            let _e1419 = triangles.member[(0u + _e1007)].i0_;
-                                            if ((_e1419 & 2147483648u) == 0u) {
-                                                phi_1679_ = true;
+                                        let _e1504 = phi_1764_;
+                                        if _e1504 {
+                                            let _e1506 = triangles.member[(0u + _e1007)].i0_;
+                                            if ((_e1506 & 2147483648u) == 0u) {
+                                                phi_1778_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_1679_ = true;
+                                                phi_1778_ = true;
                                             }
-                                            let _e1423 = phi_1679_;
-                                            if _e1423 {
-                                                phi_1687_ = lt_bvh_Hit(_e1384.t, _e1384.u, _e1384.v, _e1007, 4294967295u);
+                                            let _e1510 = phi_1778_;
+                                            if _e1510 {
+                                                phi_1786_ = lt_bvh_Hit(_e1471.t, _e1471.u, _e1471.v, _e1007, 4294967295u);
                                             } else {
-                                                phi_1687_ = _e996;
+                                                phi_1786_ = _e996;
                                             }
-                                            let _e1429 = phi_1687_;
-                                            phi_1688_ = _e1429;
+                                            let _e1516 = phi_1786_;
+                                            phi_1787_ = _e1516;
                                         } else {
-                                            phi_1688_ = _e996;
+                                            phi_1787_ = _e996;
                                         }
-                                        let _e1431 = phi_1688_;
-                                        phi_1689_ = _e1431;
+                                        let _e1518 = phi_1787_;
+                                        phi_1788_ = _e1518;
                                     } else {
-                                        phi_1689_ = _e996;
+                                        phi_1788_ = _e996;
                                     }
-                                    let _e1433 = phi_1689_;
-                                    phi_1690_ = _e1433;
+                                    let _e1520 = phi_1788_;
+                                    phi_1789_ = _e1520;
                                 } else {
-                                    phi_1690_ = _e996;
+                                    phi_1789_ = _e996;
                                 }
-                                let _e1435 = phi_1690_;
-                                phi_1129_ = _e1435;
+                                let _e1522 = phi_1789_;
+                                phi_1129_ = _e1522;
                                 phi_1132_ = (_e998 & (_e998 - 1u));
-                                phi_1691_ = true;
+                                phi_1790_ = true;
                             }
-                            let _e1437 = phi_1129_;
-                            let _e1439 = phi_1132_;
-                            let _e1441 = phi_1691_;
+                            let _e1524 = phi_1129_;
+                            let _e1526 = phi_1132_;
+                            let _e1528 = phi_1790_;
                             continue;
                             continuing {
-                                phi_1128_ = _e1437;
-                                phi_1131_ = _e1439;
-                                break if !(_e1441);
+                                phi_1128_ = _e1524;
+                                phi_1131_ = _e1526;
+                                break if !(_e1528);
                             }
                         }
-                        let _e1444 = local.group_mask;
-                        if ((_e1444 & 4278190080u) == 0u) {
-                            let _e1448 = local.len;
-                            if (_e1448 == 0u) {
-                                phi_1730_ = false;
+                        let _e1531 = local.group_mask;
+                        if ((_e1531 & 4278190080u) == 0u) {
+                            let _e1535 = local.len;
+                            if (_e1535 == 0u) {
+                                phi_1829_ = false;
                             } else {
-                                let _e1452 = local.len;
-                                local.len = (_e1452 - 1u);
-                                let _e1455 = local.len;
-                                if (_e1455 < 32u) {
+                                let _e1539 = local.len;
+                                local.len = (_e1539 - 1u);
+                                let _e1542 = local.len;
+                                if (_e1542 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1460 = local.first[(0u + _e1455)];
-                                local.group = _e1460;
-                                let _e1463 = local.len;
-                                if (_e1463 < 32u) {
+                                let _e1547 = local.first[(0u + _e1542)];
+                                local.group = _e1547;
+                                let _e1550 = local.len;
+                                if (_e1550 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1468 = local.mask[(0u + _e1463)];
-                                local.group_mask = _e1468;
-                                phi_1730_ = true;
+                                let _e1555 = local.mask[(0u + _e1550)];
+                                local.group_mask = _e1555;
+                                phi_1829_ = true;
                             }
-                            let _e1471 = phi_1730_;
-                            phi_1731_ = _e1471;
+                            let _e1558 = phi_1829_;
+                            phi_1830_ = _e1558;
                         } else {
-                            phi_1731_ = true;
+                            phi_1830_ = true;
                         }
-                        let _e1473 = phi_1731_;
-                        if _e1473 {
-                            let _e1475 = local.group_mask;
-                            let _e1481 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1475)), 32u, (_e1475 == 0u)));
-                            let _e1485 = local.group_mask;
-                            let _e1499 = local.group_mask;
-                            local.group_mask = (_e1499 & ~((1u << bitcast<u32>((_e1481 & 31u)))));
-                            let _e1502 = local.group;
-                            phi_1762_ = (_e1502 + countOneBits(((_e1485 & ~((4294967295u << bitcast<u32>((((_e1481 - 24u) ^ _e415) & 31u))))) & 255u)));
+                        let _e1560 = phi_1830_;
+                        if _e1560 {
+                            let _e1562 = local.group_mask;
+                            let _e1568 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1562)), 32u, (_e1562 == 0u)));
+                            let _e1572 = local.group_mask;
+                            let _e1586 = local.group_mask;
+                            local.group_mask = (_e1586 & ~((1u << bitcast<u32>((_e1568 & 31u)))));
+                            let _e1589 = local.group;
+                            phi_1861_ = (_e1589 + countOneBits(((_e1572 & ~((4294967295u << bitcast<u32>((((_e1568 - 24u) ^ _e415) & 31u))))) & 255u)));
                         } else {
-                            phi_1762_ = 4294967295u;
+                            phi_1861_ = 4294967295u;
                         }
-                        let _e1505 = phi_1762_;
-                        let _e2199 = local_4;
-                        phi_792_ = _e2199;
-                        phi_795_ = _e1505;
+                        let _e1592 = phi_1861_;
+                        let _e2292 = local_4;
+                        phi_792_ = _e2292;
+                        phi_795_ = _e1592;
                     } else {
                         phi_792_ = lt_bvh_Hit();
                         phi_795_ = u32();
                     }
-                    let _e1507 = phi_792_;
-                    let _e1509 = phi_795_;
+                    let _e1594 = phi_792_;
+                    let _e1596 = phi_795_;
                     continue;
                     continuing {
-                        phi_791_ = _e1507;
-                        phi_794_ = _e1509;
+                        phi_791_ = _e1594;
+                        phi_794_ = _e1596;
                         break if !(_e556);
                     }
                 }
-                let _e2203 = local_5;
-                phi_1763_ = _e2203;
+                let _e2296 = local_5;
+                phi_1862_ = _e2296;
             }
-            let _e1512 = phi_1763_;
-            phi_1764_ = _e1512;
-            phi_1765_ = _e210;
+            let _e1599 = phi_1862_;
+            phi_1863_ = _e1599;
+            phi_1864_ = _e210;
         } else {
-            phi_1764_ = lt_bvh_Hit();
-            phi_1765_ = true;
+            phi_1863_ = lt_bvh_Hit();
+            phi_1864_ = true;
         }
-        let _e1514 = phi_1764_;
-        let _e1516 = phi_1765_;
-        if _e1516 {
-            phi_1769_ = _e140;
+        let _e1601 = phi_1863_;
+        let _e1603 = phi_1864_;
+        if _e1603 {
+            phi_1868_ = _e140;
         } else {
-            phi_1769_ = _e1514;
+            phi_1868_ = _e1601;
         }
-        let _e1518 = phi_1769_;
-        if (_e1518.triangle != 4294967295u) {
-            let _e1524 = ((1f - _e1518.u) - _e1518.v);
-            if (_e1518.triangle < _e68) {
+        let _e1605 = phi_1868_;
+        if (_e1605.triangle != 4294967295u) {
+            let _e1611 = ((1f - _e1605.u) - _e1605.v);
+            if (_e1605.triangle < _e68) {
             } else {
                 return;
             }
-            let _e1530 = triangles.member[(0u + _e1518.triangle)];
-            let _e1555 = (((_e1530.v0_.x * _e1524) + (_e1530.v1_.x * _e1518.u)) + (_e1530.v2_.x * _e1518.v));
-            let _e1556 = (((_e1530.v0_.y * _e1524) + (_e1530.v1_.y * _e1518.u)) + (_e1530.v2_.y * _e1518.v));
-            let _e1557 = (((_e1530.v0_.z * _e1524) + (_e1530.v1_.z * _e1518.u)) + (_e1530.v2_.z * _e1518.v));
-            let _e1560 = abs(_e1530.v0_.x);
-            let _e1562 = abs(_e1530.v0_.y);
-            let _e1564 = abs(_e1530.v0_.z);
-            let _e1566 = abs(_e1530.v1_.x);
-            let _e1568 = abs(_e1530.v1_.y);
-            let _e1570 = abs(_e1530.v1_.z);
-            if (_e1560 > _e1566) {
-                phi_1834_ = _e1560;
+            let _e1617 = triangles.member[(0u + _e1605.triangle)];
+            let _e1642 = (((_e1617.v0_.x * _e1611) + (_e1617.v1_.x * _e1605.u)) + (_e1617.v2_.x * _e1605.v));
+            let _e1643 = (((_e1617.v0_.y * _e1611) + (_e1617.v1_.y * _e1605.u)) + (_e1617.v2_.y * _e1605.v));
+            let _e1644 = (((_e1617.v0_.z * _e1611) + (_e1617.v1_.z * _e1605.u)) + (_e1617.v2_.z * _e1605.v));
+            let _e1647 = abs(_e1617.v0_.x);
+            let _e1649 = abs(_e1617.v0_.y);
+            let _e1651 = abs(_e1617.v0_.z);
+            let _e1653 = abs(_e1617.v1_.x);
+            let _e1655 = abs(_e1617.v1_.y);
+            let _e1657 = abs(_e1617.v1_.z);
+            if (_e1647 > _e1653) {
+                phi_1933_ = _e1647;
             } else {
-                phi_1834_ = _e1566;
+                phi_1933_ = _e1653;
             }
-            let _e1573 = phi_1834_;
-            if (_e1562 > _e1568) {
-                phi_1839_ = _e1562;
+            let _e1660 = phi_1933_;
+            if (_e1649 > _e1655) {
+                phi_1938_ = _e1649;
             } else {
-                phi_1839_ = _e1568;
+                phi_1938_ = _e1655;
             }
-            let _e1576 = phi_1839_;
-            if (_e1564 > _e1570) {
-                phi_1844_ = _e1564;
+            let _e1663 = phi_1938_;
+            if (_e1651 > _e1657) {
+                phi_1943_ = _e1651;
             } else {
-                phi_1844_ = _e1570;
+                phi_1943_ = _e1657;
             }
-            let _e1579 = phi_1844_;
-            let _e1581 = abs(_e1530.v2_.x);
-            let _e1583 = abs(_e1530.v2_.y);
-            let _e1585 = abs(_e1530.v2_.z);
-            if (_e1573 > _e1581) {
-                phi_1855_ = _e1573;
+            let _e1666 = phi_1943_;
+            let _e1668 = abs(_e1617.v2_.x);
+            let _e1670 = abs(_e1617.v2_.y);
+            let _e1672 = abs(_e1617.v2_.z);
+            if (_e1660 > _e1668) {
+                phi_1954_ = _e1660;
             } else {
-                phi_1855_ = _e1581;
+                phi_1954_ = _e1668;
             }
-            let _e1588 = phi_1855_;
-            if (_e1576 > _e1583) {
-                phi_1860_ = _e1576;
+            let _e1675 = phi_1954_;
+            if (_e1663 > _e1670) {
+                phi_1959_ = _e1663;
             } else {
-                phi_1860_ = _e1583;
+                phi_1959_ = _e1670;
             }
-            let _e1591 = phi_1860_;
-            if (_e1579 > _e1585) {
-                phi_1865_ = _e1579;
+            let _e1678 = phi_1959_;
+            if (_e1666 > _e1672) {
+                phi_1964_ = _e1666;
             } else {
-                phi_1865_ = _e1585;
+                phi_1964_ = _e1672;
             }
-            let _e1594 = phi_1865_;
-            let _e1597 = (_e1530.v1_.x - _e1530.v0_.x);
-            let _e1600 = (_e1530.v1_.y - _e1530.v0_.y);
-            let _e1603 = (_e1530.v1_.z - _e1530.v0_.z);
-            let _e1606 = (_e1530.v2_.x - _e1530.v0_.x);
-            let _e1609 = (_e1530.v2_.y - _e1530.v0_.y);
-            let _e1612 = (_e1530.v2_.z - _e1530.v0_.z);
-            let _e1616 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1600), abs(_e1603));
-            let _e1617 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1597), _e1616);
-            let _e1618 = (_e1597 / _e1617);
-            let _e1619 = (_e1600 / _e1617);
-            let _e1620 = (_e1603 / _e1617);
-            let _e1624 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1609), abs(_e1612));
-            let _e1625 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1606), _e1624);
-            let _e1626 = (_e1606 / _e1625);
-            let _e1627 = (_e1609 / _e1625);
-            let _e1628 = (_e1612 / _e1625);
-            let _e1631 = ((_e1619 * _e1628) - (_e1627 * _e1620));
-            let _e1634 = ((_e1620 * _e1626) - (_e1628 * _e1618));
-            let _e1637 = ((_e1618 * _e1627) - (_e1626 * _e1619));
-            let _e1639 = p.member.eye;
-            let _e1652 = (1f / sqrt((((_e1631 * _e1631) + (_e1634 * _e1634)) + (_e1637 * _e1637))));
-            let _e1653 = (_e1631 * _e1652);
-            let _e1654 = (_e1634 * _e1652);
-            let _e1655 = (_e1637 * _e1652);
-            if ((((_e1653 * (_e1639.x - _e1555)) + (_e1654 * (_e1639.y - _e1556))) + (_e1655 * (_e1639.z - _e1557))) < 0f) {
-                phi_1941_ = vec3<f32>(-(_e1653), -(_e1654), -(_e1655));
+            let _e1681 = phi_1964_;
+            let _e1684 = (_e1617.v1_.x - _e1617.v0_.x);
+            let _e1687 = (_e1617.v1_.y - _e1617.v0_.y);
+            let _e1690 = (_e1617.v1_.z - _e1617.v0_.z);
+            let _e1693 = (_e1617.v2_.x - _e1617.v0_.x);
+            let _e1696 = (_e1617.v2_.y - _e1617.v0_.y);
+            let _e1699 = (_e1617.v2_.z - _e1617.v0_.z);
+            let _e1703 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1687), abs(_e1690));
+            let _e1704 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1684), _e1703);
+            let _e1705 = (_e1684 / _e1704);
+            let _e1706 = (_e1687 / _e1704);
+            let _e1707 = (_e1690 / _e1704);
+            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1696), abs(_e1699));
+            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1693), _e1711);
+            let _e1713 = (_e1693 / _e1712);
+            let _e1714 = (_e1696 / _e1712);
+            let _e1715 = (_e1699 / _e1712);
+            let _e1718 = ((_e1706 * _e1715) - (_e1714 * _e1707));
+            let _e1721 = ((_e1707 * _e1713) - (_e1715 * _e1705));
+            let _e1724 = ((_e1705 * _e1714) - (_e1713 * _e1706));
+            let _e1726 = p.member.eye;
+            let _e1739 = (1f / sqrt((((_e1718 * _e1718) + (_e1721 * _e1721)) + (_e1724 * _e1724))));
+            let _e1740 = (_e1718 * _e1739);
+            let _e1741 = (_e1721 * _e1739);
+            let _e1742 = (_e1724 * _e1739);
+            if ((((_e1740 * (_e1726.x - _e1642)) + (_e1741 * (_e1726.y - _e1643))) + (_e1742 * (_e1726.z - _e1644))) < 0f) {
+                phi_2040_ = vec3<f32>(-(_e1740), -(_e1741), -(_e1742));
             } else {
-                phi_1941_ = vec3<f32>(_e1653, _e1654, _e1655);
+                phi_2040_ = vec3<f32>(_e1740, _e1741, _e1742);
             }
-            let _e1668 = phi_1941_;
-            if (_e1518.triangle < _e68) {
+            let _e1755 = phi_2040_;
+            if (_e1605.triangle < _e68) {
             } else {
                 return;
             }
-            let _e1673 = triangles.member[(0u + _e1518.triangle)];
-            let _e1675 = (_e1673.i0_ & 2147483647u);
-            if (_e1675 < _e71) {
+            let _e1760 = triangles.member[(0u + _e1605.triangle)];
+            let _e1762 = (_e1760.i0_ & 2147483647u);
+            if (_e1762 < _e71) {
             } else {
                 return;
             }
-            let _e1681 = vertices.member[(0u + _e1675)];
-            if (_e1673.i1_ < _e71) {
+            let _e1768 = vertices.member[(0u + _e1762)];
+            if (_e1760.i1_ < _e71) {
             } else {
                 return;
             }
-            let _e1685 = vertices.member[(0u + _e1673.i1_)];
-            if (_e1673.i2_ < _e71) {
+            let _e1772 = vertices.member[(0u + _e1760.i1_)];
+            if (_e1760.i2_ < _e71) {
             } else {
                 return;
             }
-            let _e1689 = vertices.member[(0u + _e1673.i2_)];
-            let _e1690 = array<abi_Vertex, 3>(_e1681, _e1685, _e1689);
-            if (_e1690[0].material < arrayLength((&materials.member))) {
+            let _e1776 = vertices.member[(0u + _e1760.i2_)];
+            let _e1777 = array<abi_Vertex, 3>(_e1768, _e1772, _e1776);
+            if (_e1777[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1696 = materials.member[(0u + _e1690[0].material)];
-            let _e1713 = (1f / 255f);
-            let _e1732 = (1f / 255f);
-            let _e1754 = (1f / 255f);
-            let _e1767 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1524, _e1518.u, _e1518.v));
-            let _e1769 = ((_e1696.base_color.x * ((((f32((_e1690[0].color & 255u)) * _e1713) * _e1524) + ((f32((_e1690[1].color & 255u)) * _e1732) * _e1518.u)) + ((f32((_e1690[2].color & 255u)) * _e1754) * _e1518.v))) * _e1767.x);
-            let _e1771 = ((_e1696.base_color.y * ((((f32(((_e1690[0].color >> bitcast<u32>(8i)) & 255u)) * _e1713) * _e1524) + ((f32(((_e1690[1].color >> bitcast<u32>(8i)) & 255u)) * _e1732) * _e1518.u)) + ((f32(((_e1690[2].color >> bitcast<u32>(8i)) & 255u)) * _e1754) * _e1518.v))) * _e1767.y);
-            let _e1773 = ((_e1696.base_color.z * ((((f32(((_e1690[0].color >> bitcast<u32>(16i)) & 255u)) * _e1713) * _e1524) + ((f32(((_e1690[1].color >> bitcast<u32>(16i)) & 255u)) * _e1732) * _e1518.u)) + ((f32(((_e1690[2].color >> bitcast<u32>(16i)) & 255u)) * _e1754) * _e1518.v))) * _e1767.z);
-            let _e1774 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1591, _e1594);
-            let _e1775 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1588, _e1774);
-            if ((_e1696.flags & 2u) == 0u) {
-                phi_2062_ = 0u;
+            let _e1783 = materials.member[(0u + _e1777[0].material)];
+            let _e1800 = (1f / 255f);
+            let _e1819 = (1f / 255f);
+            let _e1841 = (1f / 255f);
+            let _e1854 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1611, _e1605.u, _e1605.v));
+            let _e1856 = ((_e1783.base_color.x * ((((f32((_e1777[0].color & 255u)) * _e1800) * _e1611) + ((f32((_e1777[1].color & 255u)) * _e1819) * _e1605.u)) + ((f32((_e1777[2].color & 255u)) * _e1841) * _e1605.v))) * _e1854.x);
+            let _e1858 = ((_e1783.base_color.y * ((((f32(((_e1777[0].color >> bitcast<u32>(8i)) & 255u)) * _e1800) * _e1611) + ((f32(((_e1777[1].color >> bitcast<u32>(8i)) & 255u)) * _e1819) * _e1605.u)) + ((f32(((_e1777[2].color >> bitcast<u32>(8i)) & 255u)) * _e1841) * _e1605.v))) * _e1854.y);
+            let _e1860 = ((_e1783.base_color.z * ((((f32(((_e1777[0].color >> bitcast<u32>(16i)) & 255u)) * _e1800) * _e1611) + ((f32(((_e1777[1].color >> bitcast<u32>(16i)) & 255u)) * _e1819) * _e1605.u)) + ((f32(((_e1777[2].color >> bitcast<u32>(16i)) & 255u)) * _e1841) * _e1605.v))) * _e1854.z);
+            let _e1861 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1678, _e1681);
+            let _e1862 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1675, _e1861);
+            if ((_e1783.flags & 2u) == 0u) {
+                phi_2161_ = 0u;
             } else {
-                phi_2062_ = 1u;
+                phi_2161_ = 1u;
             }
-            let _e1780 = phi_2062_;
-            if (_e1690[0].normal == 2147516416u) {
-                phi_2265_ = _e1668;
+            let _e1867 = phi_2161_;
+            if (_e1777[0].normal == 2147516416u) {
+                phi_2364_ = _e1755;
             } else {
-                let _e1793 = (f32((bitcast<i32>((_e1690[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1799 = (f32((bitcast<i32>(_e1690[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1803 = ((1f - abs(_e1793)) - abs(_e1799));
-                if (_e1803 < 0f) {
-                    phi_2089_ = -(_e1803);
-                } else {
-                    phi_2089_ = 0f;
-                }
-                let _e1807 = phi_2089_;
-                if (_e1793 < 0f) {
-                    phi_2096_ = (_e1793 + _e1807);
-                } else {
-                    phi_2096_ = (_e1793 - _e1807);
-                }
-                let _e1812 = phi_2096_;
-                if (_e1799 < 0f) {
-                    phi_2103_ = (_e1799 + _e1807);
-                } else {
-                    phi_2103_ = (_e1799 - _e1807);
-                }
-                let _e1817 = phi_2103_;
-                let _e1824 = (1f / sqrt((((_e1812 * _e1812) + (_e1817 * _e1817)) + (_e1803 * _e1803))));
-                let _e1840 = (f32((bitcast<i32>((_e1690[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1846 = (f32((bitcast<i32>(_e1690[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1850 = ((1f - abs(_e1840)) - abs(_e1846));
-                if (_e1850 < 0f) {
-                    phi_2138_ = -(_e1850);
-                } else {
-                    phi_2138_ = 0f;
-                }
-                let _e1854 = phi_2138_;
-                if (_e1840 < 0f) {
-                    phi_2145_ = (_e1840 + _e1854);
-                } else {
-                    phi_2145_ = (_e1840 - _e1854);
-                }
-                let _e1859 = phi_2145_;
-                if (_e1846 < 0f) {
-                    phi_2152_ = (_e1846 + _e1854);
-                } else {
-                    phi_2152_ = (_e1846 - _e1854);
-                }
-                let _e1864 = phi_2152_;
-                let _e1871 = (1f / sqrt((((_e1859 * _e1859) + (_e1864 * _e1864)) + (_e1850 * _e1850))));
-                let _e1890 = (f32((bitcast<i32>((_e1690[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1896 = (f32((bitcast<i32>(_e1690[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1900 = ((1f - abs(_e1890)) - abs(_e1896));
-                if (_e1900 < 0f) {
-                    phi_2190_ = -(_e1900);
-                } else {
-                    phi_2190_ = 0f;
-                }
-                let _e1904 = phi_2190_;
+                let _e1880 = (f32((bitcast<i32>((_e1777[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1886 = (f32((bitcast<i32>(_e1777[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1890 = ((1f - abs(_e1880)) - abs(_e1886));
                 if (_e1890 < 0f) {
-                    phi_2197_ = (_e1890 + _e1904);
+                    phi_2188_ = -(_e1890);
                 } else {
-                    phi_2197_ = (_e1890 - _e1904);
+                    phi_2188_ = 0f;
                 }
-                let _e1909 = phi_2197_;
-                if (_e1896 < 0f) {
-                    phi_2204_ = (_e1896 + _e1904);
+                let _e1894 = phi_2188_;
+                if (_e1880 < 0f) {
+                    phi_2195_ = (_e1880 + _e1894);
                 } else {
-                    phi_2204_ = (_e1896 - _e1904);
+                    phi_2195_ = (_e1880 - _e1894);
                 }
-                let _e1914 = phi_2204_;
-                let _e1921 = (1f / sqrt((((_e1909 * _e1909) + (_e1914 * _e1914)) + (_e1900 * _e1900))));
-                let _e1932 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1812 * _e1824) * _e1524) + ((_e1859 * _e1871) * _e1518.u)) + ((_e1909 * _e1921) * _e1518.v)), ((((_e1817 * _e1824) * _e1524) + ((_e1864 * _e1871) * _e1518.u)) + ((_e1914 * _e1921) * _e1518.v)), ((((_e1803 * _e1824) * _e1524) + ((_e1850 * _e1871) * _e1518.u)) + ((_e1900 * _e1921) * _e1518.v))));
-                let _e1944 = sqrt((((_e1932.x * _e1932.x) + (_e1932.y * _e1932.y)) + (_e1932.z * _e1932.z)));
-                if (_e1944 > 0f) {
-                    let _e1947 = (_e1932.x / _e1944);
-                    let _e1949 = (_e1932.y / _e1944);
-                    let _e1951 = (_e1932.z / _e1944);
-                    if ((((_e1947 * _e1668.x) + (_e1949 * _e1668.y)) + (_e1951 * _e1668.z)) < 0f) {
-                        phi_2263_ = vec3<f32>(-(_e1947), -(_e1949), -(_e1951));
+                let _e1899 = phi_2195_;
+                if (_e1886 < 0f) {
+                    phi_2202_ = (_e1886 + _e1894);
+                } else {
+                    phi_2202_ = (_e1886 - _e1894);
+                }
+                let _e1904 = phi_2202_;
+                let _e1911 = (1f / sqrt((((_e1899 * _e1899) + (_e1904 * _e1904)) + (_e1890 * _e1890))));
+                let _e1927 = (f32((bitcast<i32>((_e1777[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1933 = (f32((bitcast<i32>(_e1777[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1937 = ((1f - abs(_e1927)) - abs(_e1933));
+                if (_e1937 < 0f) {
+                    phi_2237_ = -(_e1937);
+                } else {
+                    phi_2237_ = 0f;
+                }
+                let _e1941 = phi_2237_;
+                if (_e1927 < 0f) {
+                    phi_2244_ = (_e1927 + _e1941);
+                } else {
+                    phi_2244_ = (_e1927 - _e1941);
+                }
+                let _e1946 = phi_2244_;
+                if (_e1933 < 0f) {
+                    phi_2251_ = (_e1933 + _e1941);
+                } else {
+                    phi_2251_ = (_e1933 - _e1941);
+                }
+                let _e1951 = phi_2251_;
+                let _e1958 = (1f / sqrt((((_e1946 * _e1946) + (_e1951 * _e1951)) + (_e1937 * _e1937))));
+                let _e1977 = (f32((bitcast<i32>((_e1777[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1983 = (f32((bitcast<i32>(_e1777[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1987 = ((1f - abs(_e1977)) - abs(_e1983));
+                if (_e1987 < 0f) {
+                    phi_2289_ = -(_e1987);
+                } else {
+                    phi_2289_ = 0f;
+                }
+                let _e1991 = phi_2289_;
+                if (_e1977 < 0f) {
+                    phi_2296_ = (_e1977 + _e1991);
+                } else {
+                    phi_2296_ = (_e1977 - _e1991);
+                }
+                let _e1996 = phi_2296_;
+                if (_e1983 < 0f) {
+                    phi_2303_ = (_e1983 + _e1991);
+                } else {
+                    phi_2303_ = (_e1983 - _e1991);
+                }
+                let _e2001 = phi_2303_;
+                let _e2008 = (1f / sqrt((((_e1996 * _e1996) + (_e2001 * _e2001)) + (_e1987 * _e1987))));
+                let _e2019 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1899 * _e1911) * _e1611) + ((_e1946 * _e1958) * _e1605.u)) + ((_e1996 * _e2008) * _e1605.v)), ((((_e1904 * _e1911) * _e1611) + ((_e1951 * _e1958) * _e1605.u)) + ((_e2001 * _e2008) * _e1605.v)), ((((_e1890 * _e1911) * _e1611) + ((_e1937 * _e1958) * _e1605.u)) + ((_e1987 * _e2008) * _e1605.v))));
+                let _e2031 = sqrt((((_e2019.x * _e2019.x) + (_e2019.y * _e2019.y)) + (_e2019.z * _e2019.z)));
+                if (_e2031 > 0f) {
+                    let _e2034 = (_e2019.x / _e2031);
+                    let _e2036 = (_e2019.y / _e2031);
+                    let _e2038 = (_e2019.z / _e2031);
+                    if ((((_e2034 * _e1755.x) + (_e2036 * _e1755.y)) + (_e2038 * _e1755.z)) < 0f) {
+                        phi_2362_ = vec3<f32>(-(_e2034), -(_e2036), -(_e2038));
                     } else {
-                        phi_2263_ = (_e1932 / vec3(_e1944));
+                        phi_2362_ = (_e2019 / vec3(_e2031));
                     }
-                    let _e1968 = phi_2263_;
-                    phi_2264_ = _e1968;
+                    let _e2055 = phi_2362_;
+                    phi_2363_ = _e2055;
                 } else {
-                    phi_2264_ = _e1668;
+                    phi_2363_ = _e1755;
                 }
-                let _e1970 = phi_2264_;
-                phi_2265_ = _e1970;
+                let _e2057 = phi_2363_;
+                phi_2364_ = _e2057;
             }
-            let _e1972 = phi_2265_;
-            if (_e1769 > 0f) {
-                if (_e1769 < 1f) {
-                    phi_2274_ = _e1769;
+            let _e2059 = phi_2364_;
+            if (_e1856 > 0f) {
+                if (_e1856 < 1f) {
+                    phi_2373_ = _e1856;
                 } else {
-                    phi_2274_ = 1f;
+                    phi_2373_ = 1f;
                 }
-                let _e1976 = phi_2274_;
-                phi_2275_ = _e1976;
+                let _e2063 = phi_2373_;
+                phi_2374_ = _e2063;
             } else {
-                phi_2275_ = 0f;
+                phi_2374_ = 0f;
             }
-            let _e1978 = phi_2275_;
-            if (_e1771 > 0f) {
-                if (_e1771 < 1f) {
-                    phi_2285_ = _e1771;
+            let _e2065 = phi_2374_;
+            if (_e1858 > 0f) {
+                if (_e1858 < 1f) {
+                    phi_2384_ = _e1858;
                 } else {
-                    phi_2285_ = 1f;
+                    phi_2384_ = 1f;
                 }
-                let _e1983 = phi_2285_;
-                phi_2286_ = _e1983;
+                let _e2070 = phi_2384_;
+                phi_2385_ = _e2070;
             } else {
-                phi_2286_ = 0f;
+                phi_2385_ = 0f;
             }
-            let _e1985 = phi_2286_;
-            if (_e1773 > 0f) {
-                if (_e1773 < 1f) {
-                    phi_2296_ = _e1773;
+            let _e2072 = phi_2385_;
+            if (_e1860 > 0f) {
+                if (_e1860 < 1f) {
+                    phi_2395_ = _e1860;
                 } else {
-                    phi_2296_ = 1f;
+                    phi_2395_ = 1f;
                 }
-                let _e1990 = phi_2296_;
-                phi_2297_ = _e1990;
+                let _e2077 = phi_2395_;
+                phi_2396_ = _e2077;
             } else {
-                phi_2297_ = 0f;
+                phi_2396_ = 0f;
             }
-            let _e1992 = phi_2297_;
-            let _e1995 = ((sqrt(_e1978) * 255f) + 0.5f);
-            let _e2004 = ((sqrt(_e1985) * 255f) + 0.5f);
-            let _e2016 = ((sqrt(_e1992) * 255f) + 0.5f);
-            phi_2332_ = abi_Sample(vec3<f32>(_e1555, _e1556, _e1557), _e1775, _e1668, _e1780, _e1972, ((select(select(u32(_e1995), 0u, (_e1995 < bitcast<f32>(0u))), 4294967295u, (_e1995 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2004), 0u, (_e2004 < bitcast<f32>(0u))), 4294967295u, (_e2004 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2016), 0u, (_e2016 < bitcast<f32>(0u))), 4294967295u, (_e2016 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2079 = phi_2396_;
+            let _e2082 = ((sqrt(_e2065) * 255f) + 0.5f);
+            let _e2091 = ((sqrt(_e2072) * 255f) + 0.5f);
+            let _e2103 = ((sqrt(_e2079) * 255f) + 0.5f);
+            phi_2431_ = abi_Sample(vec3<f32>(_e1642, _e1643, _e1644), _e1862, _e1755, _e1867, _e2059, ((select(select(u32(_e2082), 0u, (_e2082 < bitcast<f32>(0u))), 4294967295u, (_e2082 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2091), 0u, (_e2091 < bitcast<f32>(0u))), 4294967295u, (_e2091 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2103), 0u, (_e2103 < bitcast<f32>(0u))), 4294967295u, (_e2103 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2332_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2431_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2030 = phi_2332_;
+        let _e2117 = phi_2431_;
         if (_e83.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e83.first_primitive)] = _e2030;
+        samples.member[(0u + _e83.first_primitive)] = _e2117;
     }
     return;
 }

@@ -764,150 +764,156 @@ fn function_() {
     var phi_2466_: u32;
     var phi_2510_: vec3<f32>;
     var phi_2511_: vec3<f32>;
-    var phi_2542_: vec3<f32>;
-    var phi_2543_: vec3<f32>;
-    var phi_2574_: vec3<f32>;
-    var phi_2575_: vec3<f32>;
-    var phi_2595_: bool;
-    var phi_2596_: bool;
-    var phi_2600_: f32;
-    var phi_2601_: f32;
-    var phi_2602_: f32;
-    var phi_2603_: f32;
-    var phi_2611_: f32;
-    var phi_2621_: bool;
-    var phi_2622_: bool;
-    var phi_2626_: f32;
-    var phi_2627_: f32;
-    var phi_2628_: f32;
-    var phi_2629_: f32;
-    var phi_2637_: f32;
-    var phi_2647_: bool;
-    var phi_2648_: bool;
-    var phi_2652_: f32;
-    var phi_2653_: f32;
-    var phi_2654_: f32;
-    var phi_2655_: f32;
-    var phi_2663_: f32;
-    var phi_2678_: f32;
-    var phi_2679_: bool;
-    var phi_2680_: f32;
-    var phi_2681_: bool;
-    var phi_2682_: f32;
-    var phi_2683_: bool;
-    var phi_2701_: f32;
-    var phi_2702_: bool;
-    var phi_2703_: bool;
-    var phi_2704_: f32;
-    var phi_2705_: bool;
+    var phi_2540_: vec3<f32>;
+    var phi_2541_: vec3<f32>;
+    var phi_2570_: vec3<f32>;
+    var phi_2571_: vec3<f32>;
+    var phi_2589_: bool;
+    var phi_2590_: bool;
+    var phi_2594_: f32;
+    var phi_2595_: f32;
+    var phi_2596_: f32;
+    var phi_2597_: f32;
+    var phi_2605_: f32;
+    var phi_2615_: bool;
+    var phi_2616_: bool;
+    var phi_2620_: f32;
+    var phi_2621_: f32;
+    var phi_2622_: f32;
+    var phi_2623_: f32;
+    var phi_2631_: f32;
+    var phi_2641_: bool;
+    var phi_2642_: bool;
+    var phi_2646_: f32;
+    var phi_2647_: f32;
+    var phi_2648_: f32;
+    var phi_2649_: f32;
+    var phi_2657_: f32;
+    var phi_2672_: f32;
+    var phi_2673_: bool;
+    var phi_2674_: f32;
+    var phi_2675_: bool;
+    var phi_2676_: f32;
+    var phi_2677_: bool;
+    var phi_2695_: f32;
+    var phi_2696_: bool;
+    var phi_2697_: bool;
+    var phi_2698_: f32;
+    var phi_2699_: bool;
+    var phi_2700_: bool;
+    var phi_2704_: bool;
+    var phi_2705_: f32;
     var phi_2706_: bool;
-    var phi_2710_: bool;
-    var phi_2711_: f32;
-    var phi_2712_: bool;
-    var phi_2746_: f32;
-    var phi_2755_: f32;
-    var phi_2764_: f32;
-    var phi_2773_: f32;
-    var phi_2780_: f32;
-    var phi_2787_: f32;
-    var phi_2800_: f32;
-    var phi_2809_: f32;
-    var phi_2818_: f32;
-    var phi_2827_: f32;
-    var phi_2834_: f32;
-    var phi_2841_: f32;
-    var phi_2858_: f32;
-    var phi_2863_: f32;
-    var phi_2868_: f32;
-    var phi_2876_: f32;
-    var phi_2881_: f32;
-    var phi_2886_: f32;
-    var phi_2898_: f32;
-    var phi_2903_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: f32;
-    var phi_2918_: lt_bvh_triangle_Intersection;
-    var phi_2919_: bool;
-    var phi_2920_: lt_bvh_triangle_Intersection;
-    var phi_2921_: bool;
-    var phi_2925_: lt_bvh_triangle_Intersection;
-    var phi_2926_: bool;
-    var phi_2927_: lt_bvh_triangle_Intersection;
-    var phi_2928_: bool;
-    var phi_2929_: bool;
-    var phi_2933_: bool;
-    var phi_2937_: lt_bvh_triangle_Intersection;
-    var phi_2975_: bool;
-    var phi_2976_: bool;
-    var phi_2977_: bool;
-    var phi_2978_: bool;
-    var phi_2979_: bool;
-    var phi_2980_: bool;
-    var phi_2984_: bool;
-    var phi_2985_: bool;
-    var phi_3188_: f32;
-    var phi_3191_: bool;
-    var phi_3192_: bool;
-    var phi_3196_: bool;
-    var phi_3204_: lt_bvh_Hit;
-    var phi_3205_: lt_bvh_Hit;
-    var phi_3206_: lt_bvh_Hit;
-    var phi_3207_: lt_bvh_Hit;
+    var phi_2734_: vec3<f32>;
+    var phi_2735_: vec3<f32>;
+    var phi_2760_: vec3<f32>;
+    var phi_2761_: vec3<f32>;
+    var phi_2786_: vec3<f32>;
+    var phi_2787_: vec3<f32>;
+    var phi_2843_: f32;
+    var phi_2852_: f32;
+    var phi_2861_: f32;
+    var phi_2870_: f32;
+    var phi_2877_: f32;
+    var phi_2884_: f32;
+    var phi_2897_: f32;
+    var phi_2906_: f32;
+    var phi_2915_: f32;
+    var phi_2924_: f32;
+    var phi_2931_: f32;
+    var phi_2938_: f32;
+    var phi_2955_: f32;
+    var phi_2960_: f32;
+    var phi_2965_: f32;
+    var phi_2973_: f32;
+    var phi_2978_: f32;
+    var phi_2983_: f32;
+    var phi_2995_: f32;
+    var phi_3000_: f32;
+    var phi_3005_: f32;
+    var phi_3010_: f32;
+    var phi_3015_: lt_bvh_triangle_Intersection;
+    var phi_3016_: bool;
+    var phi_3017_: lt_bvh_triangle_Intersection;
+    var phi_3018_: bool;
+    var phi_3022_: lt_bvh_triangle_Intersection;
+    var phi_3023_: bool;
+    var phi_3024_: lt_bvh_triangle_Intersection;
+    var phi_3025_: bool;
+    var phi_3026_: bool;
+    var phi_3030_: bool;
+    var phi_3034_: lt_bvh_triangle_Intersection;
+    var phi_3072_: bool;
+    var phi_3073_: bool;
+    var phi_3074_: bool;
+    var phi_3075_: bool;
+    var phi_3076_: bool;
+    var phi_3077_: bool;
+    var phi_3081_: bool;
+    var phi_3082_: bool;
+    var phi_3285_: f32;
+    var phi_3288_: bool;
+    var phi_3289_: bool;
+    var phi_3293_: bool;
+    var phi_3301_: lt_bvh_Hit;
+    var phi_3302_: lt_bvh_Hit;
+    var phi_3303_: lt_bvh_Hit;
+    var phi_3304_: lt_bvh_Hit;
     var phi_2464_: lt_bvh_Hit;
     var phi_2467_: u32;
-    var phi_3208_: bool;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
-    var phi_3279_: u32;
+    var phi_3305_: bool;
+    var phi_3344_: bool;
+    var phi_3345_: bool;
+    var phi_3376_: u32;
     var phi_2131_: lt_bvh_Hit;
     var phi_2134_: u32;
-    var phi_3280_: lt_bvh_Hit;
-    var phi_3281_: lt_bvh_Hit;
-    var phi_3282_: bool;
-    var phi_3286_: lt_bvh_Hit;
-    var phi_3287_: lt_bvh_Hit;
-    var phi_3288_: lt_bvh_Hit;
-    var phi_3289_: lt_bvh_Hit;
+    var phi_3377_: lt_bvh_Hit;
+    var phi_3378_: lt_bvh_Hit;
+    var phi_3379_: bool;
+    var phi_3383_: lt_bvh_Hit;
+    var phi_3384_: lt_bvh_Hit;
+    var phi_3385_: lt_bvh_Hit;
+    var phi_3386_: lt_bvh_Hit;
     var phi_1505_: u32;
     var phi_1508_: lt_bvh_Hit;
-    var phi_3290_: bool;
-    var phi_3329_: bool;
-    var phi_3330_: bool;
-    var phi_3361_: u32;
+    var phi_3387_: bool;
+    var phi_3426_: bool;
+    var phi_3427_: bool;
+    var phi_3458_: u32;
     var phi_1168_: u32;
     var phi_1171_: lt_bvh_Hit;
-    var phi_3362_: lt_bvh_Hit;
-    var phi_3363_: lt_bvh_Hit;
-    var phi_3364_: bool;
-    var phi_3368_: lt_bvh_Hit;
-    var phi_3555_: f32;
-    var phi_3560_: f32;
-    var phi_3565_: f32;
-    var phi_3573_: f32;
-    var phi_3578_: f32;
-    var phi_3583_: f32;
-    var phi_3647_: vec3<f32>;
-    var phi_3890_: vec3<f32>;
-    var phi_3905_: u32;
-    var phi_3932_: f32;
-    var phi_3939_: f32;
-    var phi_3946_: f32;
-    var phi_3981_: f32;
-    var phi_3988_: f32;
-    var phi_3995_: f32;
-    var phi_4033_: f32;
-    var phi_4040_: f32;
-    var phi_4047_: f32;
-    var phi_4133_: vec3<f32>;
-    var phi_4134_: vec3<f32>;
-    var phi_4135_: vec3<f32>;
+    var phi_3459_: lt_bvh_Hit;
+    var phi_3460_: lt_bvh_Hit;
+    var phi_3461_: bool;
+    var phi_3465_: lt_bvh_Hit;
+    var phi_3652_: f32;
+    var phi_3657_: f32;
+    var phi_3662_: f32;
+    var phi_3670_: f32;
+    var phi_3675_: f32;
+    var phi_3680_: f32;
+    var phi_3744_: vec3<f32>;
+    var phi_3987_: vec3<f32>;
+    var phi_4002_: u32;
+    var phi_4029_: f32;
+    var phi_4036_: f32;
+    var phi_4043_: f32;
+    var phi_4078_: f32;
+    var phi_4085_: f32;
+    var phi_4092_: f32;
+    var phi_4130_: f32;
+    var phi_4137_: f32;
     var phi_4144_: f32;
-    var phi_4145_: f32;
-    var phi_4155_: f32;
-    var phi_4156_: f32;
-    var phi_4166_: f32;
-    var phi_4167_: f32;
-    var phi_4202_: abi_Sample;
+    var phi_4230_: vec3<f32>;
+    var phi_4231_: vec3<f32>;
+    var phi_4232_: vec3<f32>;
+    var phi_4241_: f32;
+    var phi_4242_: f32;
+    var phi_4252_: f32;
+    var phi_4253_: f32;
+    var phi_4263_: f32;
+    var phi_4264_: f32;
+    var phi_4299_: abi_Sample;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
@@ -1045,7 +1051,7 @@ fn function_() {
         if _e233 {
             let _e234 = (_e111 >= _e78);
             if _e234 {
-                phi_3362_ = lt_bvh_Hit();
+                phi_3459_ = lt_bvh_Hit();
             } else {
                 if (_e111 < _e78) {
                 } else {
@@ -1398,7 +1404,7 @@ fn function_() {
                             if (_e978 == 0u) {
                                 phi_1505_ = u32();
                                 phi_1508_ = lt_bvh_Hit();
-                                phi_3290_ = false;
+                                phi_3387_ = false;
                             } else {
                                 let _e984 = nodes.member[(0u + _e535)].links[1u];
                                 let _e988 = (_e984 + select(firstTrailingBit(_e978), 32u, (_e978 == 0u)));
@@ -1580,7 +1586,7 @@ fn function_() {
                                             if _e1210 {
                                                 let _e1211 = (_e1147 >= _e78);
                                                 if _e1211 {
-                                                    phi_3280_ = lt_bvh_Hit();
+                                                    phi_3377_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1147 < _e78) {
                                                     } else {
@@ -1707,7 +1713,6 @@ fn function_() {
                                                     let _e1366 = phi_1959_;
                                                     let _e1369 = (_e1366.x / _e1366.z);
                                                     let _e1372 = (_e1366.y / _e1366.z);
-                                                    let _e1374 = (1f / _e1366.z);
                                                     if (_e1287 < 0f) {
                                                         phi_1972_ = 0u;
                                                     } else {
@@ -1975,7 +1980,7 @@ fn function_() {
                                                                 if (_e1964 == 0u) {
                                                                     phi_2464_ = lt_bvh_Hit();
                                                                     phi_2467_ = u32();
-                                                                    phi_3208_ = false;
+                                                                    phi_3305_ = false;
                                                                 } else {
                                                                     let _e1968 = nodes.member[(0u + _e1525)].links[1u];
                                                                     let _e1973 = ((_e1149 + _e1968) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
@@ -2001,1098 +2006,1151 @@ fn function_() {
                                                                     let _e1996 = phi_2511_;
                                                                     let _e2000 = (_e1996.x - (_e1369 * _e1996.z));
                                                                     let _e2004 = (_e1996.y - (_e1372 * _e1996.z));
-                                                                    let _e2008 = triangles.member[(0u + _e1973)].v1_;
-                                                                    let _e2010 = (_e2008.x - _e1072);
-                                                                    let _e2012 = (_e2008.y - _e1085);
-                                                                    let _e2014 = (_e2008.z - _e1098);
+                                                                    let _e2006 = triangles.member[(0u + _e1973)].v1_;
+                                                                    let _e2008 = (_e2006.x - _e1072);
+                                                                    let _e2010 = (_e2006.y - _e1085);
+                                                                    let _e2012 = (_e2006.z - _e1098);
                                                                     if (_e1358 == 0u) {
-                                                                        phi_2543_ = vec3<f32>(_e2012, _e2014, _e2010);
+                                                                        phi_2541_ = vec3<f32>(_e2010, _e2012, _e2008);
                                                                     } else {
                                                                         if (_e1358 == 1u) {
-                                                                            phi_2542_ = vec3<f32>(_e2014, _e2010, _e2012);
+                                                                            phi_2540_ = vec3<f32>(_e2012, _e2008, _e2010);
                                                                         } else {
-                                                                            phi_2542_ = (_e2008 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2540_ = (_e2006 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2022 = phi_2542_;
-                                                                        phi_2543_ = _e2022;
+                                                                        let _e2020 = phi_2540_;
+                                                                        phi_2541_ = _e2020;
                                                                     }
-                                                                    let _e2024 = phi_2543_;
-                                                                    let _e2028 = (_e2024.x - (_e1369 * _e2024.z));
-                                                                    let _e2032 = (_e2024.y - (_e1372 * _e2024.z));
-                                                                    let _e2036 = triangles.member[(0u + _e1973)].v2_;
-                                                                    let _e2038 = (_e2036.x - _e1072);
-                                                                    let _e2040 = (_e2036.y - _e1085);
-                                                                    let _e2042 = (_e2036.z - _e1098);
+                                                                    let _e2022 = phi_2541_;
+                                                                    let _e2026 = (_e2022.x - (_e1369 * _e2022.z));
+                                                                    let _e2030 = (_e2022.y - (_e1372 * _e2022.z));
+                                                                    let _e2032 = triangles.member[(0u + _e1973)].v2_;
+                                                                    let _e2034 = (_e2032.x - _e1072);
+                                                                    let _e2036 = (_e2032.y - _e1085);
+                                                                    let _e2038 = (_e2032.z - _e1098);
                                                                     if (_e1358 == 0u) {
-                                                                        phi_2575_ = vec3<f32>(_e2040, _e2042, _e2038);
+                                                                        phi_2571_ = vec3<f32>(_e2036, _e2038, _e2034);
                                                                     } else {
                                                                         if (_e1358 == 1u) {
-                                                                            phi_2574_ = vec3<f32>(_e2042, _e2038, _e2040);
+                                                                            phi_2570_ = vec3<f32>(_e2038, _e2034, _e2036);
                                                                         } else {
-                                                                            phi_2574_ = (_e2036 - vec3<f32>(_e1072, _e1085, _e1098));
+                                                                            phi_2570_ = (_e2032 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                         }
-                                                                        let _e2050 = phi_2574_;
-                                                                        phi_2575_ = _e2050;
+                                                                        let _e2046 = phi_2570_;
+                                                                        phi_2571_ = _e2046;
                                                                     }
-                                                                    let _e2052 = phi_2575_;
-                                                                    let _e2056 = (_e2052.x - (_e1369 * _e2052.z));
-                                                                    let _e2060 = (_e2052.y - (_e1372 * _e2052.z));
-                                                                    if (_e2028 < _e2056) {
-                                                                        phi_2596_ = true;
+                                                                    let _e2048 = phi_2571_;
+                                                                    let _e2052 = (_e2048.x - (_e1369 * _e2048.z));
+                                                                    let _e2056 = (_e2048.y - (_e1372 * _e2048.z));
+                                                                    if (_e2026 < _e2052) {
+                                                                        phi_2590_ = true;
                                                                     } else {
-                                                                        if (_e2028 == _e2056) {
-                                                                            phi_2595_ = (_e2032 < _e2060);
+                                                                        if (_e2026 == _e2052) {
+                                                                            phi_2589_ = (_e2030 < _e2056);
                                                                         } else {
-                                                                            phi_2595_ = false;
+                                                                            phi_2589_ = false;
                                                                         }
-                                                                        let _e2067 = phi_2595_;
-                                                                        phi_2596_ = _e2067;
+                                                                        let _e2061 = phi_2589_;
+                                                                        phi_2590_ = _e2061;
                                                                     }
+                                                                    let _e2063 = phi_2590_;
+                                                                    if _e2063 {
+                                                                        phi_2594_ = _e2056;
+                                                                        phi_2595_ = _e2052;
+                                                                        phi_2596_ = _e2030;
+                                                                        phi_2597_ = _e2026;
+                                                                    } else {
+                                                                        phi_2594_ = _e2030;
+                                                                        phi_2595_ = _e2026;
+                                                                        phi_2596_ = _e2056;
+                                                                        phi_2597_ = _e2052;
+                                                                    }
+                                                                    let _e2065 = phi_2594_;
+                                                                    let _e2067 = phi_2595_;
                                                                     let _e2069 = phi_2596_;
-                                                                    if _e2069 {
-                                                                        phi_2600_ = _e2060;
-                                                                        phi_2601_ = _e2056;
-                                                                        phi_2602_ = _e2032;
-                                                                        phi_2603_ = _e2028;
+                                                                    let _e2071 = phi_2597_;
+                                                                    let _e2074 = ((_e2071 * _e2065) - (_e2069 * _e2067));
+                                                                    if _e2063 {
+                                                                        phi_2605_ = -(_e2074);
                                                                     } else {
-                                                                        phi_2600_ = _e2032;
-                                                                        phi_2601_ = _e2028;
-                                                                        phi_2602_ = _e2060;
-                                                                        phi_2603_ = _e2056;
+                                                                        phi_2605_ = _e2074;
                                                                     }
-                                                                    let _e2071 = phi_2600_;
-                                                                    let _e2073 = phi_2601_;
-                                                                    let _e2075 = phi_2602_;
-                                                                    let _e2077 = phi_2603_;
-                                                                    let _e2080 = ((_e2077 * _e2071) - (_e2075 * _e2073));
-                                                                    if _e2069 {
-                                                                        phi_2611_ = -(_e2080);
+                                                                    let _e2077 = phi_2605_;
+                                                                    if (_e2052 < _e2000) {
+                                                                        phi_2616_ = true;
                                                                     } else {
-                                                                        phi_2611_ = _e2080;
-                                                                    }
-                                                                    let _e2083 = phi_2611_;
-                                                                    if (_e2056 < _e2000) {
-                                                                        phi_2622_ = true;
-                                                                    } else {
-                                                                        if (_e2056 == _e2000) {
-                                                                            phi_2621_ = (_e2060 < _e2004);
+                                                                        if (_e2052 == _e2000) {
+                                                                            phi_2615_ = (_e2056 < _e2004);
                                                                         } else {
-                                                                            phi_2621_ = false;
+                                                                            phi_2615_ = false;
                                                                         }
-                                                                        let _e2088 = phi_2621_;
-                                                                        phi_2622_ = _e2088;
+                                                                        let _e2082 = phi_2615_;
+                                                                        phi_2616_ = _e2082;
                                                                     }
+                                                                    let _e2084 = phi_2616_;
+                                                                    if _e2084 {
+                                                                        phi_2620_ = _e2004;
+                                                                        phi_2621_ = _e2000;
+                                                                        phi_2622_ = _e2056;
+                                                                        phi_2623_ = _e2052;
+                                                                    } else {
+                                                                        phi_2620_ = _e2056;
+                                                                        phi_2621_ = _e2052;
+                                                                        phi_2622_ = _e2004;
+                                                                        phi_2623_ = _e2000;
+                                                                    }
+                                                                    let _e2086 = phi_2620_;
+                                                                    let _e2088 = phi_2621_;
                                                                     let _e2090 = phi_2622_;
-                                                                    if _e2090 {
-                                                                        phi_2626_ = _e2004;
-                                                                        phi_2627_ = _e2000;
-                                                                        phi_2628_ = _e2060;
-                                                                        phi_2629_ = _e2056;
+                                                                    let _e2092 = phi_2623_;
+                                                                    let _e2095 = ((_e2092 * _e2086) - (_e2090 * _e2088));
+                                                                    if _e2084 {
+                                                                        phi_2631_ = -(_e2095);
                                                                     } else {
-                                                                        phi_2626_ = _e2060;
-                                                                        phi_2627_ = _e2056;
-                                                                        phi_2628_ = _e2004;
-                                                                        phi_2629_ = _e2000;
+                                                                        phi_2631_ = _e2095;
                                                                     }
-                                                                    let _e2092 = phi_2626_;
-                                                                    let _e2094 = phi_2627_;
-                                                                    let _e2096 = phi_2628_;
-                                                                    let _e2098 = phi_2629_;
-                                                                    let _e2101 = ((_e2098 * _e2092) - (_e2096 * _e2094));
-                                                                    if _e2090 {
-                                                                        phi_2637_ = -(_e2101);
+                                                                    let _e2098 = phi_2631_;
+                                                                    if (_e2000 < _e2026) {
+                                                                        phi_2642_ = true;
                                                                     } else {
-                                                                        phi_2637_ = _e2101;
-                                                                    }
-                                                                    let _e2104 = phi_2637_;
-                                                                    if (_e2000 < _e2028) {
-                                                                        phi_2648_ = true;
-                                                                    } else {
-                                                                        if (_e2000 == _e2028) {
-                                                                            phi_2647_ = (_e2004 < _e2032);
+                                                                        if (_e2000 == _e2026) {
+                                                                            phi_2641_ = (_e2004 < _e2030);
                                                                         } else {
-                                                                            phi_2647_ = false;
+                                                                            phi_2641_ = false;
                                                                         }
-                                                                        let _e2109 = phi_2647_;
-                                                                        phi_2648_ = _e2109;
+                                                                        let _e2103 = phi_2641_;
+                                                                        phi_2642_ = _e2103;
                                                                     }
+                                                                    let _e2105 = phi_2642_;
+                                                                    if _e2105 {
+                                                                        phi_2646_ = _e2030;
+                                                                        phi_2647_ = _e2026;
+                                                                        phi_2648_ = _e2004;
+                                                                        phi_2649_ = _e2000;
+                                                                    } else {
+                                                                        phi_2646_ = _e2004;
+                                                                        phi_2647_ = _e2000;
+                                                                        phi_2648_ = _e2030;
+                                                                        phi_2649_ = _e2026;
+                                                                    }
+                                                                    let _e2107 = phi_2646_;
+                                                                    let _e2109 = phi_2647_;
                                                                     let _e2111 = phi_2648_;
-                                                                    if _e2111 {
-                                                                        phi_2652_ = _e2032;
-                                                                        phi_2653_ = _e2028;
-                                                                        phi_2654_ = _e2004;
-                                                                        phi_2655_ = _e2000;
+                                                                    let _e2113 = phi_2649_;
+                                                                    let _e2116 = ((_e2113 * _e2107) - (_e2111 * _e2109));
+                                                                    if _e2105 {
+                                                                        phi_2657_ = -(_e2116);
                                                                     } else {
-                                                                        phi_2652_ = _e2004;
-                                                                        phi_2653_ = _e2000;
-                                                                        phi_2654_ = _e2032;
-                                                                        phi_2655_ = _e2028;
+                                                                        phi_2657_ = _e2116;
                                                                     }
-                                                                    let _e2113 = phi_2652_;
-                                                                    let _e2115 = phi_2653_;
-                                                                    let _e2117 = phi_2654_;
-                                                                    let _e2119 = phi_2655_;
-                                                                    let _e2122 = ((_e2119 * _e2113) - (_e2117 * _e2115));
-                                                                    if _e2111 {
-                                                                        phi_2663_ = -(_e2122);
-                                                                    } else {
-                                                                        phi_2663_ = _e2122;
-                                                                    }
-                                                                    let _e2125 = phi_2663_;
-                                                                    if (_e2083 >= 0f) {
-                                                                        if (_e2104 >= 0f) {
-                                                                            if (_e2125 >= 0f) {
-                                                                                phi_2678_ = ((_e2083 + _e2104) + _e2125);
-                                                                                phi_2679_ = false;
+                                                                    let _e2119 = phi_2657_;
+                                                                    if (_e2077 >= 0f) {
+                                                                        if (_e2098 >= 0f) {
+                                                                            if (_e2119 >= 0f) {
+                                                                                phi_2672_ = ((_e2077 + _e2098) + _e2119);
+                                                                                phi_2673_ = false;
                                                                             } else {
-                                                                                phi_2678_ = f32();
-                                                                                phi_2679_ = true;
+                                                                                phi_2672_ = f32();
+                                                                                phi_2673_ = true;
                                                                             }
-                                                                            let _e2132 = phi_2678_;
-                                                                            let _e2134 = phi_2679_;
-                                                                            phi_2680_ = _e2132;
-                                                                            phi_2681_ = _e2134;
+                                                                            let _e2126 = phi_2672_;
+                                                                            let _e2128 = phi_2673_;
+                                                                            phi_2674_ = _e2126;
+                                                                            phi_2675_ = _e2128;
                                                                         } else {
-                                                                            phi_2680_ = f32();
-                                                                            phi_2681_ = true;
+                                                                            phi_2674_ = f32();
+                                                                            phi_2675_ = true;
                                                                         }
-                                                                        let _e2136 = phi_2680_;
-                                                                        let _e2138 = phi_2681_;
-                                                                        phi_2682_ = _e2136;
-                                                                        phi_2683_ = _e2138;
+                                                                        let _e2130 = phi_2674_;
+                                                                        let _e2132 = phi_2675_;
+                                                                        phi_2676_ = _e2130;
+                                                                        phi_2677_ = _e2132;
                                                                     } else {
-                                                                        phi_2682_ = f32();
-                                                                        phi_2683_ = true;
+                                                                        phi_2676_ = f32();
+                                                                        phi_2677_ = true;
                                                                     }
-                                                                    let _e2140 = phi_2682_;
-                                                                    let _e2142 = phi_2683_;
-                                                                    if _e2142 {
-                                                                        if (_e2083 <= 0f) {
-                                                                            if (_e2104 <= 0f) {
-                                                                                let _e2145 = (_e2125 <= 0f);
-                                                                                if _e2145 {
+                                                                    let _e2134 = phi_2676_;
+                                                                    let _e2136 = phi_2677_;
+                                                                    if _e2136 {
+                                                                        if (_e2077 <= 0f) {
+                                                                            if (_e2098 <= 0f) {
+                                                                                let _e2139 = (_e2119 <= 0f);
+                                                                                if _e2139 {
                                                                                 }
-                                                                                phi_2701_ = ((_e2083 + _e2104) + _e2125);
-                                                                                phi_2702_ = false;
-                                                                                phi_2703_ = _e2145;
+                                                                                phi_2695_ = ((_e2077 + _e2098) + _e2119);
+                                                                                phi_2696_ = false;
+                                                                                phi_2697_ = _e2139;
                                                                             } else {
-                                                                                phi_2701_ = f32();
-                                                                                phi_2702_ = true;
-                                                                                phi_2703_ = false;
+                                                                                phi_2695_ = f32();
+                                                                                phi_2696_ = true;
+                                                                                phi_2697_ = false;
                                                                             }
-                                                                            let _e2149 = phi_2701_;
-                                                                            let _e2151 = phi_2702_;
-                                                                            let _e2153 = phi_2703_;
-                                                                            phi_2704_ = _e2149;
-                                                                            phi_2705_ = _e2151;
-                                                                            phi_2706_ = _e2153;
+                                                                            let _e2143 = phi_2695_;
+                                                                            let _e2145 = phi_2696_;
+                                                                            let _e2147 = phi_2697_;
+                                                                            phi_2698_ = _e2143;
+                                                                            phi_2699_ = _e2145;
+                                                                            phi_2700_ = _e2147;
                                                                         } else {
-                                                                            phi_2704_ = f32();
-                                                                            phi_2705_ = true;
-                                                                            phi_2706_ = false;
+                                                                            phi_2698_ = f32();
+                                                                            phi_2699_ = true;
+                                                                            phi_2700_ = false;
+                                                                        }
+                                                                        let _e2149 = phi_2698_;
+                                                                        let _e2151 = phi_2699_;
+                                                                        let _e2153 = phi_2700_;
+                                                                        if _e2151 {
+                                                                            phi_2704_ = false;
+                                                                        } else {
+                                                                            phi_2704_ = _e2153;
                                                                         }
                                                                         let _e2155 = phi_2704_;
-                                                                        let _e2157 = phi_2705_;
-                                                                        let _e2159 = phi_2706_;
-                                                                        if _e2157 {
-                                                                            phi_2710_ = false;
-                                                                        } else {
-                                                                            phi_2710_ = _e2159;
-                                                                        }
-                                                                        let _e2161 = phi_2710_;
-                                                                        phi_2711_ = _e2155;
-                                                                        phi_2712_ = _e2161;
+                                                                        phi_2705_ = _e2149;
+                                                                        phi_2706_ = _e2155;
                                                                     } else {
-                                                                        phi_2711_ = _e2140;
-                                                                        phi_2712_ = true;
+                                                                        phi_2705_ = _e2134;
+                                                                        phi_2706_ = true;
                                                                     }
-                                                                    let _e2163 = phi_2711_;
-                                                                    let _e2165 = phi_2712_;
-                                                                    if _e2165 {
-                                                                        let _e2166 = (_e2163 == 0f);
-                                                                        if _e2166 {
-                                                                            phi_2925_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2926_ = false;
+                                                                    let _e2157 = phi_2705_;
+                                                                    let _e2159 = phi_2706_;
+                                                                    if _e2159 {
+                                                                        let _e2160 = (_e2157 == 0f);
+                                                                        if _e2160 {
+                                                                            phi_3022_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3023_ = false;
                                                                         } else {
-                                                                            let _e2172 = ((((_e2083 * (_e1374 * _e1996.z)) + (_e2104 * (_e1374 * _e2024.z))) + (_e2125 * (_e1374 * _e2052.z))) / _e2163);
-                                                                            if (_e2172 > _e162.tmin) {
-                                                                                if (_e2172 < _e162.tmax) {
-                                                                                    let _e2176 = triangles.member[(0u + _e1973)].v0_;
-                                                                                    let _e2178 = triangles.member[(0u + _e1973)].v1_;
-                                                                                    if (_e2176.x < _e2178.x) {
-                                                                                        phi_2746_ = _e2176.x;
-                                                                                    } else {
-                                                                                        phi_2746_ = _e2178.x;
-                                                                                    }
-                                                                                    let _e2185 = phi_2746_;
-                                                                                    if (_e2176.y < _e2178.y) {
-                                                                                        phi_2755_ = _e2176.y;
-                                                                                    } else {
-                                                                                        phi_2755_ = _e2178.y;
-                                                                                    }
-                                                                                    let _e2192 = phi_2755_;
-                                                                                    if (_e2176.z < _e2178.z) {
-                                                                                        phi_2764_ = _e2176.z;
-                                                                                    } else {
-                                                                                        phi_2764_ = _e2178.z;
-                                                                                    }
-                                                                                    let _e2199 = phi_2764_;
-                                                                                    let _e2201 = triangles.member[(0u + _e1973)].v2_;
-                                                                                    if (_e2185 < _e2201.x) {
-                                                                                        phi_2773_ = _e2185;
-                                                                                    } else {
-                                                                                        phi_2773_ = _e2201.x;
-                                                                                    }
-                                                                                    let _e2206 = phi_2773_;
-                                                                                    if (_e2192 < _e2201.y) {
-                                                                                        phi_2780_ = _e2192;
-                                                                                    } else {
-                                                                                        phi_2780_ = _e2201.y;
-                                                                                    }
-                                                                                    let _e2211 = phi_2780_;
-                                                                                    if (_e2199 < _e2201.z) {
-                                                                                        phi_2787_ = _e2199;
-                                                                                    } else {
-                                                                                        phi_2787_ = _e2201.z;
-                                                                                    }
-                                                                                    let _e2216 = phi_2787_;
-                                                                                    let _e2218 = triangles.member[(0u + _e1973)].v0_;
-                                                                                    let _e2220 = triangles.member[(0u + _e1973)].v1_;
-                                                                                    if (_e2218.x > _e2220.x) {
-                                                                                        phi_2800_ = _e2218.x;
-                                                                                    } else {
-                                                                                        phi_2800_ = _e2220.x;
-                                                                                    }
-                                                                                    let _e2227 = phi_2800_;
-                                                                                    if (_e2218.y > _e2220.y) {
-                                                                                        phi_2809_ = _e2218.y;
-                                                                                    } else {
-                                                                                        phi_2809_ = _e2220.y;
-                                                                                    }
-                                                                                    let _e2234 = phi_2809_;
-                                                                                    if (_e2218.z > _e2220.z) {
-                                                                                        phi_2818_ = _e2218.z;
-                                                                                    } else {
-                                                                                        phi_2818_ = _e2220.z;
-                                                                                    }
-                                                                                    let _e2241 = phi_2818_;
-                                                                                    let _e2243 = triangles.member[(0u + _e1973)].v2_;
-                                                                                    if (_e2227 > _e2243.x) {
-                                                                                        phi_2827_ = _e2227;
-                                                                                    } else {
-                                                                                        phi_2827_ = _e2243.x;
-                                                                                    }
-                                                                                    let _e2248 = phi_2827_;
-                                                                                    if (_e2234 > _e2243.y) {
-                                                                                        phi_2834_ = _e2234;
-                                                                                    } else {
-                                                                                        phi_2834_ = _e2243.y;
-                                                                                    }
-                                                                                    let _e2253 = phi_2834_;
-                                                                                    if (_e2241 > _e2243.z) {
-                                                                                        phi_2841_ = _e2241;
-                                                                                    } else {
-                                                                                        phi_2841_ = _e2243.z;
-                                                                                    }
-                                                                                    let _e2258 = phi_2841_;
-                                                                                    let _e2262 = ((_e2206 - _e1072) * _e1287);
-                                                                                    let _e2263 = ((_e2211 - _e1085) * _e1297);
-                                                                                    let _e2264 = ((_e2216 - _e1098) * _e1307);
-                                                                                    let _e2268 = ((_e2248 - _e1072) * _e1287);
-                                                                                    let _e2269 = ((_e2253 - _e1085) * _e1297);
-                                                                                    let _e2270 = ((_e2258 - _e1098) * _e1307);
-                                                                                    if (_e2262 < _e2268) {
-                                                                                        phi_2858_ = _e2262;
-                                                                                    } else {
-                                                                                        phi_2858_ = _e2268;
-                                                                                    }
-                                                                                    let _e2273 = phi_2858_;
-                                                                                    if (_e2263 < _e2269) {
-                                                                                        phi_2863_ = _e2263;
-                                                                                    } else {
-                                                                                        phi_2863_ = _e2269;
-                                                                                    }
-                                                                                    let _e2276 = phi_2863_;
-                                                                                    if (_e2264 < _e2270) {
-                                                                                        phi_2868_ = _e2264;
-                                                                                    } else {
-                                                                                        phi_2868_ = _e2270;
-                                                                                    }
-                                                                                    let _e2279 = phi_2868_;
-                                                                                    if (_e2262 > _e2268) {
-                                                                                        phi_2876_ = _e2262;
-                                                                                    } else {
-                                                                                        phi_2876_ = _e2268;
-                                                                                    }
-                                                                                    let _e2285 = phi_2876_;
-                                                                                    if (_e2263 > _e2269) {
-                                                                                        phi_2881_ = _e2263;
-                                                                                    } else {
-                                                                                        phi_2881_ = _e2269;
-                                                                                    }
-                                                                                    let _e2288 = phi_2881_;
-                                                                                    if (_e2264 > _e2270) {
-                                                                                        phi_2886_ = _e2264;
-                                                                                    } else {
-                                                                                        phi_2886_ = _e2270;
-                                                                                    }
-                                                                                    let _e2291 = phi_2886_;
-                                                                                    let _e2295 = core_intrinsics_maximum_number_nsz_f32_((_e2273 - _e1342), (_e2276 - _e1343));
-                                                                                    let _e2296 = core_intrinsics_maximum_number_nsz_f32_(_e2295, (_e2279 - _e1344));
-                                                                                    let _e2297 = core_intrinsics_minimum_number_nsz_f32_((_e2285 + _e1342), (_e2288 + _e1343));
-                                                                                    let _e2298 = core_intrinsics_minimum_number_nsz_f32_(_e2297, (_e2291 + _e1344));
-                                                                                    if (_e2296 > _e1047) {
-                                                                                        phi_2898_ = _e2296;
-                                                                                    } else {
-                                                                                        phi_2898_ = _e1047;
-                                                                                    }
-                                                                                    let _e2301 = phi_2898_;
-                                                                                    if (_e2298 < _e1049) {
-                                                                                        phi_2903_ = _e2298;
-                                                                                    } else {
-                                                                                        phi_2903_ = _e1049;
-                                                                                    }
-                                                                                    let _e2304 = phi_2903_;
-                                                                                    if (_e2172 < _e2301) {
-                                                                                        phi_2908_ = _e2301;
-                                                                                    } else {
-                                                                                        phi_2908_ = _e2172;
-                                                                                    }
-                                                                                    let _e2307 = phi_2908_;
-                                                                                    if (_e2307 > _e2304) {
-                                                                                        phi_2913_ = _e2304;
-                                                                                    } else {
-                                                                                        phi_2913_ = _e2307;
-                                                                                    }
-                                                                                    let _e2310 = phi_2913_;
-                                                                                    phi_2918_ = lt_bvh_triangle_Intersection(_e2310, (_e2104 / _e2163), (_e2125 / _e2163), (_e2301 <= _e2304));
-                                                                                    phi_2919_ = false;
+                                                                            let _e2162 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2164 = (_e2162.x - _e1072);
+                                                                            let _e2166 = (_e2162.y - _e1085);
+                                                                            let _e2168 = (_e2162.z - _e1098);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2735_ = vec3<f32>(_e2166, _e2168, _e2164);
+                                                                            } else {
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2734_ = vec3<f32>(_e2168, _e2164, _e2166);
                                                                                 } else {
-                                                                                    phi_2918_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2919_ = true;
+                                                                                    phi_2734_ = (_e2162 - vec3<f32>(_e1072, _e1085, _e1098));
                                                                                 }
-                                                                                let _e2316 = phi_2918_;
-                                                                                let _e2318 = phi_2919_;
-                                                                                phi_2920_ = _e2316;
-                                                                                phi_2921_ = _e2318;
+                                                                                let _e2176 = phi_2734_;
+                                                                                phi_2735_ = _e2176;
+                                                                            }
+                                                                            let _e2178 = phi_2735_;
+                                                                            let _e2180 = triangles.member[(0u + _e1973)].v1_;
+                                                                            let _e2182 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2185 = (_e2180.x - _e2182.x);
+                                                                            let _e2188 = (_e2180.y - _e2182.y);
+                                                                            let _e2191 = (_e2180.z - _e2182.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2761_ = vec3<f32>(_e2188, _e2191, _e2185);
                                                                             } else {
-                                                                                phi_2920_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2921_ = true;
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2760_ = vec3<f32>(_e2191, _e2185, _e2188);
+                                                                                } else {
+                                                                                    phi_2760_ = (_e2180 - _e2182);
+                                                                                }
+                                                                                let _e2198 = phi_2760_;
+                                                                                phi_2761_ = _e2198;
                                                                             }
-                                                                            let _e2320 = phi_2920_;
-                                                                            let _e2322 = phi_2921_;
-                                                                            if _e2322 {
+                                                                            let _e2200 = phi_2761_;
+                                                                            let _e2202 = triangles.member[(0u + _e1973)].v2_;
+                                                                            let _e2204 = triangles.member[(0u + _e1973)].v0_;
+                                                                            let _e2207 = (_e2202.x - _e2204.x);
+                                                                            let _e2210 = (_e2202.y - _e2204.y);
+                                                                            let _e2213 = (_e2202.z - _e2204.z);
+                                                                            if (_e1358 == 0u) {
+                                                                                phi_2787_ = vec3<f32>(_e2210, _e2213, _e2207);
+                                                                            } else {
+                                                                                if (_e1358 == 1u) {
+                                                                                    phi_2786_ = vec3<f32>(_e2213, _e2207, _e2210);
+                                                                                } else {
+                                                                                    phi_2786_ = (_e2202 - _e2204);
+                                                                                }
+                                                                                let _e2220 = phi_2786_;
+                                                                                phi_2787_ = _e2220;
                                                                             }
-                                                                            phi_2925_ = _e2320;
-                                                                            phi_2926_ = _e2322;
+                                                                            let _e2222 = phi_2787_;
+                                                                            let _e2229 = ((_e2200.y * _e2222.z) - (_e2200.z * _e2222.y));
+                                                                            let _e2236 = ((_e2200.z * _e2222.x) - (_e2200.x * _e2222.z));
+                                                                            let _e2243 = ((_e2200.x * _e2222.y) - (_e2200.y * _e2222.x));
+                                                                            let _e2257 = (((1f / _e1366.z) * (((_e2229 * _e2178.x) + (_e2236 * _e2178.y)) + (_e2243 * _e2178.z))) / (((_e2229 * _e1369) + (_e2236 * _e1372)) + _e2243));
+                                                                            if (_e2257 > _e162.tmin) {
+                                                                                if (_e2257 < _e162.tmax) {
+                                                                                    let _e2261 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2263 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2261.x < _e2263.x) {
+                                                                                        phi_2843_ = _e2261.x;
+                                                                                    } else {
+                                                                                        phi_2843_ = _e2263.x;
+                                                                                    }
+                                                                                    let _e2270 = phi_2843_;
+                                                                                    if (_e2261.y < _e2263.y) {
+                                                                                        phi_2852_ = _e2261.y;
+                                                                                    } else {
+                                                                                        phi_2852_ = _e2263.y;
+                                                                                    }
+                                                                                    let _e2277 = phi_2852_;
+                                                                                    if (_e2261.z < _e2263.z) {
+                                                                                        phi_2861_ = _e2261.z;
+                                                                                    } else {
+                                                                                        phi_2861_ = _e2263.z;
+                                                                                    }
+                                                                                    let _e2284 = phi_2861_;
+                                                                                    let _e2286 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2270 < _e2286.x) {
+                                                                                        phi_2870_ = _e2270;
+                                                                                    } else {
+                                                                                        phi_2870_ = _e2286.x;
+                                                                                    }
+                                                                                    let _e2291 = phi_2870_;
+                                                                                    if (_e2277 < _e2286.y) {
+                                                                                        phi_2877_ = _e2277;
+                                                                                    } else {
+                                                                                        phi_2877_ = _e2286.y;
+                                                                                    }
+                                                                                    let _e2296 = phi_2877_;
+                                                                                    if (_e2284 < _e2286.z) {
+                                                                                        phi_2884_ = _e2284;
+                                                                                    } else {
+                                                                                        phi_2884_ = _e2286.z;
+                                                                                    }
+                                                                                    let _e2301 = phi_2884_;
+                                                                                    let _e2303 = triangles.member[(0u + _e1973)].v0_;
+                                                                                    let _e2305 = triangles.member[(0u + _e1973)].v1_;
+                                                                                    if (_e2303.x > _e2305.x) {
+                                                                                        phi_2897_ = _e2303.x;
+                                                                                    } else {
+                                                                                        phi_2897_ = _e2305.x;
+                                                                                    }
+                                                                                    let _e2312 = phi_2897_;
+                                                                                    if (_e2303.y > _e2305.y) {
+                                                                                        phi_2906_ = _e2303.y;
+                                                                                    } else {
+                                                                                        phi_2906_ = _e2305.y;
+                                                                                    }
+                                                                                    let _e2319 = phi_2906_;
+                                                                                    if (_e2303.z > _e2305.z) {
+                                                                                        phi_2915_ = _e2303.z;
+                                                                                    } else {
+                                                                                        phi_2915_ = _e2305.z;
+                                                                                    }
+                                                                                    let _e2326 = phi_2915_;
+                                                                                    let _e2328 = triangles.member[(0u + _e1973)].v2_;
+                                                                                    if (_e2312 > _e2328.x) {
+                                                                                        phi_2924_ = _e2312;
+                                                                                    } else {
+                                                                                        phi_2924_ = _e2328.x;
+                                                                                    }
+                                                                                    let _e2333 = phi_2924_;
+                                                                                    if (_e2319 > _e2328.y) {
+                                                                                        phi_2931_ = _e2319;
+                                                                                    } else {
+                                                                                        phi_2931_ = _e2328.y;
+                                                                                    }
+                                                                                    let _e2338 = phi_2931_;
+                                                                                    if (_e2326 > _e2328.z) {
+                                                                                        phi_2938_ = _e2326;
+                                                                                    } else {
+                                                                                        phi_2938_ = _e2328.z;
+                                                                                    }
+                                                                                    let _e2343 = phi_2938_;
+                                                                                    let _e2347 = ((_e2291 - _e1072) * _e1287);
+                                                                                    let _e2348 = ((_e2296 - _e1085) * _e1297);
+                                                                                    let _e2349 = ((_e2301 - _e1098) * _e1307);
+                                                                                    let _e2353 = ((_e2333 - _e1072) * _e1287);
+                                                                                    let _e2354 = ((_e2338 - _e1085) * _e1297);
+                                                                                    let _e2355 = ((_e2343 - _e1098) * _e1307);
+                                                                                    if (_e2347 < _e2353) {
+                                                                                        phi_2955_ = _e2347;
+                                                                                    } else {
+                                                                                        phi_2955_ = _e2353;
+                                                                                    }
+                                                                                    let _e2358 = phi_2955_;
+                                                                                    if (_e2348 < _e2354) {
+                                                                                        phi_2960_ = _e2348;
+                                                                                    } else {
+                                                                                        phi_2960_ = _e2354;
+                                                                                    }
+                                                                                    let _e2361 = phi_2960_;
+                                                                                    if (_e2349 < _e2355) {
+                                                                                        phi_2965_ = _e2349;
+                                                                                    } else {
+                                                                                        phi_2965_ = _e2355;
+                                                                                    }
+                                                                                    let _e2364 = phi_2965_;
+                                                                                    if (_e2347 > _e2353) {
+                                                                                        phi_2973_ = _e2347;
+                                                                                    } else {
+                                                                                        phi_2973_ = _e2353;
+                                                                                    }
+                                                                                    let _e2370 = phi_2973_;
+                                                                                    if (_e2348 > _e2354) {
+                                                                                        phi_2978_ = _e2348;
+                                                                                    } else {
+                                                                                        phi_2978_ = _e2354;
+                                                                                    }
+                                                                                    let _e2373 = phi_2978_;
+                                                                                    if (_e2349 > _e2355) {
+                                                                                        phi_2983_ = _e2349;
+                                                                                    } else {
+                                                                                        phi_2983_ = _e2355;
+                                                                                    }
+                                                                                    let _e2376 = phi_2983_;
+                                                                                    let _e2380 = core_intrinsics_maximum_number_nsz_f32_((_e2358 - _e1342), (_e2361 - _e1343));
+                                                                                    let _e2381 = core_intrinsics_maximum_number_nsz_f32_(_e2380, (_e2364 - _e1344));
+                                                                                    let _e2382 = core_intrinsics_minimum_number_nsz_f32_((_e2370 + _e1342), (_e2373 + _e1343));
+                                                                                    let _e2383 = core_intrinsics_minimum_number_nsz_f32_(_e2382, (_e2376 + _e1344));
+                                                                                    if (_e2381 > _e1047) {
+                                                                                        phi_2995_ = _e2381;
+                                                                                    } else {
+                                                                                        phi_2995_ = _e1047;
+                                                                                    }
+                                                                                    let _e2386 = phi_2995_;
+                                                                                    if (_e2383 < _e1049) {
+                                                                                        phi_3000_ = _e2383;
+                                                                                    } else {
+                                                                                        phi_3000_ = _e1049;
+                                                                                    }
+                                                                                    let _e2389 = phi_3000_;
+                                                                                    if (_e2257 < _e2386) {
+                                                                                        phi_3005_ = _e2386;
+                                                                                    } else {
+                                                                                        phi_3005_ = _e2257;
+                                                                                    }
+                                                                                    let _e2392 = phi_3005_;
+                                                                                    if (_e2392 > _e2389) {
+                                                                                        phi_3010_ = _e2389;
+                                                                                    } else {
+                                                                                        phi_3010_ = _e2392;
+                                                                                    }
+                                                                                    let _e2395 = phi_3010_;
+                                                                                    phi_3015_ = lt_bvh_triangle_Intersection(_e2395, (_e2098 / _e2157), (_e2119 / _e2157), (_e2386 <= _e2389));
+                                                                                    phi_3016_ = false;
+                                                                                } else {
+                                                                                    phi_3015_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3016_ = true;
+                                                                                }
+                                                                                let _e2401 = phi_3015_;
+                                                                                let _e2403 = phi_3016_;
+                                                                                phi_3017_ = _e2401;
+                                                                                phi_3018_ = _e2403;
+                                                                            } else {
+                                                                                phi_3017_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3018_ = true;
+                                                                            }
+                                                                            let _e2405 = phi_3017_;
+                                                                            let _e2407 = phi_3018_;
+                                                                            if _e2407 {
+                                                                            }
+                                                                            phi_3022_ = _e2405;
+                                                                            phi_3023_ = _e2407;
                                                                         }
-                                                                        let _e2324 = phi_2925_;
-                                                                        let _e2326 = phi_2926_;
-                                                                        phi_2927_ = _e2324;
-                                                                        phi_2928_ = _e2166;
-                                                                        phi_2929_ = _e2326;
+                                                                        let _e2409 = phi_3022_;
+                                                                        let _e2411 = phi_3023_;
+                                                                        phi_3024_ = _e2409;
+                                                                        phi_3025_ = _e2160;
+                                                                        phi_3026_ = _e2411;
                                                                     } else {
-                                                                        phi_2927_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2928_ = true;
-                                                                        phi_2929_ = false;
+                                                                        phi_3024_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3025_ = true;
+                                                                        phi_3026_ = false;
                                                                     }
-                                                                    let _e2328 = phi_2927_;
-                                                                    let _e2330 = phi_2928_;
-                                                                    let _e2332 = phi_2929_;
-                                                                    if _e2330 {
-                                                                        phi_2933_ = true;
+                                                                    let _e2413 = phi_3024_;
+                                                                    let _e2415 = phi_3025_;
+                                                                    let _e2417 = phi_3026_;
+                                                                    if _e2415 {
+                                                                        phi_3030_ = true;
                                                                     } else {
-                                                                        phi_2933_ = _e2332;
+                                                                        phi_3030_ = _e2417;
                                                                     }
-                                                                    let _e2334 = phi_2933_;
-                                                                    if _e2334 {
-                                                                        phi_2937_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2419 = phi_3030_;
+                                                                    if _e2419 {
+                                                                        phi_3034_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2937_ = _e2328;
+                                                                        phi_3034_ = _e2413;
                                                                     }
-                                                                    let _e2336 = phi_2937_;
-                                                                    if _e2336.is_hit {
-                                                                        if (_e2336.t > _e162.tmin) {
-                                                                            if (_e2336.t < _e1962.t) {
-                                                                                phi_2985_ = true;
+                                                                    let _e2421 = phi_3034_;
+                                                                    if _e2421.is_hit {
+                                                                        if (_e2421.t > _e162.tmin) {
+                                                                            if (_e2421.t < _e1962.t) {
+                                                                                phi_3082_ = true;
                                                                             } else {
-                                                                                if (_e2336.t == _e1962.t) {
+                                                                                if (_e2421.t == _e1962.t) {
                                                                                     if (_e1962.triangle != 4294967295u) {
                                                                                         if (_e1973 < _e1962.triangle) {
-                                                                                            phi_2976_ = true;
+                                                                                            phi_3073_ = true;
                                                                                         } else {
                                                                                             if (_e1973 == _e1962.triangle) {
-                                                                                                phi_2975_ = (_e988 < _e1962.instance);
+                                                                                                phi_3072_ = (_e988 < _e1962.instance);
                                                                                             } else {
-                                                                                                phi_2975_ = false;
+                                                                                                phi_3072_ = false;
                                                                                             }
-                                                                                            let _e2354 = phi_2975_;
-                                                                                            phi_2976_ = _e2354;
+                                                                                            let _e2439 = phi_3072_;
+                                                                                            phi_3073_ = _e2439;
                                                                                         }
-                                                                                        let _e2356 = phi_2976_;
-                                                                                        phi_2977_ = _e2356;
-                                                                                        phi_2978_ = false;
+                                                                                        let _e2441 = phi_3073_;
+                                                                                        phi_3074_ = _e2441;
+                                                                                        phi_3075_ = false;
                                                                                     } else {
-                                                                                        phi_2977_ = bool();
-                                                                                        phi_2978_ = true;
+                                                                                        phi_3074_ = bool();
+                                                                                        phi_3075_ = true;
                                                                                     }
-                                                                                    let _e2358 = phi_2977_;
-                                                                                    let _e2360 = phi_2978_;
-                                                                                    phi_2979_ = _e2358;
-                                                                                    phi_2980_ = _e2360;
+                                                                                    let _e2443 = phi_3074_;
+                                                                                    let _e2445 = phi_3075_;
+                                                                                    phi_3076_ = _e2443;
+                                                                                    phi_3077_ = _e2445;
                                                                                 } else {
-                                                                                    phi_2979_ = bool();
-                                                                                    phi_2980_ = true;
+                                                                                    phi_3076_ = bool();
+                                                                                    phi_3077_ = true;
                                                                                 }
-                                                                                let _e2362 = phi_2979_;
-                                                                                let _e2364 = phi_2980_;
-                                                                                if _e2364 {
-                                                                                    phi_2984_ = false;
+                                                                                let _e2447 = phi_3076_;
+                                                                                let _e2449 = phi_3077_;
+                                                                                if _e2449 {
+                                                                                    phi_3081_ = false;
                                                                                 } else {
-                                                                                    phi_2984_ = _e2362;
+                                                                                    phi_3081_ = _e2447;
                                                                                 }
-                                                                                let _e2366 = phi_2984_;
-                                                                                phi_2985_ = _e2366;
+                                                                                let _e2451 = phi_3081_;
+                                                                                phi_3082_ = _e2451;
                                                                             }
-                                                                            let _e2368 = phi_2985_;
-                                                                            if _e2368 {
-                                                                                let _e2370 = triangles.member[(0u + _e1973)].i0_;
-                                                                                if ((_e2370 & 2147483648u) == 0u) {
-                                                                                    phi_3196_ = true;
+                                                                            let _e2453 = phi_3082_;
+                                                                            if _e2453 {
+                                                                                let _e2455 = triangles.member[(0u + _e1973)].i0_;
+                                                                                if ((_e2455 & 2147483648u) == 0u) {
+                                                                                    phi_3293_ = true;
                                                                                 } else {
                                                                                     if (_e1973 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2379 = triangles.member[(0u + _e1973)].i0_;
-                                                                                    let _e2380 = (_e2379 & 2147483647u);
-                                                                                    let _e2382 = triangles.member[(0u + _e1973)].i1_;
-                                                                                    let _e2384 = triangles.member[(0u + _e1973)].i2_;
-                                                                                    if (_e2380 < _e84) {
+                                                                                    let _e2464 = triangles.member[(0u + _e1973)].i0_;
+                                                                                    let _e2465 = (_e2464 & 2147483647u);
+                                                                                    let _e2467 = triangles.member[(0u + _e1973)].i1_;
+                                                                                    let _e2469 = triangles.member[(0u + _e1973)].i2_;
+                                                                                    if (_e2465 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2388 = vertices.member[(0u + _e2380)];
-                                                                                    if (_e2382 < _e84) {
+                                                                                    let _e2473 = vertices.member[(0u + _e2465)];
+                                                                                    if (_e2467 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2392 = vertices.member[(0u + _e2382)];
-                                                                                    if (_e2384 < _e84) {
+                                                                                    let _e2477 = vertices.member[(0u + _e2467)];
+                                                                                    if (_e2469 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2396 = vertices.member[(0u + _e2384)];
-                                                                                    let _e2397 = array<abi_Vertex, 3>(_e2388, _e2392, _e2396);
-                                                                                    if (_e2397[0].material < _e87) {
+                                                                                    let _e2481 = vertices.member[(0u + _e2469)];
+                                                                                    let _e2482 = array<abi_Vertex, 3>(_e2473, _e2477, _e2481);
+                                                                                    if (_e2482[0].material < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2403 = materials.member[(0u + _e2397[0].material)];
-                                                                                    if ((_e2403.flags & 0u) == 0u) {
-                                                                                        let _e2408 = ((1f - _e2336.u) - _e2336.v);
-                                                                                        if (_e2403.cutoff <= 0f) {
-                                                                                            phi_3191_ = true;
+                                                                                    let _e2488 = materials.member[(0u + _e2482[0].material)];
+                                                                                    if ((_e2488.flags & 0u) == 0u) {
+                                                                                        let _e2493 = ((1f - _e2421.u) - _e2421.v);
+                                                                                        if (_e2488.cutoff <= 0f) {
+                                                                                            phi_3288_ = true;
                                                                                         } else {
-                                                                                            let _e2435 = (_e2403.base_color.w * ((((f32((_e2397[0].color >> bitcast<u32>(24i))) * _e2408) + (f32((_e2397[1].color >> bitcast<u32>(24i))) * _e2336.u)) + (f32((_e2397[2].color >> bitcast<u32>(24i))) * _e2336.v)) * (1f / 255f)));
-                                                                                            if (_e2403.alpha_size == 0u) {
-                                                                                                phi_3188_ = _e2435;
+                                                                                            let _e2520 = (_e2488.base_color.w * ((((f32((_e2482[0].color >> bitcast<u32>(24i))) * _e2493) + (f32((_e2482[1].color >> bitcast<u32>(24i))) * _e2421.u)) + (f32((_e2482[2].color >> bitcast<u32>(24i))) * _e2421.v)) * (1f / 255f)));
+                                                                                            if (_e2488.alpha_size == 0u) {
+                                                                                                phi_3285_ = _e2520;
                                                                                             } else {
-                                                                                                local_1.offset = _e2403.alpha_offset;
-                                                                                                local_1.size = _e2403.alpha_size;
-                                                                                                local_1.flags = _e2403.flags;
-                                                                                                let _e2466 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2397[0].u * _e2408) + (_e2397[1].u * _e2336.u)) + (_e2397[2].u * _e2336.v)), (((_e2397[0].v * _e2408) + (_e2397[1].v * _e2336.u)) + (_e2397[2].v * _e2336.v)));
-                                                                                                let _e2470 = (_e2466.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2470 < _e96) {
+                                                                                                local_1.offset = _e2488.alpha_offset;
+                                                                                                local_1.size = _e2488.alpha_size;
+                                                                                                local_1.flags = _e2488.flags;
+                                                                                                let _e2551 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2482[0].u * _e2493) + (_e2482[1].u * _e2421.u)) + (_e2482[2].u * _e2421.v)), (((_e2482[0].v * _e2493) + (_e2482[1].v * _e2421.u)) + (_e2482[2].v * _e2421.v)));
+                                                                                                let _e2555 = (_e2551.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2555 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2474 = alpha_texels.member[(0u + _e2470)];
-                                                                                                let _e2490 = (_e2466.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2490 < _e96) {
+                                                                                                let _e2559 = alpha_texels.member[(0u + _e2555)];
+                                                                                                let _e2575 = (_e2551.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2575 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2494 = alpha_texels.member[(0u + _e2490)];
-                                                                                                let _e2511 = (_e2466.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2511 < _e96) {
+                                                                                                let _e2579 = alpha_texels.member[(0u + _e2575)];
+                                                                                                let _e2596 = (_e2551.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2596 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2515 = alpha_texels.member[(0u + _e2511)];
-                                                                                                let _e2532 = (_e2466.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2532 < _e96) {
+                                                                                                let _e2600 = alpha_texels.member[(0u + _e2596)];
+                                                                                                let _e2617 = (_e2551.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2617 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2536 = alpha_texels.member[(0u + _e2532)];
-                                                                                                phi_3188_ = (_e2435 * (((((f32(((_e2474 >> bitcast<u32>((((_e2466.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.x) + ((f32(((_e2494 >> bitcast<u32>((((_e2466.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.y)) + ((f32(((_e2515 >> bitcast<u32>((((_e2466.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.z)) + ((f32(((_e2536 >> bitcast<u32>((((_e2466.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2466.weights.w)));
+                                                                                                let _e2621 = alpha_texels.member[(0u + _e2617)];
+                                                                                                phi_3285_ = (_e2520 * (((((f32(((_e2559 >> bitcast<u32>((((_e2551.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.x) + ((f32(((_e2579 >> bitcast<u32>((((_e2551.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.y)) + ((f32(((_e2600 >> bitcast<u32>((((_e2551.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.z)) + ((f32(((_e2621 >> bitcast<u32>((((_e2551.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2551.weights.w)));
                                                                                             }
-                                                                                            let _e2552 = phi_3188_;
-                                                                                            phi_3191_ = (_e2552 >= _e2403.cutoff);
+                                                                                            let _e2637 = phi_3285_;
+                                                                                            phi_3288_ = (_e2637 >= _e2488.cutoff);
                                                                                         }
-                                                                                        let _e2556 = phi_3191_;
-                                                                                        phi_3192_ = _e2556;
+                                                                                        let _e2641 = phi_3288_;
+                                                                                        phi_3289_ = _e2641;
                                                                                     } else {
-                                                                                        phi_3192_ = false;
+                                                                                        phi_3289_ = false;
                                                                                     }
-                                                                                    let _e2558 = phi_3192_;
-                                                                                    if _e2558 {
+                                                                                    let _e2643 = phi_3289_;
+                                                                                    if _e2643 {
                                                                                     }
-                                                                                    phi_3196_ = _e2558;
+                                                                                    phi_3293_ = _e2643;
                                                                                 }
-                                                                                let _e2560 = phi_3196_;
-                                                                                if _e2560 {
-                                                                                    phi_3204_ = lt_bvh_Hit(_e2336.t, _e2336.u, _e2336.v, _e1973, _e988);
+                                                                                let _e2645 = phi_3293_;
+                                                                                if _e2645 {
+                                                                                    phi_3301_ = lt_bvh_Hit(_e2421.t, _e2421.u, _e2421.v, _e1973, _e988);
                                                                                 } else {
-                                                                                    phi_3204_ = _e1962;
+                                                                                    phi_3301_ = _e1962;
                                                                                 }
-                                                                                let _e2566 = phi_3204_;
-                                                                                phi_3205_ = _e2566;
+                                                                                let _e2651 = phi_3301_;
+                                                                                phi_3302_ = _e2651;
                                                                             } else {
-                                                                                phi_3205_ = _e1962;
+                                                                                phi_3302_ = _e1962;
                                                                             }
-                                                                            let _e2568 = phi_3205_;
-                                                                            phi_3206_ = _e2568;
+                                                                            let _e2653 = phi_3302_;
+                                                                            phi_3303_ = _e2653;
                                                                         } else {
-                                                                            phi_3206_ = _e1962;
+                                                                            phi_3303_ = _e1962;
                                                                         }
-                                                                        let _e2570 = phi_3206_;
-                                                                        phi_3207_ = _e2570;
+                                                                        let _e2655 = phi_3303_;
+                                                                        phi_3304_ = _e2655;
                                                                     } else {
-                                                                        phi_3207_ = _e1962;
+                                                                        phi_3304_ = _e1962;
                                                                     }
-                                                                    let _e2572 = phi_3207_;
-                                                                    phi_2464_ = _e2572;
+                                                                    let _e2657 = phi_3304_;
+                                                                    phi_2464_ = _e2657;
                                                                     phi_2467_ = (_e1964 & (_e1964 - 1u));
-                                                                    phi_3208_ = true;
+                                                                    phi_3305_ = true;
                                                                 }
-                                                                let _e2574 = phi_2464_;
-                                                                let _e2576 = phi_2467_;
-                                                                let _e2578 = phi_3208_;
+                                                                let _e2659 = phi_2464_;
+                                                                let _e2661 = phi_2467_;
+                                                                let _e2663 = phi_3305_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2463_ = _e2574;
-                                                                    phi_2466_ = _e2576;
-                                                                    break if !(_e2578);
+                                                                    phi_2463_ = _e2659;
+                                                                    phi_2466_ = _e2661;
+                                                                    break if !(_e2663);
                                                                 }
                                                             }
-                                                            let _e2581 = local_2.group_mask;
-                                                            if ((_e2581 & 4278190080u) == 0u) {
-                                                                let _e2585 = local_2.len;
-                                                                if (_e2585 == 0u) {
-                                                                    phi_3247_ = false;
+                                                            let _e2666 = local_2.group_mask;
+                                                            if ((_e2666 & 4278190080u) == 0u) {
+                                                                let _e2670 = local_2.len;
+                                                                if (_e2670 == 0u) {
+                                                                    phi_3344_ = false;
                                                                 } else {
-                                                                    let _e2589 = local_2.len;
-                                                                    local_2.len = (_e2589 - 1u);
-                                                                    let _e2592 = local_2.len;
-                                                                    if (_e2592 < 32u) {
+                                                                    let _e2674 = local_2.len;
+                                                                    local_2.len = (_e2674 - 1u);
+                                                                    let _e2677 = local_2.len;
+                                                                    if (_e2677 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2597 = local_2.first[(0u + _e2592)];
-                                                                    local_2.group = _e2597;
-                                                                    let _e2600 = local_2.len;
-                                                                    if (_e2600 < 32u) {
+                                                                    let _e2682 = local_2.first[(0u + _e2677)];
+                                                                    local_2.group = _e2682;
+                                                                    let _e2685 = local_2.len;
+                                                                    if (_e2685 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2605 = local_2.mask[(0u + _e2600)];
-                                                                    local_2.group_mask = _e2605;
-                                                                    phi_3247_ = true;
+                                                                    let _e2690 = local_2.mask[(0u + _e2685)];
+                                                                    local_2.group_mask = _e2690;
+                                                                    phi_3344_ = true;
                                                                 }
-                                                                let _e2608 = phi_3247_;
-                                                                phi_3248_ = _e2608;
+                                                                let _e2693 = phi_3344_;
+                                                                phi_3345_ = _e2693;
                                                             } else {
-                                                                phi_3248_ = true;
+                                                                phi_3345_ = true;
                                                             }
-                                                            let _e2610 = phi_3248_;
-                                                            if _e2610 {
-                                                                let _e2612 = local_2.group_mask;
-                                                                let _e2618 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2612)), 32u, (_e2612 == 0u)));
-                                                                let _e2622 = local_2.group_mask;
-                                                                let _e2636 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2636 & ~((1u << bitcast<u32>((_e2618 & 31u)))));
-                                                                let _e2639 = local_2.group;
-                                                                phi_3279_ = (_e2639 + countOneBits(((_e2622 & ~((4294967295u << bitcast<u32>((((_e2618 - 24u) ^ _e1385) & 31u))))) & 255u)));
+                                                            let _e2695 = phi_3345_;
+                                                            if _e2695 {
+                                                                let _e2697 = local_2.group_mask;
+                                                                let _e2703 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2697)), 32u, (_e2697 == 0u)));
+                                                                let _e2707 = local_2.group_mask;
+                                                                let _e2721 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2721 & ~((1u << bitcast<u32>((_e2703 & 31u)))));
+                                                                let _e2724 = local_2.group;
+                                                                phi_3376_ = (_e2724 + countOneBits(((_e2707 & ~((4294967295u << bitcast<u32>((((_e2703 - 24u) ^ _e1385) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3279_ = 4294967295u;
+                                                                phi_3376_ = 4294967295u;
                                                             }
-                                                            let _e2642 = phi_3279_;
-                                                            let _e3769 = local_10;
-                                                            phi_2131_ = _e3769;
-                                                            phi_2134_ = _e2642;
+                                                            let _e2727 = phi_3376_;
+                                                            let _e3860 = local_10;
+                                                            phi_2131_ = _e3860;
+                                                            phi_2134_ = _e2727;
                                                         } else {
                                                             phi_2131_ = lt_bvh_Hit();
                                                             phi_2134_ = u32();
                                                         }
-                                                        let _e2644 = phi_2131_;
-                                                        let _e2646 = phi_2134_;
+                                                        let _e2729 = phi_2131_;
+                                                        let _e2731 = phi_2134_;
                                                         continue;
                                                         continuing {
-                                                            phi_2130_ = _e2644;
-                                                            phi_2133_ = _e2646;
+                                                            phi_2130_ = _e2729;
+                                                            phi_2133_ = _e2731;
                                                             break if !(_e1526);
                                                         }
                                                     }
-                                                    let _e3773 = local_11;
-                                                    phi_3280_ = _e3773;
+                                                    let _e3864 = local_11;
+                                                    phi_3377_ = _e3864;
                                                 }
-                                                let _e2649 = phi_3280_;
-                                                phi_3281_ = _e2649;
-                                                phi_3282_ = _e1211;
+                                                let _e2734 = phi_3377_;
+                                                phi_3378_ = _e2734;
+                                                phi_3379_ = _e1211;
                                             } else {
-                                                phi_3281_ = lt_bvh_Hit();
-                                                phi_3282_ = true;
+                                                phi_3378_ = lt_bvh_Hit();
+                                                phi_3379_ = true;
                                             }
-                                            let _e2651 = phi_3281_;
-                                            let _e2653 = phi_3282_;
-                                            if _e2653 {
-                                                phi_3286_ = _e980;
+                                            let _e2736 = phi_3378_;
+                                            let _e2738 = phi_3379_;
+                                            if _e2738 {
+                                                phi_3383_ = _e980;
                                             } else {
-                                                phi_3286_ = _e2651;
+                                                phi_3383_ = _e2736;
                                             }
-                                            let _e2655 = phi_3286_;
-                                            phi_3287_ = _e2655;
+                                            let _e2740 = phi_3383_;
+                                            phi_3384_ = _e2740;
                                         } else {
-                                            phi_3287_ = _e980;
+                                            phi_3384_ = _e980;
                                         }
-                                        let _e2657 = phi_3287_;
-                                        phi_3288_ = _e2657;
+                                        let _e2742 = phi_3384_;
+                                        phi_3385_ = _e2742;
                                     } else {
-                                        phi_3288_ = _e980;
+                                        phi_3385_ = _e980;
                                     }
-                                    let _e2659 = phi_3288_;
-                                    phi_3289_ = _e2659;
+                                    let _e2744 = phi_3385_;
+                                    phi_3386_ = _e2744;
                                 } else {
-                                    phi_3289_ = _e980;
+                                    phi_3386_ = _e980;
                                 }
-                                let _e2661 = phi_3289_;
+                                let _e2746 = phi_3386_;
                                 phi_1505_ = (_e978 & (_e978 - 1u));
-                                phi_1508_ = _e2661;
-                                phi_3290_ = true;
+                                phi_1508_ = _e2746;
+                                phi_3387_ = true;
                             }
-                            let _e2663 = phi_1505_;
-                            let _e2665 = phi_1508_;
-                            let _e2667 = phi_3290_;
+                            let _e2748 = phi_1505_;
+                            let _e2750 = phi_1508_;
+                            let _e2752 = phi_3387_;
                             continue;
                             continuing {
-                                phi_1504_ = _e2663;
-                                phi_1507_ = _e2665;
-                                break if !(_e2667);
+                                phi_1504_ = _e2748;
+                                phi_1507_ = _e2750;
+                                break if !(_e2752);
                             }
                         }
-                        let _e2670 = local_3.group_mask;
-                        if ((_e2670 & 4278190080u) == 0u) {
-                            let _e2674 = local_3.len;
-                            if (_e2674 == 0u) {
-                                phi_3329_ = false;
+                        let _e2755 = local_3.group_mask;
+                        if ((_e2755 & 4278190080u) == 0u) {
+                            let _e2759 = local_3.len;
+                            if (_e2759 == 0u) {
+                                phi_3426_ = false;
                             } else {
-                                let _e2678 = local_3.len;
-                                local_3.len = (_e2678 - 1u);
-                                let _e2681 = local_3.len;
-                                if (_e2681 < 32u) {
+                                let _e2763 = local_3.len;
+                                local_3.len = (_e2763 - 1u);
+                                let _e2766 = local_3.len;
+                                if (_e2766 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2686 = local_3.first[(0u + _e2681)];
-                                local_3.group = _e2686;
-                                let _e2689 = local_3.len;
-                                if (_e2689 < 32u) {
+                                let _e2771 = local_3.first[(0u + _e2766)];
+                                local_3.group = _e2771;
+                                let _e2774 = local_3.len;
+                                if (_e2774 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2694 = local_3.mask[(0u + _e2689)];
-                                local_3.group_mask = _e2694;
-                                phi_3329_ = true;
+                                let _e2779 = local_3.mask[(0u + _e2774)];
+                                local_3.group_mask = _e2779;
+                                phi_3426_ = true;
                             }
-                            let _e2697 = phi_3329_;
-                            phi_3330_ = _e2697;
+                            let _e2782 = phi_3426_;
+                            phi_3427_ = _e2782;
                         } else {
-                            phi_3330_ = true;
+                            phi_3427_ = true;
                         }
-                        let _e2699 = phi_3330_;
-                        if _e2699 {
-                            let _e2701 = local_3.group_mask;
-                            let _e2707 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2701)), 32u, (_e2701 == 0u)));
-                            let _e2711 = local_3.group_mask;
-                            let _e2725 = local_3.group_mask;
-                            local_3.group_mask = (_e2725 & ~((1u << bitcast<u32>((_e2707 & 31u)))));
-                            let _e2728 = local_3.group;
-                            phi_3361_ = (_e2728 + countOneBits(((_e2711 & ~((4294967295u << bitcast<u32>((((_e2707 - 24u) ^ _e397) & 31u))))) & 255u)));
+                        let _e2784 = phi_3427_;
+                        if _e2784 {
+                            let _e2786 = local_3.group_mask;
+                            let _e2792 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2786)), 32u, (_e2786 == 0u)));
+                            let _e2796 = local_3.group_mask;
+                            let _e2810 = local_3.group_mask;
+                            local_3.group_mask = (_e2810 & ~((1u << bitcast<u32>((_e2792 & 31u)))));
+                            let _e2813 = local_3.group;
+                            phi_3458_ = (_e2813 + countOneBits(((_e2796 & ~((4294967295u << bitcast<u32>((((_e2792 - 24u) ^ _e397) & 31u))))) & 255u)));
                         } else {
-                            phi_3361_ = 4294967295u;
+                            phi_3458_ = 4294967295u;
                         }
-                        let _e2731 = phi_3361_;
-                        phi_1168_ = _e2731;
-                        let _e3789 = local_12;
-                        phi_1171_ = _e3789;
+                        let _e2816 = phi_3458_;
+                        phi_1168_ = _e2816;
+                        let _e3880 = local_12;
+                        phi_1171_ = _e3880;
                     } else {
                         phi_1168_ = u32();
                         phi_1171_ = lt_bvh_Hit();
                     }
-                    let _e2733 = phi_1168_;
-                    let _e2735 = phi_1171_;
+                    let _e2818 = phi_1168_;
+                    let _e2820 = phi_1171_;
                     continue;
                     continuing {
-                        phi_1167_ = _e2733;
-                        phi_1170_ = _e2735;
+                        phi_1167_ = _e2818;
+                        phi_1170_ = _e2820;
                         break if !(_e538);
                     }
                 }
-                let _e3792 = local_13;
-                phi_3362_ = _e3792;
+                let _e3883 = local_13;
+                phi_3459_ = _e3883;
             }
-            let _e2738 = phi_3362_;
-            phi_3363_ = _e2738;
-            phi_3364_ = _e234;
+            let _e2823 = phi_3459_;
+            phi_3460_ = _e2823;
+            phi_3461_ = _e234;
         } else {
-            phi_3363_ = lt_bvh_Hit();
-            phi_3364_ = true;
+            phi_3460_ = lt_bvh_Hit();
+            phi_3461_ = true;
         }
-        let _e2740 = phi_3363_;
-        let _e2742 = phi_3364_;
-        if _e2742 {
-            phi_3368_ = _e164;
+        let _e2825 = phi_3460_;
+        let _e2827 = phi_3461_;
+        if _e2827 {
+            phi_3465_ = _e164;
         } else {
-            phi_3368_ = _e2740;
+            phi_3465_ = _e2825;
         }
-        let _e2744 = phi_3368_;
-        if (_e2744.triangle != 4294967295u) {
-            let _e2750 = ((1f - _e2744.u) - _e2744.v);
-            if (_e2744.triangle < _e81) {
+        let _e2829 = phi_3465_;
+        if (_e2829.triangle != 4294967295u) {
+            let _e2835 = ((1f - _e2829.u) - _e2829.v);
+            if (_e2829.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2755 = triangles.member[(0u + _e2744.triangle)];
-            if (_e2744.instance < _e93) {
+            let _e2840 = triangles.member[(0u + _e2829.triangle)];
+            if (_e2829.instance < _e93) {
             } else {
                 return;
             }
-            let _e2766 = instances.member[(0u + _e2744.instance)].object_to_world[0u];
-            let _e2777 = ((((_e2766.x * _e2755.v0_.x) + (_e2766.y * _e2755.v0_.y)) + (_e2766.z * _e2755.v0_.z)) + (_e2766.w * 1f));
-            let _e2779 = instances.member[(0u + _e2744.instance)].object_to_world[1u];
-            let _e2790 = ((((_e2779.x * _e2755.v0_.x) + (_e2779.y * _e2755.v0_.y)) + (_e2779.z * _e2755.v0_.z)) + (_e2779.w * 1f));
-            let _e2792 = instances.member[(0u + _e2744.instance)].object_to_world[2u];
-            let _e2803 = ((((_e2792.x * _e2755.v0_.x) + (_e2792.y * _e2755.v0_.y)) + (_e2792.z * _e2755.v0_.z)) + (_e2792.w * 1f));
-            let _e2810 = instances.member[(0u + _e2744.instance)].object_to_world[0u];
-            let _e2821 = ((((_e2810.x * _e2755.v1_.x) + (_e2810.y * _e2755.v1_.y)) + (_e2810.z * _e2755.v1_.z)) + (_e2810.w * 1f));
-            let _e2823 = instances.member[(0u + _e2744.instance)].object_to_world[1u];
-            let _e2834 = ((((_e2823.x * _e2755.v1_.x) + (_e2823.y * _e2755.v1_.y)) + (_e2823.z * _e2755.v1_.z)) + (_e2823.w * 1f));
-            let _e2836 = instances.member[(0u + _e2744.instance)].object_to_world[2u];
-            let _e2847 = ((((_e2836.x * _e2755.v1_.x) + (_e2836.y * _e2755.v1_.y)) + (_e2836.z * _e2755.v1_.z)) + (_e2836.w * 1f));
-            let _e2854 = instances.member[(0u + _e2744.instance)].object_to_world[0u];
-            let _e2865 = ((((_e2854.x * _e2755.v2_.x) + (_e2854.y * _e2755.v2_.y)) + (_e2854.z * _e2755.v2_.z)) + (_e2854.w * 1f));
-            let _e2867 = instances.member[(0u + _e2744.instance)].object_to_world[1u];
-            let _e2878 = ((((_e2867.x * _e2755.v2_.x) + (_e2867.y * _e2755.v2_.y)) + (_e2867.z * _e2755.v2_.z)) + (_e2867.w * 1f));
-            let _e2880 = instances.member[(0u + _e2744.instance)].object_to_world[2u];
-            let _e2891 = ((((_e2880.x * _e2755.v2_.x) + (_e2880.y * _e2755.v2_.y)) + (_e2880.z * _e2755.v2_.z)) + (_e2880.w * 1f));
-            let _e2904 = (((_e2777 * _e2750) + (_e2821 * _e2744.u)) + (_e2865 * _e2744.v));
-            let _e2905 = (((_e2790 * _e2750) + (_e2834 * _e2744.u)) + (_e2878 * _e2744.v));
-            let _e2906 = (((_e2803 * _e2750) + (_e2847 * _e2744.u)) + (_e2891 * _e2744.v));
-            let _e2908 = abs(_e2777);
-            let _e2909 = abs(_e2790);
-            let _e2910 = abs(_e2803);
-            let _e2911 = abs(_e2821);
-            let _e2912 = abs(_e2834);
-            let _e2913 = abs(_e2847);
-            if (_e2908 > _e2911) {
-                phi_3555_ = _e2908;
+            let _e2851 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e2862 = ((((_e2851.x * _e2840.v0_.x) + (_e2851.y * _e2840.v0_.y)) + (_e2851.z * _e2840.v0_.z)) + (_e2851.w * 1f));
+            let _e2864 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e2875 = ((((_e2864.x * _e2840.v0_.x) + (_e2864.y * _e2840.v0_.y)) + (_e2864.z * _e2840.v0_.z)) + (_e2864.w * 1f));
+            let _e2877 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            let _e2888 = ((((_e2877.x * _e2840.v0_.x) + (_e2877.y * _e2840.v0_.y)) + (_e2877.z * _e2840.v0_.z)) + (_e2877.w * 1f));
+            let _e2895 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e2906 = ((((_e2895.x * _e2840.v1_.x) + (_e2895.y * _e2840.v1_.y)) + (_e2895.z * _e2840.v1_.z)) + (_e2895.w * 1f));
+            let _e2908 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e2919 = ((((_e2908.x * _e2840.v1_.x) + (_e2908.y * _e2840.v1_.y)) + (_e2908.z * _e2840.v1_.z)) + (_e2908.w * 1f));
+            let _e2921 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            let _e2932 = ((((_e2921.x * _e2840.v1_.x) + (_e2921.y * _e2840.v1_.y)) + (_e2921.z * _e2840.v1_.z)) + (_e2921.w * 1f));
+            let _e2939 = instances.member[(0u + _e2829.instance)].object_to_world[0u];
+            let _e2950 = ((((_e2939.x * _e2840.v2_.x) + (_e2939.y * _e2840.v2_.y)) + (_e2939.z * _e2840.v2_.z)) + (_e2939.w * 1f));
+            let _e2952 = instances.member[(0u + _e2829.instance)].object_to_world[1u];
+            let _e2963 = ((((_e2952.x * _e2840.v2_.x) + (_e2952.y * _e2840.v2_.y)) + (_e2952.z * _e2840.v2_.z)) + (_e2952.w * 1f));
+            let _e2965 = instances.member[(0u + _e2829.instance)].object_to_world[2u];
+            let _e2976 = ((((_e2965.x * _e2840.v2_.x) + (_e2965.y * _e2840.v2_.y)) + (_e2965.z * _e2840.v2_.z)) + (_e2965.w * 1f));
+            let _e2989 = (((_e2862 * _e2835) + (_e2906 * _e2829.u)) + (_e2950 * _e2829.v));
+            let _e2990 = (((_e2875 * _e2835) + (_e2919 * _e2829.u)) + (_e2963 * _e2829.v));
+            let _e2991 = (((_e2888 * _e2835) + (_e2932 * _e2829.u)) + (_e2976 * _e2829.v));
+            let _e2993 = abs(_e2862);
+            let _e2994 = abs(_e2875);
+            let _e2995 = abs(_e2888);
+            let _e2996 = abs(_e2906);
+            let _e2997 = abs(_e2919);
+            let _e2998 = abs(_e2932);
+            if (_e2993 > _e2996) {
+                phi_3652_ = _e2993;
             } else {
-                phi_3555_ = _e2911;
+                phi_3652_ = _e2996;
             }
-            let _e2916 = phi_3555_;
-            if (_e2909 > _e2912) {
-                phi_3560_ = _e2909;
+            let _e3001 = phi_3652_;
+            if (_e2994 > _e2997) {
+                phi_3657_ = _e2994;
             } else {
-                phi_3560_ = _e2912;
+                phi_3657_ = _e2997;
             }
-            let _e2919 = phi_3560_;
-            if (_e2910 > _e2913) {
-                phi_3565_ = _e2910;
+            let _e3004 = phi_3657_;
+            if (_e2995 > _e2998) {
+                phi_3662_ = _e2995;
             } else {
-                phi_3565_ = _e2913;
+                phi_3662_ = _e2998;
             }
-            let _e2922 = phi_3565_;
-            let _e2923 = abs(_e2865);
-            let _e2924 = abs(_e2878);
-            let _e2925 = abs(_e2891);
-            if (_e2916 > _e2923) {
-                phi_3573_ = _e2916;
+            let _e3007 = phi_3662_;
+            let _e3008 = abs(_e2950);
+            let _e3009 = abs(_e2963);
+            let _e3010 = abs(_e2976);
+            if (_e3001 > _e3008) {
+                phi_3670_ = _e3001;
             } else {
-                phi_3573_ = _e2923;
+                phi_3670_ = _e3008;
             }
-            let _e2928 = phi_3573_;
-            if (_e2919 > _e2924) {
-                phi_3578_ = _e2919;
+            let _e3013 = phi_3670_;
+            if (_e3004 > _e3009) {
+                phi_3675_ = _e3004;
             } else {
-                phi_3578_ = _e2924;
+                phi_3675_ = _e3009;
             }
-            let _e2931 = phi_3578_;
-            if (_e2922 > _e2925) {
-                phi_3583_ = _e2922;
+            let _e3016 = phi_3675_;
+            if (_e3007 > _e3010) {
+                phi_3680_ = _e3007;
             } else {
-                phi_3583_ = _e2925;
+                phi_3680_ = _e3010;
             }
-            let _e2934 = phi_3583_;
-            let _e2935 = (_e2821 - _e2777);
-            let _e2936 = (_e2834 - _e2790);
-            let _e2937 = (_e2847 - _e2803);
-            let _e2938 = (_e2865 - _e2777);
-            let _e2939 = (_e2878 - _e2790);
-            let _e2940 = (_e2891 - _e2803);
-            let _e2944 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2936), abs(_e2937));
-            let _e2945 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2935), _e2944);
-            let _e2946 = (_e2935 / _e2945);
-            let _e2947 = (_e2936 / _e2945);
-            let _e2948 = (_e2937 / _e2945);
-            let _e2952 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), abs(_e2940));
-            let _e2953 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2938), _e2952);
-            let _e2954 = (_e2938 / _e2953);
-            let _e2955 = (_e2939 / _e2953);
-            let _e2956 = (_e2940 / _e2953);
-            let _e2959 = ((_e2947 * _e2956) - (_e2955 * _e2948));
-            let _e2962 = ((_e2948 * _e2954) - (_e2956 * _e2946));
-            let _e2965 = ((_e2946 * _e2955) - (_e2954 * _e2947));
-            let _e2967 = p.member.eye;
-            let _e2980 = (1f / sqrt((((_e2959 * _e2959) + (_e2962 * _e2962)) + (_e2965 * _e2965))));
-            let _e2981 = (_e2959 * _e2980);
-            let _e2982 = (_e2962 * _e2980);
-            let _e2983 = (_e2965 * _e2980);
-            if ((((_e2981 * (_e2967.x - _e2904)) + (_e2982 * (_e2967.y - _e2905))) + (_e2983 * (_e2967.z - _e2906))) < 0f) {
-                phi_3647_ = vec3<f32>(-(_e2981), -(_e2982), -(_e2983));
+            let _e3019 = phi_3680_;
+            let _e3020 = (_e2906 - _e2862);
+            let _e3021 = (_e2919 - _e2875);
+            let _e3022 = (_e2932 - _e2888);
+            let _e3023 = (_e2950 - _e2862);
+            let _e3024 = (_e2963 - _e2875);
+            let _e3025 = (_e2976 - _e2888);
+            let _e3029 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3021), abs(_e3022));
+            let _e3030 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3020), _e3029);
+            let _e3031 = (_e3020 / _e3030);
+            let _e3032 = (_e3021 / _e3030);
+            let _e3033 = (_e3022 / _e3030);
+            let _e3037 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3024), abs(_e3025));
+            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3023), _e3037);
+            let _e3039 = (_e3023 / _e3038);
+            let _e3040 = (_e3024 / _e3038);
+            let _e3041 = (_e3025 / _e3038);
+            let _e3044 = ((_e3032 * _e3041) - (_e3040 * _e3033));
+            let _e3047 = ((_e3033 * _e3039) - (_e3041 * _e3031));
+            let _e3050 = ((_e3031 * _e3040) - (_e3039 * _e3032));
+            let _e3052 = p.member.eye;
+            let _e3065 = (1f / sqrt((((_e3044 * _e3044) + (_e3047 * _e3047)) + (_e3050 * _e3050))));
+            let _e3066 = (_e3044 * _e3065);
+            let _e3067 = (_e3047 * _e3065);
+            let _e3068 = (_e3050 * _e3065);
+            if ((((_e3066 * (_e3052.x - _e2989)) + (_e3067 * (_e3052.y - _e2990))) + (_e3068 * (_e3052.z - _e2991))) < 0f) {
+                phi_3744_ = vec3<f32>(-(_e3066), -(_e3067), -(_e3068));
             } else {
-                phi_3647_ = vec3<f32>(_e2981, _e2982, _e2983);
+                phi_3744_ = vec3<f32>(_e3066, _e3067, _e3068);
             }
-            let _e2996 = phi_3647_;
-            if (_e2744.triangle < _e81) {
+            let _e3081 = phi_3744_;
+            if (_e2829.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3001 = triangles.member[(0u + _e2744.triangle)];
-            let _e3003 = (_e3001.i0_ & 2147483647u);
-            if (_e3003 < _e84) {
+            let _e3086 = triangles.member[(0u + _e2829.triangle)];
+            let _e3088 = (_e3086.i0_ & 2147483647u);
+            if (_e3088 < _e84) {
             } else {
                 return;
             }
-            let _e3009 = vertices.member[(0u + _e3003)];
-            if (_e3001.i1_ < _e84) {
+            let _e3094 = vertices.member[(0u + _e3088)];
+            if (_e3086.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e3013 = vertices.member[(0u + _e3001.i1_)];
-            if (_e3001.i2_ < _e84) {
+            let _e3098 = vertices.member[(0u + _e3086.i1_)];
+            if (_e3086.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e3017 = vertices.member[(0u + _e3001.i2_)];
-            let _e3018 = array<abi_Vertex, 3>(_e3009, _e3013, _e3017);
-            if (_e3018[0].material < _e87) {
+            let _e3102 = vertices.member[(0u + _e3086.i2_)];
+            let _e3103 = array<abi_Vertex, 3>(_e3094, _e3098, _e3102);
+            if (_e3103[0].material < _e87) {
             } else {
                 return;
             }
-            let _e3024 = materials.member[(0u + _e3018[0].material)];
-            let _e3041 = (1f / 255f);
-            let _e3060 = (1f / 255f);
-            let _e3082 = (1f / 255f);
-            if (_e3024.color_size == 0u) {
-                phi_3890_ = vec3<f32>(1f, 1f, 1f);
+            let _e3109 = materials.member[(0u + _e3103[0].material)];
+            let _e3126 = (1f / 255f);
+            let _e3145 = (1f / 255f);
+            let _e3167 = (1f / 255f);
+            if (_e3109.color_size == 0u) {
+                phi_3987_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3024.color_offset;
-                local.size = _e3024.color_size;
-                local.flags = _e3024.flags;
-                let _e3125 = _lt_shaders_texture_TextureView_quad((&local), (((_e3018[0].u * _e2750) + (_e3018[1].u * _e2744.u)) + (_e3018[2].u * _e2744.v)), (((_e3018[0].v * _e2750) + (_e3018[1].v * _e2744.u)) + (_e3018[2].v * _e2744.v)));
-                if (_e3125.indices[0] < _e99) {
+                local.offset = _e3109.color_offset;
+                local.size = _e3109.color_size;
+                local.flags = _e3109.flags;
+                let _e3210 = _lt_shaders_texture_TextureView_quad((&local), (((_e3103[0].u * _e2835) + (_e3103[1].u * _e2829.u)) + (_e3103[2].u * _e2829.v)), (((_e3103[0].v * _e2835) + (_e3103[1].v * _e2829.u)) + (_e3103[2].v * _e2829.v)));
+                if (_e3210.indices[0] < _e99) {
                 } else {
                     return;
                 }
-                let _e3131 = color_texels.member[(0u + _e3125.indices[0])];
-                let _e3142 = (1f / 255f);
-                if (_e3125.indices[1] < _e99) {
+                let _e3216 = color_texels.member[(0u + _e3210.indices[0])];
+                let _e3227 = (1f / 255f);
+                if (_e3210.indices[1] < _e99) {
                 } else {
                     return;
                 }
-                let _e3156 = color_texels.member[(0u + _e3125.indices[1])];
-                let _e3167 = (1f / 255f);
-                if (_e3125.indices[2] < _e99) {
+                let _e3241 = color_texels.member[(0u + _e3210.indices[1])];
+                let _e3252 = (1f / 255f);
+                if (_e3210.indices[2] < _e99) {
                 } else {
                     return;
                 }
-                let _e3184 = color_texels.member[(0u + _e3125.indices[2])];
-                let _e3195 = (1f / 255f);
-                if (_e3125.indices[3] < _e99) {
+                let _e3269 = color_texels.member[(0u + _e3210.indices[2])];
+                let _e3280 = (1f / 255f);
+                if (_e3210.indices[3] < _e99) {
                 } else {
                     return;
                 }
-                let _e3212 = color_texels.member[(0u + _e3125.indices[3])];
-                let _e3223 = (1f / 255f);
-                let _e3232 = (((((f32((_e3131 & 255u)) * _e3142) * _e3125.weights.x) + ((f32((_e3156 & 255u)) * _e3167) * _e3125.weights.y)) + ((f32((_e3184 & 255u)) * _e3195) * _e3125.weights.z)) + ((f32((_e3212 & 255u)) * _e3223) * _e3125.weights.w));
-                let _e3233 = (((((f32(((_e3131 >> bitcast<u32>(8i)) & 255u)) * _e3142) * _e3125.weights.x) + ((f32(((_e3156 >> bitcast<u32>(8i)) & 255u)) * _e3167) * _e3125.weights.y)) + ((f32(((_e3184 >> bitcast<u32>(8i)) & 255u)) * _e3195) * _e3125.weights.z)) + ((f32(((_e3212 >> bitcast<u32>(8i)) & 255u)) * _e3223) * _e3125.weights.w));
-                let _e3234 = (((((f32(((_e3131 >> bitcast<u32>(16i)) & 255u)) * _e3142) * _e3125.weights.x) + ((f32(((_e3156 >> bitcast<u32>(16i)) & 255u)) * _e3167) * _e3125.weights.y)) + ((f32(((_e3184 >> bitcast<u32>(16i)) & 255u)) * _e3195) * _e3125.weights.z)) + ((f32(((_e3212 >> bitcast<u32>(16i)) & 255u)) * _e3223) * _e3125.weights.w));
-                phi_3890_ = vec3<f32>((_e3232 * _e3232), (_e3233 * _e3233), (_e3234 * _e3234));
+                let _e3297 = color_texels.member[(0u + _e3210.indices[3])];
+                let _e3308 = (1f / 255f);
+                let _e3317 = (((((f32((_e3216 & 255u)) * _e3227) * _e3210.weights.x) + ((f32((_e3241 & 255u)) * _e3252) * _e3210.weights.y)) + ((f32((_e3269 & 255u)) * _e3280) * _e3210.weights.z)) + ((f32((_e3297 & 255u)) * _e3308) * _e3210.weights.w));
+                let _e3318 = (((((f32(((_e3216 >> bitcast<u32>(8i)) & 255u)) * _e3227) * _e3210.weights.x) + ((f32(((_e3241 >> bitcast<u32>(8i)) & 255u)) * _e3252) * _e3210.weights.y)) + ((f32(((_e3269 >> bitcast<u32>(8i)) & 255u)) * _e3280) * _e3210.weights.z)) + ((f32(((_e3297 >> bitcast<u32>(8i)) & 255u)) * _e3308) * _e3210.weights.w));
+                let _e3319 = (((((f32(((_e3216 >> bitcast<u32>(16i)) & 255u)) * _e3227) * _e3210.weights.x) + ((f32(((_e3241 >> bitcast<u32>(16i)) & 255u)) * _e3252) * _e3210.weights.y)) + ((f32(((_e3269 >> bitcast<u32>(16i)) & 255u)) * _e3280) * _e3210.weights.z)) + ((f32(((_e3297 >> bitcast<u32>(16i)) & 255u)) * _e3308) * _e3210.weights.w));
+                phi_3987_ = vec3<f32>((_e3317 * _e3317), (_e3318 * _e3318), (_e3319 * _e3319));
             }
-            let _e3240 = phi_3890_;
-            let _e3242 = ((_e3024.base_color.x * ((((f32((_e3018[0].color & 255u)) * _e3041) * _e2750) + ((f32((_e3018[1].color & 255u)) * _e3060) * _e2744.u)) + ((f32((_e3018[2].color & 255u)) * _e3082) * _e2744.v))) * _e3240.x);
-            let _e3244 = ((_e3024.base_color.y * ((((f32(((_e3018[0].color >> bitcast<u32>(8i)) & 255u)) * _e3041) * _e2750) + ((f32(((_e3018[1].color >> bitcast<u32>(8i)) & 255u)) * _e3060) * _e2744.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(8i)) & 255u)) * _e3082) * _e2744.v))) * _e3240.y);
-            let _e3246 = ((_e3024.base_color.z * ((((f32(((_e3018[0].color >> bitcast<u32>(16i)) & 255u)) * _e3041) * _e2750) + ((f32(((_e3018[1].color >> bitcast<u32>(16i)) & 255u)) * _e3060) * _e2744.u)) + ((f32(((_e3018[2].color >> bitcast<u32>(16i)) & 255u)) * _e3082) * _e2744.v))) * _e3240.z);
-            let _e3247 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2931, _e2934);
-            let _e3248 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2928, _e3247);
-            if ((_e3024.flags & 2u) == 0u) {
-                phi_3905_ = 0u;
+            let _e3325 = phi_3987_;
+            let _e3327 = ((_e3109.base_color.x * ((((f32((_e3103[0].color & 255u)) * _e3126) * _e2835) + ((f32((_e3103[1].color & 255u)) * _e3145) * _e2829.u)) + ((f32((_e3103[2].color & 255u)) * _e3167) * _e2829.v))) * _e3325.x);
+            let _e3329 = ((_e3109.base_color.y * ((((f32(((_e3103[0].color >> bitcast<u32>(8i)) & 255u)) * _e3126) * _e2835) + ((f32(((_e3103[1].color >> bitcast<u32>(8i)) & 255u)) * _e3145) * _e2829.u)) + ((f32(((_e3103[2].color >> bitcast<u32>(8i)) & 255u)) * _e3167) * _e2829.v))) * _e3325.y);
+            let _e3331 = ((_e3109.base_color.z * ((((f32(((_e3103[0].color >> bitcast<u32>(16i)) & 255u)) * _e3126) * _e2835) + ((f32(((_e3103[1].color >> bitcast<u32>(16i)) & 255u)) * _e3145) * _e2829.u)) + ((f32(((_e3103[2].color >> bitcast<u32>(16i)) & 255u)) * _e3167) * _e2829.v))) * _e3325.z);
+            let _e3332 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3016, _e3019);
+            let _e3333 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3013, _e3332);
+            if ((_e3109.flags & 2u) == 0u) {
+                phi_4002_ = 0u;
             } else {
-                phi_3905_ = 1u;
+                phi_4002_ = 1u;
             }
-            let _e3253 = phi_3905_;
-            if (_e3018[0].normal == 2147516416u) {
-                phi_4135_ = _e2996;
+            let _e3338 = phi_4002_;
+            if (_e3103[0].normal == 2147516416u) {
+                phi_4232_ = _e3081;
             } else {
-                let _e3266 = (f32((bitcast<i32>((_e3018[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3272 = (f32((bitcast<i32>(_e3018[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3276 = ((1f - abs(_e3266)) - abs(_e3272));
-                if (_e3276 < 0f) {
-                    phi_3932_ = -(_e3276);
+                let _e3351 = (f32((bitcast<i32>((_e3103[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3357 = (f32((bitcast<i32>(_e3103[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3361 = ((1f - abs(_e3351)) - abs(_e3357));
+                if (_e3361 < 0f) {
+                    phi_4029_ = -(_e3361);
                 } else {
-                    phi_3932_ = 0f;
+                    phi_4029_ = 0f;
                 }
-                let _e3280 = phi_3932_;
-                if (_e3266 < 0f) {
-                    phi_3939_ = (_e3266 + _e3280);
+                let _e3365 = phi_4029_;
+                if (_e3351 < 0f) {
+                    phi_4036_ = (_e3351 + _e3365);
                 } else {
-                    phi_3939_ = (_e3266 - _e3280);
+                    phi_4036_ = (_e3351 - _e3365);
                 }
-                let _e3285 = phi_3939_;
-                if (_e3272 < 0f) {
-                    phi_3946_ = (_e3272 + _e3280);
+                let _e3370 = phi_4036_;
+                if (_e3357 < 0f) {
+                    phi_4043_ = (_e3357 + _e3365);
                 } else {
-                    phi_3946_ = (_e3272 - _e3280);
+                    phi_4043_ = (_e3357 - _e3365);
                 }
-                let _e3290 = phi_3946_;
-                let _e3297 = (1f / sqrt((((_e3285 * _e3285) + (_e3290 * _e3290)) + (_e3276 * _e3276))));
-                let _e3313 = (f32((bitcast<i32>((_e3018[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3319 = (f32((bitcast<i32>(_e3018[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3323 = ((1f - abs(_e3313)) - abs(_e3319));
-                if (_e3323 < 0f) {
-                    phi_3981_ = -(_e3323);
+                let _e3375 = phi_4043_;
+                let _e3382 = (1f / sqrt((((_e3370 * _e3370) + (_e3375 * _e3375)) + (_e3361 * _e3361))));
+                let _e3398 = (f32((bitcast<i32>((_e3103[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3404 = (f32((bitcast<i32>(_e3103[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3408 = ((1f - abs(_e3398)) - abs(_e3404));
+                if (_e3408 < 0f) {
+                    phi_4078_ = -(_e3408);
                 } else {
-                    phi_3981_ = 0f;
+                    phi_4078_ = 0f;
                 }
-                let _e3327 = phi_3981_;
-                if (_e3313 < 0f) {
-                    phi_3988_ = (_e3313 + _e3327);
+                let _e3412 = phi_4078_;
+                if (_e3398 < 0f) {
+                    phi_4085_ = (_e3398 + _e3412);
                 } else {
-                    phi_3988_ = (_e3313 - _e3327);
+                    phi_4085_ = (_e3398 - _e3412);
                 }
-                let _e3332 = phi_3988_;
-                if (_e3319 < 0f) {
-                    phi_3995_ = (_e3319 + _e3327);
+                let _e3417 = phi_4085_;
+                if (_e3404 < 0f) {
+                    phi_4092_ = (_e3404 + _e3412);
                 } else {
-                    phi_3995_ = (_e3319 - _e3327);
+                    phi_4092_ = (_e3404 - _e3412);
                 }
-                let _e3337 = phi_3995_;
-                let _e3344 = (1f / sqrt((((_e3332 * _e3332) + (_e3337 * _e3337)) + (_e3323 * _e3323))));
-                let _e3363 = (f32((bitcast<i32>((_e3018[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3369 = (f32((bitcast<i32>(_e3018[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3373 = ((1f - abs(_e3363)) - abs(_e3369));
-                if (_e3373 < 0f) {
-                    phi_4033_ = -(_e3373);
+                let _e3422 = phi_4092_;
+                let _e3429 = (1f / sqrt((((_e3417 * _e3417) + (_e3422 * _e3422)) + (_e3408 * _e3408))));
+                let _e3448 = (f32((bitcast<i32>((_e3103[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3454 = (f32((bitcast<i32>(_e3103[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3458 = ((1f - abs(_e3448)) - abs(_e3454));
+                if (_e3458 < 0f) {
+                    phi_4130_ = -(_e3458);
                 } else {
-                    phi_4033_ = 0f;
+                    phi_4130_ = 0f;
                 }
-                let _e3377 = phi_4033_;
-                if (_e3363 < 0f) {
-                    phi_4040_ = (_e3363 + _e3377);
+                let _e3462 = phi_4130_;
+                if (_e3448 < 0f) {
+                    phi_4137_ = (_e3448 + _e3462);
                 } else {
-                    phi_4040_ = (_e3363 - _e3377);
+                    phi_4137_ = (_e3448 - _e3462);
                 }
-                let _e3382 = phi_4040_;
-                if (_e3369 < 0f) {
-                    phi_4047_ = (_e3369 + _e3377);
+                let _e3467 = phi_4137_;
+                if (_e3454 < 0f) {
+                    phi_4144_ = (_e3454 + _e3462);
                 } else {
-                    phi_4047_ = (_e3369 - _e3377);
+                    phi_4144_ = (_e3454 - _e3462);
                 }
-                let _e3387 = phi_4047_;
-                let _e3394 = (1f / sqrt((((_e3382 * _e3382) + (_e3387 * _e3387)) + (_e3373 * _e3373))));
-                let _e3401 = ((((_e3285 * _e3297) * _e2750) + ((_e3332 * _e3344) * _e2744.u)) + ((_e3382 * _e3394) * _e2744.v));
-                let _e3402 = ((((_e3290 * _e3297) * _e2750) + ((_e3337 * _e3344) * _e2744.u)) + ((_e3387 * _e3394) * _e2744.v));
-                let _e3403 = ((((_e3276 * _e3297) * _e2750) + ((_e3323 * _e3344) * _e2744.u)) + ((_e3373 * _e3394) * _e2744.v));
-                if (_e2744.instance < _e93) {
+                let _e3472 = phi_4144_;
+                let _e3479 = (1f / sqrt((((_e3467 * _e3467) + (_e3472 * _e3472)) + (_e3458 * _e3458))));
+                let _e3486 = ((((_e3370 * _e3382) * _e2835) + ((_e3417 * _e3429) * _e2829.u)) + ((_e3467 * _e3479) * _e2829.v));
+                let _e3487 = ((((_e3375 * _e3382) * _e2835) + ((_e3422 * _e3429) * _e2829.u)) + ((_e3472 * _e3479) * _e2829.v));
+                let _e3488 = ((((_e3361 * _e3382) * _e2835) + ((_e3408 * _e3429) * _e2829.u)) + ((_e3458 * _e3479) * _e2829.v));
+                if (_e2829.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3410 = instances.member[(0u + _e2744.instance)].world_to_object[0u];
-                let _e3419 = instances.member[(0u + _e2744.instance)].world_to_object[1u];
-                let _e3431 = instances.member[(0u + _e2744.instance)].world_to_object[2u];
-                let _e3438 = (((_e3410.x * _e3401) + (_e3419.x * _e3402)) + (_e3431.x * _e3403));
-                let _e3439 = (((_e3410.y * _e3401) + (_e3419.y * _e3402)) + (_e3431.y * _e3403));
-                let _e3440 = (((_e3410.z * _e3401) + (_e3419.z * _e3402)) + (_e3431.z * _e3403));
-                let _e3446 = sqrt((((_e3438 * _e3438) + (_e3439 * _e3439)) + (_e3440 * _e3440)));
-                if (_e3446 > 0f) {
-                    let _e3448 = (_e3438 / _e3446);
-                    let _e3449 = (_e3439 / _e3446);
-                    let _e3450 = (_e3440 / _e3446);
-                    if ((((_e3448 * _e2996.x) + (_e3449 * _e2996.y)) + (_e3450 * _e2996.z)) < 0f) {
-                        phi_4133_ = vec3<f32>(-(_e3448), -(_e3449), -(_e3450));
+                let _e3495 = instances.member[(0u + _e2829.instance)].world_to_object[0u];
+                let _e3504 = instances.member[(0u + _e2829.instance)].world_to_object[1u];
+                let _e3516 = instances.member[(0u + _e2829.instance)].world_to_object[2u];
+                let _e3523 = (((_e3495.x * _e3486) + (_e3504.x * _e3487)) + (_e3516.x * _e3488));
+                let _e3524 = (((_e3495.y * _e3486) + (_e3504.y * _e3487)) + (_e3516.y * _e3488));
+                let _e3525 = (((_e3495.z * _e3486) + (_e3504.z * _e3487)) + (_e3516.z * _e3488));
+                let _e3531 = sqrt((((_e3523 * _e3523) + (_e3524 * _e3524)) + (_e3525 * _e3525)));
+                if (_e3531 > 0f) {
+                    let _e3533 = (_e3523 / _e3531);
+                    let _e3534 = (_e3524 / _e3531);
+                    let _e3535 = (_e3525 / _e3531);
+                    if ((((_e3533 * _e3081.x) + (_e3534 * _e3081.y)) + (_e3535 * _e3081.z)) < 0f) {
+                        phi_4230_ = vec3<f32>(-(_e3533), -(_e3534), -(_e3535));
                     } else {
-                        phi_4133_ = vec3<f32>(_e3448, _e3449, _e3450);
+                        phi_4230_ = vec3<f32>(_e3533, _e3534, _e3535);
                     }
-                    let _e3466 = phi_4133_;
-                    phi_4134_ = _e3466;
+                    let _e3551 = phi_4230_;
+                    phi_4231_ = _e3551;
                 } else {
-                    phi_4134_ = _e2996;
+                    phi_4231_ = _e3081;
                 }
-                let _e3468 = phi_4134_;
-                phi_4135_ = _e3468;
+                let _e3553 = phi_4231_;
+                phi_4232_ = _e3553;
             }
-            let _e3470 = phi_4135_;
-            if (_e3242 > 0f) {
-                if (_e3242 < 1f) {
-                    phi_4144_ = _e3242;
+            let _e3555 = phi_4232_;
+            if (_e3327 > 0f) {
+                if (_e3327 < 1f) {
+                    phi_4241_ = _e3327;
                 } else {
-                    phi_4144_ = 1f;
+                    phi_4241_ = 1f;
                 }
-                let _e3474 = phi_4144_;
-                phi_4145_ = _e3474;
+                let _e3559 = phi_4241_;
+                phi_4242_ = _e3559;
             } else {
-                phi_4145_ = 0f;
+                phi_4242_ = 0f;
             }
-            let _e3476 = phi_4145_;
-            if (_e3244 > 0f) {
-                if (_e3244 < 1f) {
-                    phi_4155_ = _e3244;
+            let _e3561 = phi_4242_;
+            if (_e3329 > 0f) {
+                if (_e3329 < 1f) {
+                    phi_4252_ = _e3329;
                 } else {
-                    phi_4155_ = 1f;
+                    phi_4252_ = 1f;
                 }
-                let _e3481 = phi_4155_;
-                phi_4156_ = _e3481;
+                let _e3566 = phi_4252_;
+                phi_4253_ = _e3566;
             } else {
-                phi_4156_ = 0f;
+                phi_4253_ = 0f;
             }
-            let _e3483 = phi_4156_;
-            if (_e3246 > 0f) {
-                if (_e3246 < 1f) {
-                    phi_4166_ = _e3246;
+            let _e3568 = phi_4253_;
+            if (_e3331 > 0f) {
+                if (_e3331 < 1f) {
+                    phi_4263_ = _e3331;
                 } else {
-                    phi_4166_ = 1f;
+                    phi_4263_ = 1f;
                 }
-                let _e3488 = phi_4166_;
-                phi_4167_ = _e3488;
+                let _e3573 = phi_4263_;
+                phi_4264_ = _e3573;
             } else {
-                phi_4167_ = 0f;
+                phi_4264_ = 0f;
             }
-            let _e3490 = phi_4167_;
-            let _e3493 = ((sqrt(_e3476) * 255f) + 0.5f);
-            let _e3502 = ((sqrt(_e3483) * 255f) + 0.5f);
-            let _e3514 = ((sqrt(_e3490) * 255f) + 0.5f);
-            phi_4202_ = abi_Sample(vec3<f32>(_e2904, _e2905, _e2906), _e3248, _e2996, _e3253, _e3470, ((select(select(u32(_e3493), 0u, (_e3493 < bitcast<f32>(0u))), 4294967295u, (_e3493 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3502), 0u, (_e3502 < bitcast<f32>(0u))), 4294967295u, (_e3502 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3514), 0u, (_e3514 < bitcast<f32>(0u))), 4294967295u, (_e3514 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3575 = phi_4264_;
+            let _e3578 = ((sqrt(_e3561) * 255f) + 0.5f);
+            let _e3587 = ((sqrt(_e3568) * 255f) + 0.5f);
+            let _e3599 = ((sqrt(_e3575) * 255f) + 0.5f);
+            phi_4299_ = abi_Sample(vec3<f32>(_e2989, _e2990, _e2991), _e3333, _e3081, _e3338, _e3555, ((select(select(u32(_e3578), 0u, (_e3578 < bitcast<f32>(0u))), 4294967295u, (_e3578 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3587), 0u, (_e3587 < bitcast<f32>(0u))), 4294967295u, (_e3587 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3599), 0u, (_e3599 < bitcast<f32>(0u))), 4294967295u, (_e3599 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4202_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4299_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3528 = phi_4202_;
+        let _e3613 = phi_4299_;
         if (_e105.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.first_primitive)] = _e3528;
+        samples.member[(0u + _e105.first_primitive)] = _e3613;
     }
     return;
 }

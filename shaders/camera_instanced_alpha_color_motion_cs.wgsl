@@ -772,151 +772,157 @@ fn function_() {
     var phi_2476_: u32;
     var phi_2520_: vec3<f32>;
     var phi_2521_: vec3<f32>;
-    var phi_2552_: vec3<f32>;
-    var phi_2553_: vec3<f32>;
-    var phi_2584_: vec3<f32>;
-    var phi_2585_: vec3<f32>;
-    var phi_2605_: bool;
-    var phi_2606_: bool;
-    var phi_2610_: f32;
-    var phi_2611_: f32;
-    var phi_2612_: f32;
-    var phi_2613_: f32;
-    var phi_2621_: f32;
-    var phi_2631_: bool;
-    var phi_2632_: bool;
-    var phi_2636_: f32;
-    var phi_2637_: f32;
-    var phi_2638_: f32;
-    var phi_2639_: f32;
-    var phi_2647_: f32;
-    var phi_2657_: bool;
-    var phi_2658_: bool;
-    var phi_2662_: f32;
-    var phi_2663_: f32;
-    var phi_2664_: f32;
-    var phi_2665_: f32;
-    var phi_2673_: f32;
-    var phi_2688_: f32;
-    var phi_2689_: bool;
-    var phi_2690_: f32;
-    var phi_2691_: bool;
-    var phi_2692_: f32;
-    var phi_2693_: bool;
-    var phi_2711_: f32;
-    var phi_2712_: bool;
-    var phi_2713_: bool;
-    var phi_2714_: f32;
-    var phi_2715_: bool;
+    var phi_2550_: vec3<f32>;
+    var phi_2551_: vec3<f32>;
+    var phi_2580_: vec3<f32>;
+    var phi_2581_: vec3<f32>;
+    var phi_2599_: bool;
+    var phi_2600_: bool;
+    var phi_2604_: f32;
+    var phi_2605_: f32;
+    var phi_2606_: f32;
+    var phi_2607_: f32;
+    var phi_2615_: f32;
+    var phi_2625_: bool;
+    var phi_2626_: bool;
+    var phi_2630_: f32;
+    var phi_2631_: f32;
+    var phi_2632_: f32;
+    var phi_2633_: f32;
+    var phi_2641_: f32;
+    var phi_2651_: bool;
+    var phi_2652_: bool;
+    var phi_2656_: f32;
+    var phi_2657_: f32;
+    var phi_2658_: f32;
+    var phi_2659_: f32;
+    var phi_2667_: f32;
+    var phi_2682_: f32;
+    var phi_2683_: bool;
+    var phi_2684_: f32;
+    var phi_2685_: bool;
+    var phi_2686_: f32;
+    var phi_2687_: bool;
+    var phi_2705_: f32;
+    var phi_2706_: bool;
+    var phi_2707_: bool;
+    var phi_2708_: f32;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
+    var phi_2714_: bool;
+    var phi_2715_: f32;
     var phi_2716_: bool;
-    var phi_2720_: bool;
-    var phi_2721_: f32;
-    var phi_2722_: bool;
-    var phi_2756_: f32;
-    var phi_2765_: f32;
-    var phi_2774_: f32;
-    var phi_2783_: f32;
-    var phi_2790_: f32;
-    var phi_2797_: f32;
-    var phi_2810_: f32;
-    var phi_2819_: f32;
-    var phi_2828_: f32;
-    var phi_2837_: f32;
-    var phi_2844_: f32;
-    var phi_2851_: f32;
-    var phi_2868_: f32;
-    var phi_2873_: f32;
-    var phi_2878_: f32;
-    var phi_2886_: f32;
-    var phi_2891_: f32;
-    var phi_2896_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: f32;
-    var phi_2918_: f32;
-    var phi_2923_: f32;
-    var phi_2928_: lt_bvh_triangle_Intersection;
-    var phi_2929_: bool;
-    var phi_2930_: lt_bvh_triangle_Intersection;
-    var phi_2931_: bool;
-    var phi_2935_: lt_bvh_triangle_Intersection;
-    var phi_2936_: bool;
-    var phi_2937_: lt_bvh_triangle_Intersection;
-    var phi_2938_: bool;
-    var phi_2939_: bool;
-    var phi_2943_: bool;
-    var phi_2947_: lt_bvh_triangle_Intersection;
-    var phi_2985_: bool;
-    var phi_2986_: bool;
-    var phi_2987_: bool;
-    var phi_2988_: bool;
-    var phi_2989_: bool;
-    var phi_2990_: bool;
-    var phi_2994_: bool;
-    var phi_2995_: bool;
-    var phi_3198_: f32;
-    var phi_3201_: bool;
-    var phi_3202_: bool;
-    var phi_3206_: bool;
-    var phi_3214_: lt_bvh_Hit;
-    var phi_3215_: lt_bvh_Hit;
-    var phi_3216_: lt_bvh_Hit;
-    var phi_3217_: lt_bvh_Hit;
+    var phi_2744_: vec3<f32>;
+    var phi_2745_: vec3<f32>;
+    var phi_2770_: vec3<f32>;
+    var phi_2771_: vec3<f32>;
+    var phi_2796_: vec3<f32>;
+    var phi_2797_: vec3<f32>;
+    var phi_2853_: f32;
+    var phi_2862_: f32;
+    var phi_2871_: f32;
+    var phi_2880_: f32;
+    var phi_2887_: f32;
+    var phi_2894_: f32;
+    var phi_2907_: f32;
+    var phi_2916_: f32;
+    var phi_2925_: f32;
+    var phi_2934_: f32;
+    var phi_2941_: f32;
+    var phi_2948_: f32;
+    var phi_2965_: f32;
+    var phi_2970_: f32;
+    var phi_2975_: f32;
+    var phi_2983_: f32;
+    var phi_2988_: f32;
+    var phi_2993_: f32;
+    var phi_3005_: f32;
+    var phi_3010_: f32;
+    var phi_3015_: f32;
+    var phi_3020_: f32;
+    var phi_3025_: lt_bvh_triangle_Intersection;
+    var phi_3026_: bool;
+    var phi_3027_: lt_bvh_triangle_Intersection;
+    var phi_3028_: bool;
+    var phi_3032_: lt_bvh_triangle_Intersection;
+    var phi_3033_: bool;
+    var phi_3034_: lt_bvh_triangle_Intersection;
+    var phi_3035_: bool;
+    var phi_3036_: bool;
+    var phi_3040_: bool;
+    var phi_3044_: lt_bvh_triangle_Intersection;
+    var phi_3082_: bool;
+    var phi_3083_: bool;
+    var phi_3084_: bool;
+    var phi_3085_: bool;
+    var phi_3086_: bool;
+    var phi_3087_: bool;
+    var phi_3091_: bool;
+    var phi_3092_: bool;
+    var phi_3295_: f32;
+    var phi_3298_: bool;
+    var phi_3299_: bool;
+    var phi_3303_: bool;
+    var phi_3311_: lt_bvh_Hit;
+    var phi_3312_: lt_bvh_Hit;
+    var phi_3313_: lt_bvh_Hit;
+    var phi_3314_: lt_bvh_Hit;
     var phi_2474_: lt_bvh_Hit;
     var phi_2477_: u32;
-    var phi_3218_: bool;
-    var phi_3257_: bool;
-    var phi_3258_: bool;
-    var phi_3289_: u32;
+    var phi_3315_: bool;
+    var phi_3354_: bool;
+    var phi_3355_: bool;
+    var phi_3386_: u32;
     var phi_2141_: lt_bvh_Hit;
     var phi_2144_: u32;
-    var phi_3290_: lt_bvh_Hit;
-    var phi_3291_: lt_bvh_Hit;
-    var phi_3292_: bool;
-    var phi_3296_: lt_bvh_Hit;
-    var phi_3297_: lt_bvh_Hit;
-    var phi_3298_: lt_bvh_Hit;
-    var phi_3299_: lt_bvh_Hit;
+    var phi_3387_: lt_bvh_Hit;
+    var phi_3388_: lt_bvh_Hit;
+    var phi_3389_: bool;
+    var phi_3393_: lt_bvh_Hit;
+    var phi_3394_: lt_bvh_Hit;
+    var phi_3395_: lt_bvh_Hit;
+    var phi_3396_: lt_bvh_Hit;
     var phi_1515_: u32;
     var phi_1518_: lt_bvh_Hit;
-    var phi_3300_: bool;
-    var phi_3339_: bool;
-    var phi_3340_: bool;
-    var phi_3371_: u32;
+    var phi_3397_: bool;
+    var phi_3436_: bool;
+    var phi_3437_: bool;
+    var phi_3468_: u32;
     var phi_1178_: u32;
     var phi_1181_: lt_bvh_Hit;
-    var phi_3372_: lt_bvh_Hit;
-    var phi_3373_: lt_bvh_Hit;
-    var phi_3374_: bool;
-    var phi_3378_: lt_bvh_Hit;
-    var phi_3565_: f32;
-    var phi_3570_: f32;
-    var phi_3575_: f32;
-    var phi_3583_: f32;
-    var phi_3588_: f32;
-    var phi_3593_: f32;
-    var phi_3657_: vec3<f32>;
-    var phi_3900_: vec3<f32>;
-    var phi_3915_: u32;
-    var phi_3942_: f32;
-    var phi_3949_: f32;
-    var phi_3956_: f32;
-    var phi_3991_: f32;
-    var phi_3998_: f32;
-    var phi_4005_: f32;
-    var phi_4043_: f32;
-    var phi_4050_: f32;
-    var phi_4057_: f32;
-    var phi_4143_: vec3<f32>;
-    var phi_4144_: vec3<f32>;
-    var phi_4145_: vec3<f32>;
+    var phi_3469_: lt_bvh_Hit;
+    var phi_3470_: lt_bvh_Hit;
+    var phi_3471_: bool;
+    var phi_3475_: lt_bvh_Hit;
+    var phi_3662_: f32;
+    var phi_3667_: f32;
+    var phi_3672_: f32;
+    var phi_3680_: f32;
+    var phi_3685_: f32;
+    var phi_3690_: f32;
+    var phi_3754_: vec3<f32>;
+    var phi_3997_: vec3<f32>;
+    var phi_4012_: u32;
+    var phi_4039_: f32;
+    var phi_4046_: f32;
+    var phi_4053_: f32;
+    var phi_4088_: f32;
+    var phi_4095_: f32;
+    var phi_4102_: f32;
+    var phi_4140_: f32;
+    var phi_4147_: f32;
     var phi_4154_: f32;
-    var phi_4155_: f32;
-    var phi_4165_: f32;
-    var phi_4166_: f32;
-    var phi_4176_: f32;
-    var phi_4177_: f32;
-    var phi_4212_: abi_Sample;
-    var phi_4434_: vec3<f32>;
+    var phi_4240_: vec3<f32>;
+    var phi_4241_: vec3<f32>;
+    var phi_4242_: vec3<f32>;
+    var phi_4251_: f32;
+    var phi_4252_: f32;
+    var phi_4262_: f32;
+    var phi_4263_: f32;
+    var phi_4273_: f32;
+    var phi_4274_: f32;
+    var phi_4309_: abi_Sample;
+    var phi_4531_: vec3<f32>;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
@@ -1055,7 +1061,7 @@ fn function_() {
         if _e241 {
             let _e242 = (_e119 >= _e80);
             if _e242 {
-                phi_3372_ = lt_bvh_Hit();
+                phi_3469_ = lt_bvh_Hit();
             } else {
                 if (_e119 < _e80) {
                 } else {
@@ -1408,7 +1414,7 @@ fn function_() {
                             if (_e986 == 0u) {
                                 phi_1515_ = u32();
                                 phi_1518_ = lt_bvh_Hit();
-                                phi_3300_ = false;
+                                phi_3397_ = false;
                             } else {
                                 let _e992 = nodes.member[(0u + _e543)].links[1u];
                                 let _e996 = (_e992 + select(firstTrailingBit(_e986), 32u, (_e986 == 0u)));
@@ -1590,7 +1596,7 @@ fn function_() {
                                             if _e1218 {
                                                 let _e1219 = (_e1155 >= _e80);
                                                 if _e1219 {
-                                                    phi_3290_ = lt_bvh_Hit();
+                                                    phi_3387_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1155 < _e80) {
                                                     } else {
@@ -1717,7 +1723,6 @@ fn function_() {
                                                     let _e1374 = phi_1969_;
                                                     let _e1377 = (_e1374.x / _e1374.z);
                                                     let _e1380 = (_e1374.y / _e1374.z);
-                                                    let _e1382 = (1f / _e1374.z);
                                                     if (_e1295 < 0f) {
                                                         phi_1982_ = 0u;
                                                     } else {
@@ -1985,7 +1990,7 @@ fn function_() {
                                                                 if (_e1972 == 0u) {
                                                                     phi_2474_ = lt_bvh_Hit();
                                                                     phi_2477_ = u32();
-                                                                    phi_3218_ = false;
+                                                                    phi_3315_ = false;
                                                                 } else {
                                                                     let _e1976 = nodes.member[(0u + _e1533)].links[1u];
                                                                     let _e1981 = ((_e1157 + _e1976) + select(firstTrailingBit(_e1972), 32u, (_e1972 == 0u)));
@@ -2011,1151 +2016,1204 @@ fn function_() {
                                                                     let _e2004 = phi_2521_;
                                                                     let _e2008 = (_e2004.x - (_e1377 * _e2004.z));
                                                                     let _e2012 = (_e2004.y - (_e1380 * _e2004.z));
-                                                                    let _e2016 = triangles.member[(0u + _e1981)].v1_;
-                                                                    let _e2018 = (_e2016.x - _e1080);
-                                                                    let _e2020 = (_e2016.y - _e1093);
-                                                                    let _e2022 = (_e2016.z - _e1106);
+                                                                    let _e2014 = triangles.member[(0u + _e1981)].v1_;
+                                                                    let _e2016 = (_e2014.x - _e1080);
+                                                                    let _e2018 = (_e2014.y - _e1093);
+                                                                    let _e2020 = (_e2014.z - _e1106);
                                                                     if (_e1366 == 0u) {
-                                                                        phi_2553_ = vec3<f32>(_e2020, _e2022, _e2018);
+                                                                        phi_2551_ = vec3<f32>(_e2018, _e2020, _e2016);
                                                                     } else {
                                                                         if (_e1366 == 1u) {
-                                                                            phi_2552_ = vec3<f32>(_e2022, _e2018, _e2020);
+                                                                            phi_2550_ = vec3<f32>(_e2020, _e2016, _e2018);
                                                                         } else {
-                                                                            phi_2552_ = (_e2016 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2550_ = (_e2014 - vec3<f32>(_e1080, _e1093, _e1106));
                                                                         }
-                                                                        let _e2030 = phi_2552_;
-                                                                        phi_2553_ = _e2030;
+                                                                        let _e2028 = phi_2550_;
+                                                                        phi_2551_ = _e2028;
                                                                     }
-                                                                    let _e2032 = phi_2553_;
-                                                                    let _e2036 = (_e2032.x - (_e1377 * _e2032.z));
-                                                                    let _e2040 = (_e2032.y - (_e1380 * _e2032.z));
-                                                                    let _e2044 = triangles.member[(0u + _e1981)].v2_;
-                                                                    let _e2046 = (_e2044.x - _e1080);
-                                                                    let _e2048 = (_e2044.y - _e1093);
-                                                                    let _e2050 = (_e2044.z - _e1106);
+                                                                    let _e2030 = phi_2551_;
+                                                                    let _e2034 = (_e2030.x - (_e1377 * _e2030.z));
+                                                                    let _e2038 = (_e2030.y - (_e1380 * _e2030.z));
+                                                                    let _e2040 = triangles.member[(0u + _e1981)].v2_;
+                                                                    let _e2042 = (_e2040.x - _e1080);
+                                                                    let _e2044 = (_e2040.y - _e1093);
+                                                                    let _e2046 = (_e2040.z - _e1106);
                                                                     if (_e1366 == 0u) {
-                                                                        phi_2585_ = vec3<f32>(_e2048, _e2050, _e2046);
+                                                                        phi_2581_ = vec3<f32>(_e2044, _e2046, _e2042);
                                                                     } else {
                                                                         if (_e1366 == 1u) {
-                                                                            phi_2584_ = vec3<f32>(_e2050, _e2046, _e2048);
+                                                                            phi_2580_ = vec3<f32>(_e2046, _e2042, _e2044);
                                                                         } else {
-                                                                            phi_2584_ = (_e2044 - vec3<f32>(_e1080, _e1093, _e1106));
+                                                                            phi_2580_ = (_e2040 - vec3<f32>(_e1080, _e1093, _e1106));
                                                                         }
-                                                                        let _e2058 = phi_2584_;
-                                                                        phi_2585_ = _e2058;
+                                                                        let _e2054 = phi_2580_;
+                                                                        phi_2581_ = _e2054;
                                                                     }
-                                                                    let _e2060 = phi_2585_;
-                                                                    let _e2064 = (_e2060.x - (_e1377 * _e2060.z));
-                                                                    let _e2068 = (_e2060.y - (_e1380 * _e2060.z));
-                                                                    if (_e2036 < _e2064) {
-                                                                        phi_2606_ = true;
+                                                                    let _e2056 = phi_2581_;
+                                                                    let _e2060 = (_e2056.x - (_e1377 * _e2056.z));
+                                                                    let _e2064 = (_e2056.y - (_e1380 * _e2056.z));
+                                                                    if (_e2034 < _e2060) {
+                                                                        phi_2600_ = true;
                                                                     } else {
-                                                                        if (_e2036 == _e2064) {
-                                                                            phi_2605_ = (_e2040 < _e2068);
+                                                                        if (_e2034 == _e2060) {
+                                                                            phi_2599_ = (_e2038 < _e2064);
                                                                         } else {
-                                                                            phi_2605_ = false;
+                                                                            phi_2599_ = false;
                                                                         }
-                                                                        let _e2075 = phi_2605_;
-                                                                        phi_2606_ = _e2075;
+                                                                        let _e2069 = phi_2599_;
+                                                                        phi_2600_ = _e2069;
                                                                     }
+                                                                    let _e2071 = phi_2600_;
+                                                                    if _e2071 {
+                                                                        phi_2604_ = _e2064;
+                                                                        phi_2605_ = _e2060;
+                                                                        phi_2606_ = _e2038;
+                                                                        phi_2607_ = _e2034;
+                                                                    } else {
+                                                                        phi_2604_ = _e2038;
+                                                                        phi_2605_ = _e2034;
+                                                                        phi_2606_ = _e2064;
+                                                                        phi_2607_ = _e2060;
+                                                                    }
+                                                                    let _e2073 = phi_2604_;
+                                                                    let _e2075 = phi_2605_;
                                                                     let _e2077 = phi_2606_;
-                                                                    if _e2077 {
-                                                                        phi_2610_ = _e2068;
-                                                                        phi_2611_ = _e2064;
-                                                                        phi_2612_ = _e2040;
-                                                                        phi_2613_ = _e2036;
+                                                                    let _e2079 = phi_2607_;
+                                                                    let _e2082 = ((_e2079 * _e2073) - (_e2077 * _e2075));
+                                                                    if _e2071 {
+                                                                        phi_2615_ = -(_e2082);
                                                                     } else {
-                                                                        phi_2610_ = _e2040;
-                                                                        phi_2611_ = _e2036;
-                                                                        phi_2612_ = _e2068;
-                                                                        phi_2613_ = _e2064;
+                                                                        phi_2615_ = _e2082;
                                                                     }
-                                                                    let _e2079 = phi_2610_;
-                                                                    let _e2081 = phi_2611_;
-                                                                    let _e2083 = phi_2612_;
-                                                                    let _e2085 = phi_2613_;
-                                                                    let _e2088 = ((_e2085 * _e2079) - (_e2083 * _e2081));
-                                                                    if _e2077 {
-                                                                        phi_2621_ = -(_e2088);
+                                                                    let _e2085 = phi_2615_;
+                                                                    if (_e2060 < _e2008) {
+                                                                        phi_2626_ = true;
                                                                     } else {
-                                                                        phi_2621_ = _e2088;
-                                                                    }
-                                                                    let _e2091 = phi_2621_;
-                                                                    if (_e2064 < _e2008) {
-                                                                        phi_2632_ = true;
-                                                                    } else {
-                                                                        if (_e2064 == _e2008) {
-                                                                            phi_2631_ = (_e2068 < _e2012);
+                                                                        if (_e2060 == _e2008) {
+                                                                            phi_2625_ = (_e2064 < _e2012);
                                                                         } else {
-                                                                            phi_2631_ = false;
+                                                                            phi_2625_ = false;
                                                                         }
-                                                                        let _e2096 = phi_2631_;
-                                                                        phi_2632_ = _e2096;
+                                                                        let _e2090 = phi_2625_;
+                                                                        phi_2626_ = _e2090;
                                                                     }
+                                                                    let _e2092 = phi_2626_;
+                                                                    if _e2092 {
+                                                                        phi_2630_ = _e2012;
+                                                                        phi_2631_ = _e2008;
+                                                                        phi_2632_ = _e2064;
+                                                                        phi_2633_ = _e2060;
+                                                                    } else {
+                                                                        phi_2630_ = _e2064;
+                                                                        phi_2631_ = _e2060;
+                                                                        phi_2632_ = _e2012;
+                                                                        phi_2633_ = _e2008;
+                                                                    }
+                                                                    let _e2094 = phi_2630_;
+                                                                    let _e2096 = phi_2631_;
                                                                     let _e2098 = phi_2632_;
-                                                                    if _e2098 {
-                                                                        phi_2636_ = _e2012;
-                                                                        phi_2637_ = _e2008;
-                                                                        phi_2638_ = _e2068;
-                                                                        phi_2639_ = _e2064;
+                                                                    let _e2100 = phi_2633_;
+                                                                    let _e2103 = ((_e2100 * _e2094) - (_e2098 * _e2096));
+                                                                    if _e2092 {
+                                                                        phi_2641_ = -(_e2103);
                                                                     } else {
-                                                                        phi_2636_ = _e2068;
-                                                                        phi_2637_ = _e2064;
-                                                                        phi_2638_ = _e2012;
-                                                                        phi_2639_ = _e2008;
+                                                                        phi_2641_ = _e2103;
                                                                     }
-                                                                    let _e2100 = phi_2636_;
-                                                                    let _e2102 = phi_2637_;
-                                                                    let _e2104 = phi_2638_;
-                                                                    let _e2106 = phi_2639_;
-                                                                    let _e2109 = ((_e2106 * _e2100) - (_e2104 * _e2102));
-                                                                    if _e2098 {
-                                                                        phi_2647_ = -(_e2109);
+                                                                    let _e2106 = phi_2641_;
+                                                                    if (_e2008 < _e2034) {
+                                                                        phi_2652_ = true;
                                                                     } else {
-                                                                        phi_2647_ = _e2109;
-                                                                    }
-                                                                    let _e2112 = phi_2647_;
-                                                                    if (_e2008 < _e2036) {
-                                                                        phi_2658_ = true;
-                                                                    } else {
-                                                                        if (_e2008 == _e2036) {
-                                                                            phi_2657_ = (_e2012 < _e2040);
+                                                                        if (_e2008 == _e2034) {
+                                                                            phi_2651_ = (_e2012 < _e2038);
                                                                         } else {
-                                                                            phi_2657_ = false;
+                                                                            phi_2651_ = false;
                                                                         }
-                                                                        let _e2117 = phi_2657_;
-                                                                        phi_2658_ = _e2117;
+                                                                        let _e2111 = phi_2651_;
+                                                                        phi_2652_ = _e2111;
                                                                     }
+                                                                    let _e2113 = phi_2652_;
+                                                                    if _e2113 {
+                                                                        phi_2656_ = _e2038;
+                                                                        phi_2657_ = _e2034;
+                                                                        phi_2658_ = _e2012;
+                                                                        phi_2659_ = _e2008;
+                                                                    } else {
+                                                                        phi_2656_ = _e2012;
+                                                                        phi_2657_ = _e2008;
+                                                                        phi_2658_ = _e2038;
+                                                                        phi_2659_ = _e2034;
+                                                                    }
+                                                                    let _e2115 = phi_2656_;
+                                                                    let _e2117 = phi_2657_;
                                                                     let _e2119 = phi_2658_;
-                                                                    if _e2119 {
-                                                                        phi_2662_ = _e2040;
-                                                                        phi_2663_ = _e2036;
-                                                                        phi_2664_ = _e2012;
-                                                                        phi_2665_ = _e2008;
+                                                                    let _e2121 = phi_2659_;
+                                                                    let _e2124 = ((_e2121 * _e2115) - (_e2119 * _e2117));
+                                                                    if _e2113 {
+                                                                        phi_2667_ = -(_e2124);
                                                                     } else {
-                                                                        phi_2662_ = _e2012;
-                                                                        phi_2663_ = _e2008;
-                                                                        phi_2664_ = _e2040;
-                                                                        phi_2665_ = _e2036;
+                                                                        phi_2667_ = _e2124;
                                                                     }
-                                                                    let _e2121 = phi_2662_;
-                                                                    let _e2123 = phi_2663_;
-                                                                    let _e2125 = phi_2664_;
-                                                                    let _e2127 = phi_2665_;
-                                                                    let _e2130 = ((_e2127 * _e2121) - (_e2125 * _e2123));
-                                                                    if _e2119 {
-                                                                        phi_2673_ = -(_e2130);
-                                                                    } else {
-                                                                        phi_2673_ = _e2130;
-                                                                    }
-                                                                    let _e2133 = phi_2673_;
-                                                                    if (_e2091 >= 0f) {
-                                                                        if (_e2112 >= 0f) {
-                                                                            if (_e2133 >= 0f) {
-                                                                                phi_2688_ = ((_e2091 + _e2112) + _e2133);
-                                                                                phi_2689_ = false;
+                                                                    let _e2127 = phi_2667_;
+                                                                    if (_e2085 >= 0f) {
+                                                                        if (_e2106 >= 0f) {
+                                                                            if (_e2127 >= 0f) {
+                                                                                phi_2682_ = ((_e2085 + _e2106) + _e2127);
+                                                                                phi_2683_ = false;
                                                                             } else {
-                                                                                phi_2688_ = f32();
-                                                                                phi_2689_ = true;
+                                                                                phi_2682_ = f32();
+                                                                                phi_2683_ = true;
                                                                             }
-                                                                            let _e2140 = phi_2688_;
-                                                                            let _e2142 = phi_2689_;
-                                                                            phi_2690_ = _e2140;
-                                                                            phi_2691_ = _e2142;
+                                                                            let _e2134 = phi_2682_;
+                                                                            let _e2136 = phi_2683_;
+                                                                            phi_2684_ = _e2134;
+                                                                            phi_2685_ = _e2136;
                                                                         } else {
-                                                                            phi_2690_ = f32();
-                                                                            phi_2691_ = true;
+                                                                            phi_2684_ = f32();
+                                                                            phi_2685_ = true;
                                                                         }
-                                                                        let _e2144 = phi_2690_;
-                                                                        let _e2146 = phi_2691_;
-                                                                        phi_2692_ = _e2144;
-                                                                        phi_2693_ = _e2146;
+                                                                        let _e2138 = phi_2684_;
+                                                                        let _e2140 = phi_2685_;
+                                                                        phi_2686_ = _e2138;
+                                                                        phi_2687_ = _e2140;
                                                                     } else {
-                                                                        phi_2692_ = f32();
-                                                                        phi_2693_ = true;
+                                                                        phi_2686_ = f32();
+                                                                        phi_2687_ = true;
                                                                     }
-                                                                    let _e2148 = phi_2692_;
-                                                                    let _e2150 = phi_2693_;
-                                                                    if _e2150 {
-                                                                        if (_e2091 <= 0f) {
-                                                                            if (_e2112 <= 0f) {
-                                                                                let _e2153 = (_e2133 <= 0f);
-                                                                                if _e2153 {
+                                                                    let _e2142 = phi_2686_;
+                                                                    let _e2144 = phi_2687_;
+                                                                    if _e2144 {
+                                                                        if (_e2085 <= 0f) {
+                                                                            if (_e2106 <= 0f) {
+                                                                                let _e2147 = (_e2127 <= 0f);
+                                                                                if _e2147 {
                                                                                 }
-                                                                                phi_2711_ = ((_e2091 + _e2112) + _e2133);
-                                                                                phi_2712_ = false;
-                                                                                phi_2713_ = _e2153;
+                                                                                phi_2705_ = ((_e2085 + _e2106) + _e2127);
+                                                                                phi_2706_ = false;
+                                                                                phi_2707_ = _e2147;
                                                                             } else {
-                                                                                phi_2711_ = f32();
-                                                                                phi_2712_ = true;
-                                                                                phi_2713_ = false;
+                                                                                phi_2705_ = f32();
+                                                                                phi_2706_ = true;
+                                                                                phi_2707_ = false;
                                                                             }
-                                                                            let _e2157 = phi_2711_;
-                                                                            let _e2159 = phi_2712_;
-                                                                            let _e2161 = phi_2713_;
-                                                                            phi_2714_ = _e2157;
-                                                                            phi_2715_ = _e2159;
-                                                                            phi_2716_ = _e2161;
+                                                                            let _e2151 = phi_2705_;
+                                                                            let _e2153 = phi_2706_;
+                                                                            let _e2155 = phi_2707_;
+                                                                            phi_2708_ = _e2151;
+                                                                            phi_2709_ = _e2153;
+                                                                            phi_2710_ = _e2155;
                                                                         } else {
-                                                                            phi_2714_ = f32();
-                                                                            phi_2715_ = true;
-                                                                            phi_2716_ = false;
+                                                                            phi_2708_ = f32();
+                                                                            phi_2709_ = true;
+                                                                            phi_2710_ = false;
+                                                                        }
+                                                                        let _e2157 = phi_2708_;
+                                                                        let _e2159 = phi_2709_;
+                                                                        let _e2161 = phi_2710_;
+                                                                        if _e2159 {
+                                                                            phi_2714_ = false;
+                                                                        } else {
+                                                                            phi_2714_ = _e2161;
                                                                         }
                                                                         let _e2163 = phi_2714_;
-                                                                        let _e2165 = phi_2715_;
-                                                                        let _e2167 = phi_2716_;
-                                                                        if _e2165 {
-                                                                            phi_2720_ = false;
-                                                                        } else {
-                                                                            phi_2720_ = _e2167;
-                                                                        }
-                                                                        let _e2169 = phi_2720_;
-                                                                        phi_2721_ = _e2163;
-                                                                        phi_2722_ = _e2169;
+                                                                        phi_2715_ = _e2157;
+                                                                        phi_2716_ = _e2163;
                                                                     } else {
-                                                                        phi_2721_ = _e2148;
-                                                                        phi_2722_ = true;
+                                                                        phi_2715_ = _e2142;
+                                                                        phi_2716_ = true;
                                                                     }
-                                                                    let _e2171 = phi_2721_;
-                                                                    let _e2173 = phi_2722_;
-                                                                    if _e2173 {
-                                                                        let _e2174 = (_e2171 == 0f);
-                                                                        if _e2174 {
-                                                                            phi_2935_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2936_ = false;
+                                                                    let _e2165 = phi_2715_;
+                                                                    let _e2167 = phi_2716_;
+                                                                    if _e2167 {
+                                                                        let _e2168 = (_e2165 == 0f);
+                                                                        if _e2168 {
+                                                                            phi_3032_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3033_ = false;
                                                                         } else {
-                                                                            let _e2180 = ((((_e2091 * (_e1382 * _e2004.z)) + (_e2112 * (_e1382 * _e2032.z))) + (_e2133 * (_e1382 * _e2060.z))) / _e2171);
-                                                                            if (_e2180 > _e170.tmin) {
-                                                                                if (_e2180 < _e170.tmax) {
-                                                                                    let _e2184 = triangles.member[(0u + _e1981)].v0_;
-                                                                                    let _e2186 = triangles.member[(0u + _e1981)].v1_;
-                                                                                    if (_e2184.x < _e2186.x) {
-                                                                                        phi_2756_ = _e2184.x;
-                                                                                    } else {
-                                                                                        phi_2756_ = _e2186.x;
-                                                                                    }
-                                                                                    let _e2193 = phi_2756_;
-                                                                                    if (_e2184.y < _e2186.y) {
-                                                                                        phi_2765_ = _e2184.y;
-                                                                                    } else {
-                                                                                        phi_2765_ = _e2186.y;
-                                                                                    }
-                                                                                    let _e2200 = phi_2765_;
-                                                                                    if (_e2184.z < _e2186.z) {
-                                                                                        phi_2774_ = _e2184.z;
-                                                                                    } else {
-                                                                                        phi_2774_ = _e2186.z;
-                                                                                    }
-                                                                                    let _e2207 = phi_2774_;
-                                                                                    let _e2209 = triangles.member[(0u + _e1981)].v2_;
-                                                                                    if (_e2193 < _e2209.x) {
-                                                                                        phi_2783_ = _e2193;
-                                                                                    } else {
-                                                                                        phi_2783_ = _e2209.x;
-                                                                                    }
-                                                                                    let _e2214 = phi_2783_;
-                                                                                    if (_e2200 < _e2209.y) {
-                                                                                        phi_2790_ = _e2200;
-                                                                                    } else {
-                                                                                        phi_2790_ = _e2209.y;
-                                                                                    }
-                                                                                    let _e2219 = phi_2790_;
-                                                                                    if (_e2207 < _e2209.z) {
-                                                                                        phi_2797_ = _e2207;
-                                                                                    } else {
-                                                                                        phi_2797_ = _e2209.z;
-                                                                                    }
-                                                                                    let _e2224 = phi_2797_;
-                                                                                    let _e2226 = triangles.member[(0u + _e1981)].v0_;
-                                                                                    let _e2228 = triangles.member[(0u + _e1981)].v1_;
-                                                                                    if (_e2226.x > _e2228.x) {
-                                                                                        phi_2810_ = _e2226.x;
-                                                                                    } else {
-                                                                                        phi_2810_ = _e2228.x;
-                                                                                    }
-                                                                                    let _e2235 = phi_2810_;
-                                                                                    if (_e2226.y > _e2228.y) {
-                                                                                        phi_2819_ = _e2226.y;
-                                                                                    } else {
-                                                                                        phi_2819_ = _e2228.y;
-                                                                                    }
-                                                                                    let _e2242 = phi_2819_;
-                                                                                    if (_e2226.z > _e2228.z) {
-                                                                                        phi_2828_ = _e2226.z;
-                                                                                    } else {
-                                                                                        phi_2828_ = _e2228.z;
-                                                                                    }
-                                                                                    let _e2249 = phi_2828_;
-                                                                                    let _e2251 = triangles.member[(0u + _e1981)].v2_;
-                                                                                    if (_e2235 > _e2251.x) {
-                                                                                        phi_2837_ = _e2235;
-                                                                                    } else {
-                                                                                        phi_2837_ = _e2251.x;
-                                                                                    }
-                                                                                    let _e2256 = phi_2837_;
-                                                                                    if (_e2242 > _e2251.y) {
-                                                                                        phi_2844_ = _e2242;
-                                                                                    } else {
-                                                                                        phi_2844_ = _e2251.y;
-                                                                                    }
-                                                                                    let _e2261 = phi_2844_;
-                                                                                    if (_e2249 > _e2251.z) {
-                                                                                        phi_2851_ = _e2249;
-                                                                                    } else {
-                                                                                        phi_2851_ = _e2251.z;
-                                                                                    }
-                                                                                    let _e2266 = phi_2851_;
-                                                                                    let _e2270 = ((_e2214 - _e1080) * _e1295);
-                                                                                    let _e2271 = ((_e2219 - _e1093) * _e1305);
-                                                                                    let _e2272 = ((_e2224 - _e1106) * _e1315);
-                                                                                    let _e2276 = ((_e2256 - _e1080) * _e1295);
-                                                                                    let _e2277 = ((_e2261 - _e1093) * _e1305);
-                                                                                    let _e2278 = ((_e2266 - _e1106) * _e1315);
-                                                                                    if (_e2270 < _e2276) {
-                                                                                        phi_2868_ = _e2270;
-                                                                                    } else {
-                                                                                        phi_2868_ = _e2276;
-                                                                                    }
-                                                                                    let _e2281 = phi_2868_;
-                                                                                    if (_e2271 < _e2277) {
-                                                                                        phi_2873_ = _e2271;
-                                                                                    } else {
-                                                                                        phi_2873_ = _e2277;
-                                                                                    }
-                                                                                    let _e2284 = phi_2873_;
-                                                                                    if (_e2272 < _e2278) {
-                                                                                        phi_2878_ = _e2272;
-                                                                                    } else {
-                                                                                        phi_2878_ = _e2278;
-                                                                                    }
-                                                                                    let _e2287 = phi_2878_;
-                                                                                    if (_e2270 > _e2276) {
-                                                                                        phi_2886_ = _e2270;
-                                                                                    } else {
-                                                                                        phi_2886_ = _e2276;
-                                                                                    }
-                                                                                    let _e2293 = phi_2886_;
-                                                                                    if (_e2271 > _e2277) {
-                                                                                        phi_2891_ = _e2271;
-                                                                                    } else {
-                                                                                        phi_2891_ = _e2277;
-                                                                                    }
-                                                                                    let _e2296 = phi_2891_;
-                                                                                    if (_e2272 > _e2278) {
-                                                                                        phi_2896_ = _e2272;
-                                                                                    } else {
-                                                                                        phi_2896_ = _e2278;
-                                                                                    }
-                                                                                    let _e2299 = phi_2896_;
-                                                                                    let _e2303 = core_intrinsics_maximum_number_nsz_f32_((_e2281 - _e1350), (_e2284 - _e1351));
-                                                                                    let _e2304 = core_intrinsics_maximum_number_nsz_f32_(_e2303, (_e2287 - _e1352));
-                                                                                    let _e2305 = core_intrinsics_minimum_number_nsz_f32_((_e2293 + _e1350), (_e2296 + _e1351));
-                                                                                    let _e2306 = core_intrinsics_minimum_number_nsz_f32_(_e2305, (_e2299 + _e1352));
-                                                                                    if (_e2304 > _e1055) {
-                                                                                        phi_2908_ = _e2304;
-                                                                                    } else {
-                                                                                        phi_2908_ = _e1055;
-                                                                                    }
-                                                                                    let _e2309 = phi_2908_;
-                                                                                    if (_e2306 < _e1057) {
-                                                                                        phi_2913_ = _e2306;
-                                                                                    } else {
-                                                                                        phi_2913_ = _e1057;
-                                                                                    }
-                                                                                    let _e2312 = phi_2913_;
-                                                                                    if (_e2180 < _e2309) {
-                                                                                        phi_2918_ = _e2309;
-                                                                                    } else {
-                                                                                        phi_2918_ = _e2180;
-                                                                                    }
-                                                                                    let _e2315 = phi_2918_;
-                                                                                    if (_e2315 > _e2312) {
-                                                                                        phi_2923_ = _e2312;
-                                                                                    } else {
-                                                                                        phi_2923_ = _e2315;
-                                                                                    }
-                                                                                    let _e2318 = phi_2923_;
-                                                                                    phi_2928_ = lt_bvh_triangle_Intersection(_e2318, (_e2112 / _e2171), (_e2133 / _e2171), (_e2309 <= _e2312));
-                                                                                    phi_2929_ = false;
+                                                                            let _e2170 = triangles.member[(0u + _e1981)].v0_;
+                                                                            let _e2172 = (_e2170.x - _e1080);
+                                                                            let _e2174 = (_e2170.y - _e1093);
+                                                                            let _e2176 = (_e2170.z - _e1106);
+                                                                            if (_e1366 == 0u) {
+                                                                                phi_2745_ = vec3<f32>(_e2174, _e2176, _e2172);
+                                                                            } else {
+                                                                                if (_e1366 == 1u) {
+                                                                                    phi_2744_ = vec3<f32>(_e2176, _e2172, _e2174);
                                                                                 } else {
-                                                                                    phi_2928_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2929_ = true;
+                                                                                    phi_2744_ = (_e2170 - vec3<f32>(_e1080, _e1093, _e1106));
                                                                                 }
-                                                                                let _e2324 = phi_2928_;
-                                                                                let _e2326 = phi_2929_;
-                                                                                phi_2930_ = _e2324;
-                                                                                phi_2931_ = _e2326;
+                                                                                let _e2184 = phi_2744_;
+                                                                                phi_2745_ = _e2184;
+                                                                            }
+                                                                            let _e2186 = phi_2745_;
+                                                                            let _e2188 = triangles.member[(0u + _e1981)].v1_;
+                                                                            let _e2190 = triangles.member[(0u + _e1981)].v0_;
+                                                                            let _e2193 = (_e2188.x - _e2190.x);
+                                                                            let _e2196 = (_e2188.y - _e2190.y);
+                                                                            let _e2199 = (_e2188.z - _e2190.z);
+                                                                            if (_e1366 == 0u) {
+                                                                                phi_2771_ = vec3<f32>(_e2196, _e2199, _e2193);
                                                                             } else {
-                                                                                phi_2930_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2931_ = true;
+                                                                                if (_e1366 == 1u) {
+                                                                                    phi_2770_ = vec3<f32>(_e2199, _e2193, _e2196);
+                                                                                } else {
+                                                                                    phi_2770_ = (_e2188 - _e2190);
+                                                                                }
+                                                                                let _e2206 = phi_2770_;
+                                                                                phi_2771_ = _e2206;
                                                                             }
-                                                                            let _e2328 = phi_2930_;
-                                                                            let _e2330 = phi_2931_;
-                                                                            if _e2330 {
+                                                                            let _e2208 = phi_2771_;
+                                                                            let _e2210 = triangles.member[(0u + _e1981)].v2_;
+                                                                            let _e2212 = triangles.member[(0u + _e1981)].v0_;
+                                                                            let _e2215 = (_e2210.x - _e2212.x);
+                                                                            let _e2218 = (_e2210.y - _e2212.y);
+                                                                            let _e2221 = (_e2210.z - _e2212.z);
+                                                                            if (_e1366 == 0u) {
+                                                                                phi_2797_ = vec3<f32>(_e2218, _e2221, _e2215);
+                                                                            } else {
+                                                                                if (_e1366 == 1u) {
+                                                                                    phi_2796_ = vec3<f32>(_e2221, _e2215, _e2218);
+                                                                                } else {
+                                                                                    phi_2796_ = (_e2210 - _e2212);
+                                                                                }
+                                                                                let _e2228 = phi_2796_;
+                                                                                phi_2797_ = _e2228;
                                                                             }
-                                                                            phi_2935_ = _e2328;
-                                                                            phi_2936_ = _e2330;
+                                                                            let _e2230 = phi_2797_;
+                                                                            let _e2237 = ((_e2208.y * _e2230.z) - (_e2208.z * _e2230.y));
+                                                                            let _e2244 = ((_e2208.z * _e2230.x) - (_e2208.x * _e2230.z));
+                                                                            let _e2251 = ((_e2208.x * _e2230.y) - (_e2208.y * _e2230.x));
+                                                                            let _e2265 = (((1f / _e1374.z) * (((_e2237 * _e2186.x) + (_e2244 * _e2186.y)) + (_e2251 * _e2186.z))) / (((_e2237 * _e1377) + (_e2244 * _e1380)) + _e2251));
+                                                                            if (_e2265 > _e170.tmin) {
+                                                                                if (_e2265 < _e170.tmax) {
+                                                                                    let _e2269 = triangles.member[(0u + _e1981)].v0_;
+                                                                                    let _e2271 = triangles.member[(0u + _e1981)].v1_;
+                                                                                    if (_e2269.x < _e2271.x) {
+                                                                                        phi_2853_ = _e2269.x;
+                                                                                    } else {
+                                                                                        phi_2853_ = _e2271.x;
+                                                                                    }
+                                                                                    let _e2278 = phi_2853_;
+                                                                                    if (_e2269.y < _e2271.y) {
+                                                                                        phi_2862_ = _e2269.y;
+                                                                                    } else {
+                                                                                        phi_2862_ = _e2271.y;
+                                                                                    }
+                                                                                    let _e2285 = phi_2862_;
+                                                                                    if (_e2269.z < _e2271.z) {
+                                                                                        phi_2871_ = _e2269.z;
+                                                                                    } else {
+                                                                                        phi_2871_ = _e2271.z;
+                                                                                    }
+                                                                                    let _e2292 = phi_2871_;
+                                                                                    let _e2294 = triangles.member[(0u + _e1981)].v2_;
+                                                                                    if (_e2278 < _e2294.x) {
+                                                                                        phi_2880_ = _e2278;
+                                                                                    } else {
+                                                                                        phi_2880_ = _e2294.x;
+                                                                                    }
+                                                                                    let _e2299 = phi_2880_;
+                                                                                    if (_e2285 < _e2294.y) {
+                                                                                        phi_2887_ = _e2285;
+                                                                                    } else {
+                                                                                        phi_2887_ = _e2294.y;
+                                                                                    }
+                                                                                    let _e2304 = phi_2887_;
+                                                                                    if (_e2292 < _e2294.z) {
+                                                                                        phi_2894_ = _e2292;
+                                                                                    } else {
+                                                                                        phi_2894_ = _e2294.z;
+                                                                                    }
+                                                                                    let _e2309 = phi_2894_;
+                                                                                    let _e2311 = triangles.member[(0u + _e1981)].v0_;
+                                                                                    let _e2313 = triangles.member[(0u + _e1981)].v1_;
+                                                                                    if (_e2311.x > _e2313.x) {
+                                                                                        phi_2907_ = _e2311.x;
+                                                                                    } else {
+                                                                                        phi_2907_ = _e2313.x;
+                                                                                    }
+                                                                                    let _e2320 = phi_2907_;
+                                                                                    if (_e2311.y > _e2313.y) {
+                                                                                        phi_2916_ = _e2311.y;
+                                                                                    } else {
+                                                                                        phi_2916_ = _e2313.y;
+                                                                                    }
+                                                                                    let _e2327 = phi_2916_;
+                                                                                    if (_e2311.z > _e2313.z) {
+                                                                                        phi_2925_ = _e2311.z;
+                                                                                    } else {
+                                                                                        phi_2925_ = _e2313.z;
+                                                                                    }
+                                                                                    let _e2334 = phi_2925_;
+                                                                                    let _e2336 = triangles.member[(0u + _e1981)].v2_;
+                                                                                    if (_e2320 > _e2336.x) {
+                                                                                        phi_2934_ = _e2320;
+                                                                                    } else {
+                                                                                        phi_2934_ = _e2336.x;
+                                                                                    }
+                                                                                    let _e2341 = phi_2934_;
+                                                                                    if (_e2327 > _e2336.y) {
+                                                                                        phi_2941_ = _e2327;
+                                                                                    } else {
+                                                                                        phi_2941_ = _e2336.y;
+                                                                                    }
+                                                                                    let _e2346 = phi_2941_;
+                                                                                    if (_e2334 > _e2336.z) {
+                                                                                        phi_2948_ = _e2334;
+                                                                                    } else {
+                                                                                        phi_2948_ = _e2336.z;
+                                                                                    }
+                                                                                    let _e2351 = phi_2948_;
+                                                                                    let _e2355 = ((_e2299 - _e1080) * _e1295);
+                                                                                    let _e2356 = ((_e2304 - _e1093) * _e1305);
+                                                                                    let _e2357 = ((_e2309 - _e1106) * _e1315);
+                                                                                    let _e2361 = ((_e2341 - _e1080) * _e1295);
+                                                                                    let _e2362 = ((_e2346 - _e1093) * _e1305);
+                                                                                    let _e2363 = ((_e2351 - _e1106) * _e1315);
+                                                                                    if (_e2355 < _e2361) {
+                                                                                        phi_2965_ = _e2355;
+                                                                                    } else {
+                                                                                        phi_2965_ = _e2361;
+                                                                                    }
+                                                                                    let _e2366 = phi_2965_;
+                                                                                    if (_e2356 < _e2362) {
+                                                                                        phi_2970_ = _e2356;
+                                                                                    } else {
+                                                                                        phi_2970_ = _e2362;
+                                                                                    }
+                                                                                    let _e2369 = phi_2970_;
+                                                                                    if (_e2357 < _e2363) {
+                                                                                        phi_2975_ = _e2357;
+                                                                                    } else {
+                                                                                        phi_2975_ = _e2363;
+                                                                                    }
+                                                                                    let _e2372 = phi_2975_;
+                                                                                    if (_e2355 > _e2361) {
+                                                                                        phi_2983_ = _e2355;
+                                                                                    } else {
+                                                                                        phi_2983_ = _e2361;
+                                                                                    }
+                                                                                    let _e2378 = phi_2983_;
+                                                                                    if (_e2356 > _e2362) {
+                                                                                        phi_2988_ = _e2356;
+                                                                                    } else {
+                                                                                        phi_2988_ = _e2362;
+                                                                                    }
+                                                                                    let _e2381 = phi_2988_;
+                                                                                    if (_e2357 > _e2363) {
+                                                                                        phi_2993_ = _e2357;
+                                                                                    } else {
+                                                                                        phi_2993_ = _e2363;
+                                                                                    }
+                                                                                    let _e2384 = phi_2993_;
+                                                                                    let _e2388 = core_intrinsics_maximum_number_nsz_f32_((_e2366 - _e1350), (_e2369 - _e1351));
+                                                                                    let _e2389 = core_intrinsics_maximum_number_nsz_f32_(_e2388, (_e2372 - _e1352));
+                                                                                    let _e2390 = core_intrinsics_minimum_number_nsz_f32_((_e2378 + _e1350), (_e2381 + _e1351));
+                                                                                    let _e2391 = core_intrinsics_minimum_number_nsz_f32_(_e2390, (_e2384 + _e1352));
+                                                                                    if (_e2389 > _e1055) {
+                                                                                        phi_3005_ = _e2389;
+                                                                                    } else {
+                                                                                        phi_3005_ = _e1055;
+                                                                                    }
+                                                                                    let _e2394 = phi_3005_;
+                                                                                    if (_e2391 < _e1057) {
+                                                                                        phi_3010_ = _e2391;
+                                                                                    } else {
+                                                                                        phi_3010_ = _e1057;
+                                                                                    }
+                                                                                    let _e2397 = phi_3010_;
+                                                                                    if (_e2265 < _e2394) {
+                                                                                        phi_3015_ = _e2394;
+                                                                                    } else {
+                                                                                        phi_3015_ = _e2265;
+                                                                                    }
+                                                                                    let _e2400 = phi_3015_;
+                                                                                    if (_e2400 > _e2397) {
+                                                                                        phi_3020_ = _e2397;
+                                                                                    } else {
+                                                                                        phi_3020_ = _e2400;
+                                                                                    }
+                                                                                    let _e2403 = phi_3020_;
+                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2403, (_e2106 / _e2165), (_e2127 / _e2165), (_e2394 <= _e2397));
+                                                                                    phi_3026_ = false;
+                                                                                } else {
+                                                                                    phi_3025_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3026_ = true;
+                                                                                }
+                                                                                let _e2409 = phi_3025_;
+                                                                                let _e2411 = phi_3026_;
+                                                                                phi_3027_ = _e2409;
+                                                                                phi_3028_ = _e2411;
+                                                                            } else {
+                                                                                phi_3027_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3028_ = true;
+                                                                            }
+                                                                            let _e2413 = phi_3027_;
+                                                                            let _e2415 = phi_3028_;
+                                                                            if _e2415 {
+                                                                            }
+                                                                            phi_3032_ = _e2413;
+                                                                            phi_3033_ = _e2415;
                                                                         }
-                                                                        let _e2332 = phi_2935_;
-                                                                        let _e2334 = phi_2936_;
-                                                                        phi_2937_ = _e2332;
-                                                                        phi_2938_ = _e2174;
-                                                                        phi_2939_ = _e2334;
+                                                                        let _e2417 = phi_3032_;
+                                                                        let _e2419 = phi_3033_;
+                                                                        phi_3034_ = _e2417;
+                                                                        phi_3035_ = _e2168;
+                                                                        phi_3036_ = _e2419;
                                                                     } else {
-                                                                        phi_2937_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2938_ = true;
-                                                                        phi_2939_ = false;
+                                                                        phi_3034_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3035_ = true;
+                                                                        phi_3036_ = false;
                                                                     }
-                                                                    let _e2336 = phi_2937_;
-                                                                    let _e2338 = phi_2938_;
-                                                                    let _e2340 = phi_2939_;
-                                                                    if _e2338 {
-                                                                        phi_2943_ = true;
+                                                                    let _e2421 = phi_3034_;
+                                                                    let _e2423 = phi_3035_;
+                                                                    let _e2425 = phi_3036_;
+                                                                    if _e2423 {
+                                                                        phi_3040_ = true;
                                                                     } else {
-                                                                        phi_2943_ = _e2340;
+                                                                        phi_3040_ = _e2425;
                                                                     }
-                                                                    let _e2342 = phi_2943_;
-                                                                    if _e2342 {
-                                                                        phi_2947_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2427 = phi_3040_;
+                                                                    if _e2427 {
+                                                                        phi_3044_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2947_ = _e2336;
+                                                                        phi_3044_ = _e2421;
                                                                     }
-                                                                    let _e2344 = phi_2947_;
-                                                                    if _e2344.is_hit {
-                                                                        if (_e2344.t > _e170.tmin) {
-                                                                            if (_e2344.t < _e1970.t) {
-                                                                                phi_2995_ = true;
+                                                                    let _e2429 = phi_3044_;
+                                                                    if _e2429.is_hit {
+                                                                        if (_e2429.t > _e170.tmin) {
+                                                                            if (_e2429.t < _e1970.t) {
+                                                                                phi_3092_ = true;
                                                                             } else {
-                                                                                if (_e2344.t == _e1970.t) {
+                                                                                if (_e2429.t == _e1970.t) {
                                                                                     if (_e1970.triangle != 4294967295u) {
                                                                                         if (_e1981 < _e1970.triangle) {
-                                                                                            phi_2986_ = true;
+                                                                                            phi_3083_ = true;
                                                                                         } else {
                                                                                             if (_e1981 == _e1970.triangle) {
-                                                                                                phi_2985_ = (_e996 < _e1970.instance);
+                                                                                                phi_3082_ = (_e996 < _e1970.instance);
                                                                                             } else {
-                                                                                                phi_2985_ = false;
+                                                                                                phi_3082_ = false;
                                                                                             }
-                                                                                            let _e2362 = phi_2985_;
-                                                                                            phi_2986_ = _e2362;
+                                                                                            let _e2447 = phi_3082_;
+                                                                                            phi_3083_ = _e2447;
                                                                                         }
-                                                                                        let _e2364 = phi_2986_;
-                                                                                        phi_2987_ = _e2364;
-                                                                                        phi_2988_ = false;
+                                                                                        let _e2449 = phi_3083_;
+                                                                                        phi_3084_ = _e2449;
+                                                                                        phi_3085_ = false;
                                                                                     } else {
-                                                                                        phi_2987_ = bool();
-                                                                                        phi_2988_ = true;
+                                                                                        phi_3084_ = bool();
+                                                                                        phi_3085_ = true;
                                                                                     }
-                                                                                    let _e2366 = phi_2987_;
-                                                                                    let _e2368 = phi_2988_;
-                                                                                    phi_2989_ = _e2366;
-                                                                                    phi_2990_ = _e2368;
+                                                                                    let _e2451 = phi_3084_;
+                                                                                    let _e2453 = phi_3085_;
+                                                                                    phi_3086_ = _e2451;
+                                                                                    phi_3087_ = _e2453;
                                                                                 } else {
-                                                                                    phi_2989_ = bool();
-                                                                                    phi_2990_ = true;
+                                                                                    phi_3086_ = bool();
+                                                                                    phi_3087_ = true;
                                                                                 }
-                                                                                let _e2370 = phi_2989_;
-                                                                                let _e2372 = phi_2990_;
-                                                                                if _e2372 {
-                                                                                    phi_2994_ = false;
+                                                                                let _e2455 = phi_3086_;
+                                                                                let _e2457 = phi_3087_;
+                                                                                if _e2457 {
+                                                                                    phi_3091_ = false;
                                                                                 } else {
-                                                                                    phi_2994_ = _e2370;
+                                                                                    phi_3091_ = _e2455;
                                                                                 }
-                                                                                let _e2374 = phi_2994_;
-                                                                                phi_2995_ = _e2374;
+                                                                                let _e2459 = phi_3091_;
+                                                                                phi_3092_ = _e2459;
                                                                             }
-                                                                            let _e2376 = phi_2995_;
-                                                                            if _e2376 {
-                                                                                let _e2378 = triangles.member[(0u + _e1981)].i0_;
-                                                                                if ((_e2378 & 2147483648u) == 0u) {
-                                                                                    phi_3206_ = true;
+                                                                            let _e2461 = phi_3092_;
+                                                                            if _e2461 {
+                                                                                let _e2463 = triangles.member[(0u + _e1981)].i0_;
+                                                                                if ((_e2463 & 2147483648u) == 0u) {
+                                                                                    phi_3303_ = true;
                                                                                 } else {
                                                                                     if (_e1981 < _e83) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2387 = triangles.member[(0u + _e1981)].i0_;
-                                                                                    let _e2388 = (_e2387 & 2147483647u);
-                                                                                    let _e2390 = triangles.member[(0u + _e1981)].i1_;
-                                                                                    let _e2392 = triangles.member[(0u + _e1981)].i2_;
-                                                                                    if (_e2388 < _e86) {
+                                                                                    let _e2472 = triangles.member[(0u + _e1981)].i0_;
+                                                                                    let _e2473 = (_e2472 & 2147483647u);
+                                                                                    let _e2475 = triangles.member[(0u + _e1981)].i1_;
+                                                                                    let _e2477 = triangles.member[(0u + _e1981)].i2_;
+                                                                                    if (_e2473 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2396 = vertices.member[(0u + _e2388)];
-                                                                                    if (_e2390 < _e86) {
+                                                                                    let _e2481 = vertices.member[(0u + _e2473)];
+                                                                                    if (_e2475 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2400 = vertices.member[(0u + _e2390)];
-                                                                                    if (_e2392 < _e86) {
+                                                                                    let _e2485 = vertices.member[(0u + _e2475)];
+                                                                                    if (_e2477 < _e86) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2404 = vertices.member[(0u + _e2392)];
-                                                                                    let _e2405 = array<abi_Vertex, 3>(_e2396, _e2400, _e2404);
-                                                                                    if (_e2405[0].material < _e89) {
+                                                                                    let _e2489 = vertices.member[(0u + _e2477)];
+                                                                                    let _e2490 = array<abi_Vertex, 3>(_e2481, _e2485, _e2489);
+                                                                                    if (_e2490[0].material < _e89) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2411 = materials.member[(0u + _e2405[0].material)];
-                                                                                    if ((_e2411.flags & 0u) == 0u) {
-                                                                                        let _e2416 = ((1f - _e2344.u) - _e2344.v);
-                                                                                        if (_e2411.cutoff <= 0f) {
-                                                                                            phi_3201_ = true;
+                                                                                    let _e2496 = materials.member[(0u + _e2490[0].material)];
+                                                                                    if ((_e2496.flags & 0u) == 0u) {
+                                                                                        let _e2501 = ((1f - _e2429.u) - _e2429.v);
+                                                                                        if (_e2496.cutoff <= 0f) {
+                                                                                            phi_3298_ = true;
                                                                                         } else {
-                                                                                            let _e2443 = (_e2411.base_color.w * ((((f32((_e2405[0].color >> bitcast<u32>(24i))) * _e2416) + (f32((_e2405[1].color >> bitcast<u32>(24i))) * _e2344.u)) + (f32((_e2405[2].color >> bitcast<u32>(24i))) * _e2344.v)) * (1f / 255f)));
-                                                                                            if (_e2411.alpha_size == 0u) {
-                                                                                                phi_3198_ = _e2443;
+                                                                                            let _e2528 = (_e2496.base_color.w * ((((f32((_e2490[0].color >> bitcast<u32>(24i))) * _e2501) + (f32((_e2490[1].color >> bitcast<u32>(24i))) * _e2429.u)) + (f32((_e2490[2].color >> bitcast<u32>(24i))) * _e2429.v)) * (1f / 255f)));
+                                                                                            if (_e2496.alpha_size == 0u) {
+                                                                                                phi_3295_ = _e2528;
                                                                                             } else {
-                                                                                                local_1.offset = _e2411.alpha_offset;
-                                                                                                local_1.size = _e2411.alpha_size;
-                                                                                                local_1.flags = _e2411.flags;
-                                                                                                let _e2474 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2405[0].u * _e2416) + (_e2405[1].u * _e2344.u)) + (_e2405[2].u * _e2344.v)), (((_e2405[0].v * _e2416) + (_e2405[1].v * _e2344.u)) + (_e2405[2].v * _e2344.v)));
-                                                                                                let _e2478 = (_e2474.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2478 < _e98) {
+                                                                                                local_1.offset = _e2496.alpha_offset;
+                                                                                                local_1.size = _e2496.alpha_size;
+                                                                                                local_1.flags = _e2496.flags;
+                                                                                                let _e2559 = _lt_shaders_texture_TextureView_quad((&local_1), (((_e2490[0].u * _e2501) + (_e2490[1].u * _e2429.u)) + (_e2490[2].u * _e2429.v)), (((_e2490[0].v * _e2501) + (_e2490[1].v * _e2429.u)) + (_e2490[2].v * _e2429.v)));
+                                                                                                let _e2563 = (_e2559.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2563 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2482 = alpha_texels.member[(0u + _e2478)];
-                                                                                                let _e2498 = (_e2474.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2498 < _e98) {
+                                                                                                let _e2567 = alpha_texels.member[(0u + _e2563)];
+                                                                                                let _e2583 = (_e2559.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2583 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2502 = alpha_texels.member[(0u + _e2498)];
-                                                                                                let _e2519 = (_e2474.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2519 < _e98) {
+                                                                                                let _e2587 = alpha_texels.member[(0u + _e2583)];
+                                                                                                let _e2604 = (_e2559.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2604 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2523 = alpha_texels.member[(0u + _e2519)];
-                                                                                                let _e2540 = (_e2474.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2540 < _e98) {
+                                                                                                let _e2608 = alpha_texels.member[(0u + _e2604)];
+                                                                                                let _e2625 = (_e2559.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2625 < _e98) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2544 = alpha_texels.member[(0u + _e2540)];
-                                                                                                phi_3198_ = (_e2443 * (((((f32(((_e2482 >> bitcast<u32>((((_e2474.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2474.weights.x) + ((f32(((_e2502 >> bitcast<u32>((((_e2474.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2474.weights.y)) + ((f32(((_e2523 >> bitcast<u32>((((_e2474.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2474.weights.z)) + ((f32(((_e2544 >> bitcast<u32>((((_e2474.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2474.weights.w)));
+                                                                                                let _e2629 = alpha_texels.member[(0u + _e2625)];
+                                                                                                phi_3295_ = (_e2528 * (((((f32(((_e2567 >> bitcast<u32>((((_e2559.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.x) + ((f32(((_e2587 >> bitcast<u32>((((_e2559.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.y)) + ((f32(((_e2608 >> bitcast<u32>((((_e2559.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.z)) + ((f32(((_e2629 >> bitcast<u32>((((_e2559.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2559.weights.w)));
                                                                                             }
-                                                                                            let _e2560 = phi_3198_;
-                                                                                            phi_3201_ = (_e2560 >= _e2411.cutoff);
+                                                                                            let _e2645 = phi_3295_;
+                                                                                            phi_3298_ = (_e2645 >= _e2496.cutoff);
                                                                                         }
-                                                                                        let _e2564 = phi_3201_;
-                                                                                        phi_3202_ = _e2564;
+                                                                                        let _e2649 = phi_3298_;
+                                                                                        phi_3299_ = _e2649;
                                                                                     } else {
-                                                                                        phi_3202_ = false;
+                                                                                        phi_3299_ = false;
                                                                                     }
-                                                                                    let _e2566 = phi_3202_;
-                                                                                    if _e2566 {
+                                                                                    let _e2651 = phi_3299_;
+                                                                                    if _e2651 {
                                                                                     }
-                                                                                    phi_3206_ = _e2566;
+                                                                                    phi_3303_ = _e2651;
                                                                                 }
-                                                                                let _e2568 = phi_3206_;
-                                                                                if _e2568 {
-                                                                                    phi_3214_ = lt_bvh_Hit(_e2344.t, _e2344.u, _e2344.v, _e1981, _e996);
+                                                                                let _e2653 = phi_3303_;
+                                                                                if _e2653 {
+                                                                                    phi_3311_ = lt_bvh_Hit(_e2429.t, _e2429.u, _e2429.v, _e1981, _e996);
                                                                                 } else {
-                                                                                    phi_3214_ = _e1970;
+                                                                                    phi_3311_ = _e1970;
                                                                                 }
-                                                                                let _e2574 = phi_3214_;
-                                                                                phi_3215_ = _e2574;
+                                                                                let _e2659 = phi_3311_;
+                                                                                phi_3312_ = _e2659;
                                                                             } else {
-                                                                                phi_3215_ = _e1970;
+                                                                                phi_3312_ = _e1970;
                                                                             }
-                                                                            let _e2576 = phi_3215_;
-                                                                            phi_3216_ = _e2576;
+                                                                            let _e2661 = phi_3312_;
+                                                                            phi_3313_ = _e2661;
                                                                         } else {
-                                                                            phi_3216_ = _e1970;
+                                                                            phi_3313_ = _e1970;
                                                                         }
-                                                                        let _e2578 = phi_3216_;
-                                                                        phi_3217_ = _e2578;
+                                                                        let _e2663 = phi_3313_;
+                                                                        phi_3314_ = _e2663;
                                                                     } else {
-                                                                        phi_3217_ = _e1970;
+                                                                        phi_3314_ = _e1970;
                                                                     }
-                                                                    let _e2580 = phi_3217_;
-                                                                    phi_2474_ = _e2580;
+                                                                    let _e2665 = phi_3314_;
+                                                                    phi_2474_ = _e2665;
                                                                     phi_2477_ = (_e1972 & (_e1972 - 1u));
-                                                                    phi_3218_ = true;
+                                                                    phi_3315_ = true;
                                                                 }
-                                                                let _e2582 = phi_2474_;
-                                                                let _e2584 = phi_2477_;
-                                                                let _e2586 = phi_3218_;
+                                                                let _e2667 = phi_2474_;
+                                                                let _e2669 = phi_2477_;
+                                                                let _e2671 = phi_3315_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2473_ = _e2582;
-                                                                    phi_2476_ = _e2584;
-                                                                    break if !(_e2586);
+                                                                    phi_2473_ = _e2667;
+                                                                    phi_2476_ = _e2669;
+                                                                    break if !(_e2671);
                                                                 }
                                                             }
-                                                            let _e2589 = local_2.group_mask;
-                                                            if ((_e2589 & 4278190080u) == 0u) {
-                                                                let _e2593 = local_2.len;
-                                                                if (_e2593 == 0u) {
-                                                                    phi_3257_ = false;
+                                                            let _e2674 = local_2.group_mask;
+                                                            if ((_e2674 & 4278190080u) == 0u) {
+                                                                let _e2678 = local_2.len;
+                                                                if (_e2678 == 0u) {
+                                                                    phi_3354_ = false;
                                                                 } else {
-                                                                    let _e2597 = local_2.len;
-                                                                    local_2.len = (_e2597 - 1u);
-                                                                    let _e2600 = local_2.len;
-                                                                    if (_e2600 < 32u) {
+                                                                    let _e2682 = local_2.len;
+                                                                    local_2.len = (_e2682 - 1u);
+                                                                    let _e2685 = local_2.len;
+                                                                    if (_e2685 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2605 = local_2.first[(0u + _e2600)];
-                                                                    local_2.group = _e2605;
-                                                                    let _e2608 = local_2.len;
-                                                                    if (_e2608 < 32u) {
+                                                                    let _e2690 = local_2.first[(0u + _e2685)];
+                                                                    local_2.group = _e2690;
+                                                                    let _e2693 = local_2.len;
+                                                                    if (_e2693 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2613 = local_2.mask[(0u + _e2608)];
-                                                                    local_2.group_mask = _e2613;
-                                                                    phi_3257_ = true;
+                                                                    let _e2698 = local_2.mask[(0u + _e2693)];
+                                                                    local_2.group_mask = _e2698;
+                                                                    phi_3354_ = true;
                                                                 }
-                                                                let _e2616 = phi_3257_;
-                                                                phi_3258_ = _e2616;
+                                                                let _e2701 = phi_3354_;
+                                                                phi_3355_ = _e2701;
                                                             } else {
-                                                                phi_3258_ = true;
+                                                                phi_3355_ = true;
                                                             }
-                                                            let _e2618 = phi_3258_;
-                                                            if _e2618 {
-                                                                let _e2620 = local_2.group_mask;
-                                                                let _e2626 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2620)), 32u, (_e2620 == 0u)));
-                                                                let _e2630 = local_2.group_mask;
-                                                                let _e2644 = local_2.group_mask;
-                                                                local_2.group_mask = (_e2644 & ~((1u << bitcast<u32>((_e2626 & 31u)))));
-                                                                let _e2647 = local_2.group;
-                                                                phi_3289_ = (_e2647 + countOneBits(((_e2630 & ~((4294967295u << bitcast<u32>((((_e2626 - 24u) ^ _e1393) & 31u))))) & 255u)));
+                                                            let _e2703 = phi_3355_;
+                                                            if _e2703 {
+                                                                let _e2705 = local_2.group_mask;
+                                                                let _e2711 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2705)), 32u, (_e2705 == 0u)));
+                                                                let _e2715 = local_2.group_mask;
+                                                                let _e2729 = local_2.group_mask;
+                                                                local_2.group_mask = (_e2729 & ~((1u << bitcast<u32>((_e2711 & 31u)))));
+                                                                let _e2732 = local_2.group;
+                                                                phi_3386_ = (_e2732 + countOneBits(((_e2715 & ~((4294967295u << bitcast<u32>((((_e2711 - 24u) ^ _e1393) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3289_ = 4294967295u;
+                                                                phi_3386_ = 4294967295u;
                                                             }
-                                                            let _e2650 = phi_3289_;
-                                                            let _e3969 = local_10;
-                                                            phi_2141_ = _e3969;
-                                                            phi_2144_ = _e2650;
+                                                            let _e2735 = phi_3386_;
+                                                            let _e4060 = local_10;
+                                                            phi_2141_ = _e4060;
+                                                            phi_2144_ = _e2735;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
                                                             phi_2144_ = u32();
                                                         }
-                                                        let _e2652 = phi_2141_;
-                                                        let _e2654 = phi_2144_;
+                                                        let _e2737 = phi_2141_;
+                                                        let _e2739 = phi_2144_;
                                                         continue;
                                                         continuing {
-                                                            phi_2140_ = _e2652;
-                                                            phi_2143_ = _e2654;
+                                                            phi_2140_ = _e2737;
+                                                            phi_2143_ = _e2739;
                                                             break if !(_e1534);
                                                         }
                                                     }
-                                                    let _e3973 = local_11;
-                                                    phi_3290_ = _e3973;
+                                                    let _e4064 = local_11;
+                                                    phi_3387_ = _e4064;
                                                 }
-                                                let _e2657 = phi_3290_;
-                                                phi_3291_ = _e2657;
-                                                phi_3292_ = _e1219;
+                                                let _e2742 = phi_3387_;
+                                                phi_3388_ = _e2742;
+                                                phi_3389_ = _e1219;
                                             } else {
-                                                phi_3291_ = lt_bvh_Hit();
-                                                phi_3292_ = true;
+                                                phi_3388_ = lt_bvh_Hit();
+                                                phi_3389_ = true;
                                             }
-                                            let _e2659 = phi_3291_;
-                                            let _e2661 = phi_3292_;
-                                            if _e2661 {
-                                                phi_3296_ = _e988;
+                                            let _e2744 = phi_3388_;
+                                            let _e2746 = phi_3389_;
+                                            if _e2746 {
+                                                phi_3393_ = _e988;
                                             } else {
-                                                phi_3296_ = _e2659;
+                                                phi_3393_ = _e2744;
                                             }
-                                            let _e2663 = phi_3296_;
-                                            phi_3297_ = _e2663;
+                                            let _e2748 = phi_3393_;
+                                            phi_3394_ = _e2748;
                                         } else {
-                                            phi_3297_ = _e988;
+                                            phi_3394_ = _e988;
                                         }
-                                        let _e2665 = phi_3297_;
-                                        phi_3298_ = _e2665;
+                                        let _e2750 = phi_3394_;
+                                        phi_3395_ = _e2750;
                                     } else {
-                                        phi_3298_ = _e988;
+                                        phi_3395_ = _e988;
                                     }
-                                    let _e2667 = phi_3298_;
-                                    phi_3299_ = _e2667;
+                                    let _e2752 = phi_3395_;
+                                    phi_3396_ = _e2752;
                                 } else {
-                                    phi_3299_ = _e988;
+                                    phi_3396_ = _e988;
                                 }
-                                let _e2669 = phi_3299_;
+                                let _e2754 = phi_3396_;
                                 phi_1515_ = (_e986 & (_e986 - 1u));
-                                phi_1518_ = _e2669;
-                                phi_3300_ = true;
+                                phi_1518_ = _e2754;
+                                phi_3397_ = true;
                             }
-                            let _e2671 = phi_1515_;
-                            let _e2673 = phi_1518_;
-                            let _e2675 = phi_3300_;
+                            let _e2756 = phi_1515_;
+                            let _e2758 = phi_1518_;
+                            let _e2760 = phi_3397_;
                             continue;
                             continuing {
-                                phi_1514_ = _e2671;
-                                phi_1517_ = _e2673;
-                                break if !(_e2675);
+                                phi_1514_ = _e2756;
+                                phi_1517_ = _e2758;
+                                break if !(_e2760);
                             }
                         }
-                        let _e2678 = local_3.group_mask;
-                        if ((_e2678 & 4278190080u) == 0u) {
-                            let _e2682 = local_3.len;
-                            if (_e2682 == 0u) {
-                                phi_3339_ = false;
+                        let _e2763 = local_3.group_mask;
+                        if ((_e2763 & 4278190080u) == 0u) {
+                            let _e2767 = local_3.len;
+                            if (_e2767 == 0u) {
+                                phi_3436_ = false;
                             } else {
-                                let _e2686 = local_3.len;
-                                local_3.len = (_e2686 - 1u);
-                                let _e2689 = local_3.len;
-                                if (_e2689 < 32u) {
+                                let _e2771 = local_3.len;
+                                local_3.len = (_e2771 - 1u);
+                                let _e2774 = local_3.len;
+                                if (_e2774 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2694 = local_3.first[(0u + _e2689)];
-                                local_3.group = _e2694;
-                                let _e2697 = local_3.len;
-                                if (_e2697 < 32u) {
+                                let _e2779 = local_3.first[(0u + _e2774)];
+                                local_3.group = _e2779;
+                                let _e2782 = local_3.len;
+                                if (_e2782 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2702 = local_3.mask[(0u + _e2697)];
-                                local_3.group_mask = _e2702;
-                                phi_3339_ = true;
+                                let _e2787 = local_3.mask[(0u + _e2782)];
+                                local_3.group_mask = _e2787;
+                                phi_3436_ = true;
                             }
-                            let _e2705 = phi_3339_;
-                            phi_3340_ = _e2705;
+                            let _e2790 = phi_3436_;
+                            phi_3437_ = _e2790;
                         } else {
-                            phi_3340_ = true;
+                            phi_3437_ = true;
                         }
-                        let _e2707 = phi_3340_;
-                        if _e2707 {
-                            let _e2709 = local_3.group_mask;
-                            let _e2715 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2709)), 32u, (_e2709 == 0u)));
-                            let _e2719 = local_3.group_mask;
-                            let _e2733 = local_3.group_mask;
-                            local_3.group_mask = (_e2733 & ~((1u << bitcast<u32>((_e2715 & 31u)))));
-                            let _e2736 = local_3.group;
-                            phi_3371_ = (_e2736 + countOneBits(((_e2719 & ~((4294967295u << bitcast<u32>((((_e2715 - 24u) ^ _e405) & 31u))))) & 255u)));
+                        let _e2792 = phi_3437_;
+                        if _e2792 {
+                            let _e2794 = local_3.group_mask;
+                            let _e2800 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2794)), 32u, (_e2794 == 0u)));
+                            let _e2804 = local_3.group_mask;
+                            let _e2818 = local_3.group_mask;
+                            local_3.group_mask = (_e2818 & ~((1u << bitcast<u32>((_e2800 & 31u)))));
+                            let _e2821 = local_3.group;
+                            phi_3468_ = (_e2821 + countOneBits(((_e2804 & ~((4294967295u << bitcast<u32>((((_e2800 - 24u) ^ _e405) & 31u))))) & 255u)));
                         } else {
-                            phi_3371_ = 4294967295u;
+                            phi_3468_ = 4294967295u;
                         }
-                        let _e2739 = phi_3371_;
-                        phi_1178_ = _e2739;
-                        let _e3989 = local_12;
-                        phi_1181_ = _e3989;
+                        let _e2824 = phi_3468_;
+                        phi_1178_ = _e2824;
+                        let _e4080 = local_12;
+                        phi_1181_ = _e4080;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
                     }
-                    let _e2741 = phi_1178_;
-                    let _e2743 = phi_1181_;
+                    let _e2826 = phi_1178_;
+                    let _e2828 = phi_1181_;
                     continue;
                     continuing {
-                        phi_1177_ = _e2741;
-                        phi_1180_ = _e2743;
+                        phi_1177_ = _e2826;
+                        phi_1180_ = _e2828;
                         break if !(_e546);
                     }
                 }
-                let _e3992 = local_13;
-                phi_3372_ = _e3992;
+                let _e4083 = local_13;
+                phi_3469_ = _e4083;
             }
-            let _e2746 = phi_3372_;
-            phi_3373_ = _e2746;
-            phi_3374_ = _e242;
+            let _e2831 = phi_3469_;
+            phi_3470_ = _e2831;
+            phi_3471_ = _e242;
         } else {
-            phi_3373_ = lt_bvh_Hit();
-            phi_3374_ = true;
+            phi_3470_ = lt_bvh_Hit();
+            phi_3471_ = true;
         }
-        let _e2748 = phi_3373_;
-        let _e2750 = phi_3374_;
-        if _e2750 {
-            phi_3378_ = _e172;
+        let _e2833 = phi_3470_;
+        let _e2835 = phi_3471_;
+        if _e2835 {
+            phi_3475_ = _e172;
         } else {
-            phi_3378_ = _e2748;
+            phi_3475_ = _e2833;
         }
-        let _e2752 = phi_3378_;
-        if (_e2752.triangle != 4294967295u) {
-            let _e2758 = ((1f - _e2752.u) - _e2752.v);
-            if (_e2752.triangle < _e83) {
+        let _e2837 = phi_3475_;
+        if (_e2837.triangle != 4294967295u) {
+            let _e2843 = ((1f - _e2837.u) - _e2837.v);
+            if (_e2837.triangle < _e83) {
             } else {
                 return;
             }
-            let _e2763 = triangles.member[(0u + _e2752.triangle)];
-            if (_e2752.instance < _e95) {
+            let _e2848 = triangles.member[(0u + _e2837.triangle)];
+            if (_e2837.instance < _e95) {
             } else {
                 return;
             }
-            let _e2774 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e2785 = ((((_e2774.x * _e2763.v0_.x) + (_e2774.y * _e2763.v0_.y)) + (_e2774.z * _e2763.v0_.z)) + (_e2774.w * 1f));
-            let _e2787 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e2798 = ((((_e2787.x * _e2763.v0_.x) + (_e2787.y * _e2763.v0_.y)) + (_e2787.z * _e2763.v0_.z)) + (_e2787.w * 1f));
-            let _e2800 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
-            let _e2811 = ((((_e2800.x * _e2763.v0_.x) + (_e2800.y * _e2763.v0_.y)) + (_e2800.z * _e2763.v0_.z)) + (_e2800.w * 1f));
-            let _e2818 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e2829 = ((((_e2818.x * _e2763.v1_.x) + (_e2818.y * _e2763.v1_.y)) + (_e2818.z * _e2763.v1_.z)) + (_e2818.w * 1f));
-            let _e2831 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e2842 = ((((_e2831.x * _e2763.v1_.x) + (_e2831.y * _e2763.v1_.y)) + (_e2831.z * _e2763.v1_.z)) + (_e2831.w * 1f));
-            let _e2844 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
-            let _e2855 = ((((_e2844.x * _e2763.v1_.x) + (_e2844.y * _e2763.v1_.y)) + (_e2844.z * _e2763.v1_.z)) + (_e2844.w * 1f));
-            let _e2862 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e2873 = ((((_e2862.x * _e2763.v2_.x) + (_e2862.y * _e2763.v2_.y)) + (_e2862.z * _e2763.v2_.z)) + (_e2862.w * 1f));
-            let _e2875 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e2886 = ((((_e2875.x * _e2763.v2_.x) + (_e2875.y * _e2763.v2_.y)) + (_e2875.z * _e2763.v2_.z)) + (_e2875.w * 1f));
-            let _e2888 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
-            let _e2899 = ((((_e2888.x * _e2763.v2_.x) + (_e2888.y * _e2763.v2_.y)) + (_e2888.z * _e2763.v2_.z)) + (_e2888.w * 1f));
-            let _e2912 = (((_e2785 * _e2758) + (_e2829 * _e2752.u)) + (_e2873 * _e2752.v));
-            let _e2913 = (((_e2798 * _e2758) + (_e2842 * _e2752.u)) + (_e2886 * _e2752.v));
-            let _e2914 = (((_e2811 * _e2758) + (_e2855 * _e2752.u)) + (_e2899 * _e2752.v));
-            let _e2916 = abs(_e2785);
-            let _e2917 = abs(_e2798);
-            let _e2918 = abs(_e2811);
-            let _e2919 = abs(_e2829);
-            let _e2920 = abs(_e2842);
-            let _e2921 = abs(_e2855);
-            if (_e2916 > _e2919) {
-                phi_3565_ = _e2916;
+            let _e2859 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e2870 = ((((_e2859.x * _e2848.v0_.x) + (_e2859.y * _e2848.v0_.y)) + (_e2859.z * _e2848.v0_.z)) + (_e2859.w * 1f));
+            let _e2872 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e2883 = ((((_e2872.x * _e2848.v0_.x) + (_e2872.y * _e2848.v0_.y)) + (_e2872.z * _e2848.v0_.z)) + (_e2872.w * 1f));
+            let _e2885 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e2896 = ((((_e2885.x * _e2848.v0_.x) + (_e2885.y * _e2848.v0_.y)) + (_e2885.z * _e2848.v0_.z)) + (_e2885.w * 1f));
+            let _e2903 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e2914 = ((((_e2903.x * _e2848.v1_.x) + (_e2903.y * _e2848.v1_.y)) + (_e2903.z * _e2848.v1_.z)) + (_e2903.w * 1f));
+            let _e2916 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e2927 = ((((_e2916.x * _e2848.v1_.x) + (_e2916.y * _e2848.v1_.y)) + (_e2916.z * _e2848.v1_.z)) + (_e2916.w * 1f));
+            let _e2929 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e2940 = ((((_e2929.x * _e2848.v1_.x) + (_e2929.y * _e2848.v1_.y)) + (_e2929.z * _e2848.v1_.z)) + (_e2929.w * 1f));
+            let _e2947 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e2958 = ((((_e2947.x * _e2848.v2_.x) + (_e2947.y * _e2848.v2_.y)) + (_e2947.z * _e2848.v2_.z)) + (_e2947.w * 1f));
+            let _e2960 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e2971 = ((((_e2960.x * _e2848.v2_.x) + (_e2960.y * _e2848.v2_.y)) + (_e2960.z * _e2848.v2_.z)) + (_e2960.w * 1f));
+            let _e2973 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e2984 = ((((_e2973.x * _e2848.v2_.x) + (_e2973.y * _e2848.v2_.y)) + (_e2973.z * _e2848.v2_.z)) + (_e2973.w * 1f));
+            let _e2997 = (((_e2870 * _e2843) + (_e2914 * _e2837.u)) + (_e2958 * _e2837.v));
+            let _e2998 = (((_e2883 * _e2843) + (_e2927 * _e2837.u)) + (_e2971 * _e2837.v));
+            let _e2999 = (((_e2896 * _e2843) + (_e2940 * _e2837.u)) + (_e2984 * _e2837.v));
+            let _e3001 = abs(_e2870);
+            let _e3002 = abs(_e2883);
+            let _e3003 = abs(_e2896);
+            let _e3004 = abs(_e2914);
+            let _e3005 = abs(_e2927);
+            let _e3006 = abs(_e2940);
+            if (_e3001 > _e3004) {
+                phi_3662_ = _e3001;
             } else {
-                phi_3565_ = _e2919;
+                phi_3662_ = _e3004;
             }
-            let _e2924 = phi_3565_;
-            if (_e2917 > _e2920) {
-                phi_3570_ = _e2917;
+            let _e3009 = phi_3662_;
+            if (_e3002 > _e3005) {
+                phi_3667_ = _e3002;
             } else {
-                phi_3570_ = _e2920;
+                phi_3667_ = _e3005;
             }
-            let _e2927 = phi_3570_;
-            if (_e2918 > _e2921) {
-                phi_3575_ = _e2918;
+            let _e3012 = phi_3667_;
+            if (_e3003 > _e3006) {
+                phi_3672_ = _e3003;
             } else {
-                phi_3575_ = _e2921;
+                phi_3672_ = _e3006;
             }
-            let _e2930 = phi_3575_;
-            let _e2931 = abs(_e2873);
-            let _e2932 = abs(_e2886);
-            let _e2933 = abs(_e2899);
-            if (_e2924 > _e2931) {
-                phi_3583_ = _e2924;
+            let _e3015 = phi_3672_;
+            let _e3016 = abs(_e2958);
+            let _e3017 = abs(_e2971);
+            let _e3018 = abs(_e2984);
+            if (_e3009 > _e3016) {
+                phi_3680_ = _e3009;
             } else {
-                phi_3583_ = _e2931;
+                phi_3680_ = _e3016;
             }
-            let _e2936 = phi_3583_;
-            if (_e2927 > _e2932) {
-                phi_3588_ = _e2927;
+            let _e3021 = phi_3680_;
+            if (_e3012 > _e3017) {
+                phi_3685_ = _e3012;
             } else {
-                phi_3588_ = _e2932;
+                phi_3685_ = _e3017;
             }
-            let _e2939 = phi_3588_;
-            if (_e2930 > _e2933) {
-                phi_3593_ = _e2930;
+            let _e3024 = phi_3685_;
+            if (_e3015 > _e3018) {
+                phi_3690_ = _e3015;
             } else {
-                phi_3593_ = _e2933;
+                phi_3690_ = _e3018;
             }
-            let _e2942 = phi_3593_;
-            let _e2943 = (_e2829 - _e2785);
-            let _e2944 = (_e2842 - _e2798);
-            let _e2945 = (_e2855 - _e2811);
-            let _e2946 = (_e2873 - _e2785);
-            let _e2947 = (_e2886 - _e2798);
-            let _e2948 = (_e2899 - _e2811);
-            let _e2952 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2944), abs(_e2945));
-            let _e2953 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2943), _e2952);
-            let _e2954 = (_e2943 / _e2953);
-            let _e2955 = (_e2944 / _e2953);
-            let _e2956 = (_e2945 / _e2953);
-            let _e2960 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2947), abs(_e2948));
-            let _e2961 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2946), _e2960);
-            let _e2962 = (_e2946 / _e2961);
-            let _e2963 = (_e2947 / _e2961);
-            let _e2964 = (_e2948 / _e2961);
-            let _e2967 = ((_e2955 * _e2964) - (_e2963 * _e2956));
-            let _e2970 = ((_e2956 * _e2962) - (_e2964 * _e2954));
-            let _e2973 = ((_e2954 * _e2963) - (_e2962 * _e2955));
-            let _e2975 = p.member.eye;
-            let _e2988 = (1f / sqrt((((_e2967 * _e2967) + (_e2970 * _e2970)) + (_e2973 * _e2973))));
-            let _e2989 = (_e2967 * _e2988);
-            let _e2990 = (_e2970 * _e2988);
-            let _e2991 = (_e2973 * _e2988);
-            if ((((_e2989 * (_e2975.x - _e2912)) + (_e2990 * (_e2975.y - _e2913))) + (_e2991 * (_e2975.z - _e2914))) < 0f) {
-                phi_3657_ = vec3<f32>(-(_e2989), -(_e2990), -(_e2991));
+            let _e3027 = phi_3690_;
+            let _e3028 = (_e2914 - _e2870);
+            let _e3029 = (_e2927 - _e2883);
+            let _e3030 = (_e2940 - _e2896);
+            let _e3031 = (_e2958 - _e2870);
+            let _e3032 = (_e2971 - _e2883);
+            let _e3033 = (_e2984 - _e2896);
+            let _e3037 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3029), abs(_e3030));
+            let _e3038 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), _e3037);
+            let _e3039 = (_e3028 / _e3038);
+            let _e3040 = (_e3029 / _e3038);
+            let _e3041 = (_e3030 / _e3038);
+            let _e3045 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3032), abs(_e3033));
+            let _e3046 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3031), _e3045);
+            let _e3047 = (_e3031 / _e3046);
+            let _e3048 = (_e3032 / _e3046);
+            let _e3049 = (_e3033 / _e3046);
+            let _e3052 = ((_e3040 * _e3049) - (_e3048 * _e3041));
+            let _e3055 = ((_e3041 * _e3047) - (_e3049 * _e3039));
+            let _e3058 = ((_e3039 * _e3048) - (_e3047 * _e3040));
+            let _e3060 = p.member.eye;
+            let _e3073 = (1f / sqrt((((_e3052 * _e3052) + (_e3055 * _e3055)) + (_e3058 * _e3058))));
+            let _e3074 = (_e3052 * _e3073);
+            let _e3075 = (_e3055 * _e3073);
+            let _e3076 = (_e3058 * _e3073);
+            if ((((_e3074 * (_e3060.x - _e2997)) + (_e3075 * (_e3060.y - _e2998))) + (_e3076 * (_e3060.z - _e2999))) < 0f) {
+                phi_3754_ = vec3<f32>(-(_e3074), -(_e3075), -(_e3076));
             } else {
-                phi_3657_ = vec3<f32>(_e2989, _e2990, _e2991);
+                phi_3754_ = vec3<f32>(_e3074, _e3075, _e3076);
             }
-            let _e3004 = phi_3657_;
-            if (_e2752.triangle < _e83) {
+            let _e3089 = phi_3754_;
+            if (_e2837.triangle < _e83) {
             } else {
                 return;
             }
-            let _e3009 = triangles.member[(0u + _e2752.triangle)];
-            let _e3011 = (_e3009.i0_ & 2147483647u);
-            if (_e3011 < _e86) {
+            let _e3094 = triangles.member[(0u + _e2837.triangle)];
+            let _e3096 = (_e3094.i0_ & 2147483647u);
+            if (_e3096 < _e86) {
             } else {
                 return;
             }
-            let _e3017 = vertices.member[(0u + _e3011)];
-            if (_e3009.i1_ < _e86) {
+            let _e3102 = vertices.member[(0u + _e3096)];
+            if (_e3094.i1_ < _e86) {
             } else {
                 return;
             }
-            let _e3021 = vertices.member[(0u + _e3009.i1_)];
-            if (_e3009.i2_ < _e86) {
+            let _e3106 = vertices.member[(0u + _e3094.i1_)];
+            if (_e3094.i2_ < _e86) {
             } else {
                 return;
             }
-            let _e3025 = vertices.member[(0u + _e3009.i2_)];
-            let _e3026 = array<abi_Vertex, 3>(_e3017, _e3021, _e3025);
-            if (_e3026[0].material < _e89) {
+            let _e3110 = vertices.member[(0u + _e3094.i2_)];
+            let _e3111 = array<abi_Vertex, 3>(_e3102, _e3106, _e3110);
+            if (_e3111[0].material < _e89) {
             } else {
                 return;
             }
-            let _e3032 = materials.member[(0u + _e3026[0].material)];
-            let _e3049 = (1f / 255f);
-            let _e3068 = (1f / 255f);
-            let _e3090 = (1f / 255f);
-            if (_e3032.color_size == 0u) {
-                phi_3900_ = vec3<f32>(1f, 1f, 1f);
+            let _e3117 = materials.member[(0u + _e3111[0].material)];
+            let _e3134 = (1f / 255f);
+            let _e3153 = (1f / 255f);
+            let _e3175 = (1f / 255f);
+            if (_e3117.color_size == 0u) {
+                phi_3997_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e3032.color_offset;
-                local.size = _e3032.color_size;
-                local.flags = _e3032.flags;
-                let _e3133 = _lt_shaders_texture_TextureView_quad((&local), (((_e3026[0].u * _e2758) + (_e3026[1].u * _e2752.u)) + (_e3026[2].u * _e2752.v)), (((_e3026[0].v * _e2758) + (_e3026[1].v * _e2752.u)) + (_e3026[2].v * _e2752.v)));
-                if (_e3133.indices[0] < _e101) {
+                local.offset = _e3117.color_offset;
+                local.size = _e3117.color_size;
+                local.flags = _e3117.flags;
+                let _e3218 = _lt_shaders_texture_TextureView_quad((&local), (((_e3111[0].u * _e2843) + (_e3111[1].u * _e2837.u)) + (_e3111[2].u * _e2837.v)), (((_e3111[0].v * _e2843) + (_e3111[1].v * _e2837.u)) + (_e3111[2].v * _e2837.v)));
+                if (_e3218.indices[0] < _e101) {
                 } else {
                     return;
                 }
-                let _e3139 = color_texels.member[(0u + _e3133.indices[0])];
-                let _e3150 = (1f / 255f);
-                if (_e3133.indices[1] < _e101) {
+                let _e3224 = color_texels.member[(0u + _e3218.indices[0])];
+                let _e3235 = (1f / 255f);
+                if (_e3218.indices[1] < _e101) {
                 } else {
                     return;
                 }
-                let _e3164 = color_texels.member[(0u + _e3133.indices[1])];
-                let _e3175 = (1f / 255f);
-                if (_e3133.indices[2] < _e101) {
+                let _e3249 = color_texels.member[(0u + _e3218.indices[1])];
+                let _e3260 = (1f / 255f);
+                if (_e3218.indices[2] < _e101) {
                 } else {
                     return;
                 }
-                let _e3192 = color_texels.member[(0u + _e3133.indices[2])];
-                let _e3203 = (1f / 255f);
-                if (_e3133.indices[3] < _e101) {
+                let _e3277 = color_texels.member[(0u + _e3218.indices[2])];
+                let _e3288 = (1f / 255f);
+                if (_e3218.indices[3] < _e101) {
                 } else {
                     return;
                 }
-                let _e3220 = color_texels.member[(0u + _e3133.indices[3])];
-                let _e3231 = (1f / 255f);
-                let _e3240 = (((((f32((_e3139 & 255u)) * _e3150) * _e3133.weights.x) + ((f32((_e3164 & 255u)) * _e3175) * _e3133.weights.y)) + ((f32((_e3192 & 255u)) * _e3203) * _e3133.weights.z)) + ((f32((_e3220 & 255u)) * _e3231) * _e3133.weights.w));
-                let _e3241 = (((((f32(((_e3139 >> bitcast<u32>(8i)) & 255u)) * _e3150) * _e3133.weights.x) + ((f32(((_e3164 >> bitcast<u32>(8i)) & 255u)) * _e3175) * _e3133.weights.y)) + ((f32(((_e3192 >> bitcast<u32>(8i)) & 255u)) * _e3203) * _e3133.weights.z)) + ((f32(((_e3220 >> bitcast<u32>(8i)) & 255u)) * _e3231) * _e3133.weights.w));
-                let _e3242 = (((((f32(((_e3139 >> bitcast<u32>(16i)) & 255u)) * _e3150) * _e3133.weights.x) + ((f32(((_e3164 >> bitcast<u32>(16i)) & 255u)) * _e3175) * _e3133.weights.y)) + ((f32(((_e3192 >> bitcast<u32>(16i)) & 255u)) * _e3203) * _e3133.weights.z)) + ((f32(((_e3220 >> bitcast<u32>(16i)) & 255u)) * _e3231) * _e3133.weights.w));
-                phi_3900_ = vec3<f32>((_e3240 * _e3240), (_e3241 * _e3241), (_e3242 * _e3242));
+                let _e3305 = color_texels.member[(0u + _e3218.indices[3])];
+                let _e3316 = (1f / 255f);
+                let _e3325 = (((((f32((_e3224 & 255u)) * _e3235) * _e3218.weights.x) + ((f32((_e3249 & 255u)) * _e3260) * _e3218.weights.y)) + ((f32((_e3277 & 255u)) * _e3288) * _e3218.weights.z)) + ((f32((_e3305 & 255u)) * _e3316) * _e3218.weights.w));
+                let _e3326 = (((((f32(((_e3224 >> bitcast<u32>(8i)) & 255u)) * _e3235) * _e3218.weights.x) + ((f32(((_e3249 >> bitcast<u32>(8i)) & 255u)) * _e3260) * _e3218.weights.y)) + ((f32(((_e3277 >> bitcast<u32>(8i)) & 255u)) * _e3288) * _e3218.weights.z)) + ((f32(((_e3305 >> bitcast<u32>(8i)) & 255u)) * _e3316) * _e3218.weights.w));
+                let _e3327 = (((((f32(((_e3224 >> bitcast<u32>(16i)) & 255u)) * _e3235) * _e3218.weights.x) + ((f32(((_e3249 >> bitcast<u32>(16i)) & 255u)) * _e3260) * _e3218.weights.y)) + ((f32(((_e3277 >> bitcast<u32>(16i)) & 255u)) * _e3288) * _e3218.weights.z)) + ((f32(((_e3305 >> bitcast<u32>(16i)) & 255u)) * _e3316) * _e3218.weights.w));
+                phi_3997_ = vec3<f32>((_e3325 * _e3325), (_e3326 * _e3326), (_e3327 * _e3327));
             }
-            let _e3248 = phi_3900_;
-            let _e3250 = ((_e3032.base_color.x * ((((f32((_e3026[0].color & 255u)) * _e3049) * _e2758) + ((f32((_e3026[1].color & 255u)) * _e3068) * _e2752.u)) + ((f32((_e3026[2].color & 255u)) * _e3090) * _e2752.v))) * _e3248.x);
-            let _e3252 = ((_e3032.base_color.y * ((((f32(((_e3026[0].color >> bitcast<u32>(8i)) & 255u)) * _e3049) * _e2758) + ((f32(((_e3026[1].color >> bitcast<u32>(8i)) & 255u)) * _e3068) * _e2752.u)) + ((f32(((_e3026[2].color >> bitcast<u32>(8i)) & 255u)) * _e3090) * _e2752.v))) * _e3248.y);
-            let _e3254 = ((_e3032.base_color.z * ((((f32(((_e3026[0].color >> bitcast<u32>(16i)) & 255u)) * _e3049) * _e2758) + ((f32(((_e3026[1].color >> bitcast<u32>(16i)) & 255u)) * _e3068) * _e2752.u)) + ((f32(((_e3026[2].color >> bitcast<u32>(16i)) & 255u)) * _e3090) * _e2752.v))) * _e3248.z);
-            let _e3255 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2939, _e2942);
-            let _e3256 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2936, _e3255);
-            if ((_e3032.flags & 2u) == 0u) {
-                phi_3915_ = 0u;
+            let _e3333 = phi_3997_;
+            let _e3335 = ((_e3117.base_color.x * ((((f32((_e3111[0].color & 255u)) * _e3134) * _e2843) + ((f32((_e3111[1].color & 255u)) * _e3153) * _e2837.u)) + ((f32((_e3111[2].color & 255u)) * _e3175) * _e2837.v))) * _e3333.x);
+            let _e3337 = ((_e3117.base_color.y * ((((f32(((_e3111[0].color >> bitcast<u32>(8i)) & 255u)) * _e3134) * _e2843) + ((f32(((_e3111[1].color >> bitcast<u32>(8i)) & 255u)) * _e3153) * _e2837.u)) + ((f32(((_e3111[2].color >> bitcast<u32>(8i)) & 255u)) * _e3175) * _e2837.v))) * _e3333.y);
+            let _e3339 = ((_e3117.base_color.z * ((((f32(((_e3111[0].color >> bitcast<u32>(16i)) & 255u)) * _e3134) * _e2843) + ((f32(((_e3111[1].color >> bitcast<u32>(16i)) & 255u)) * _e3153) * _e2837.u)) + ((f32(((_e3111[2].color >> bitcast<u32>(16i)) & 255u)) * _e3175) * _e2837.v))) * _e3333.z);
+            let _e3340 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3024, _e3027);
+            let _e3341 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3021, _e3340);
+            if ((_e3117.flags & 2u) == 0u) {
+                phi_4012_ = 0u;
             } else {
-                phi_3915_ = 1u;
+                phi_4012_ = 1u;
             }
-            let _e3261 = phi_3915_;
-            if (_e3026[0].normal == 2147516416u) {
-                phi_4145_ = _e3004;
+            let _e3346 = phi_4012_;
+            if (_e3111[0].normal == 2147516416u) {
+                phi_4242_ = _e3089;
             } else {
-                let _e3274 = (f32((bitcast<i32>((_e3026[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3280 = (f32((bitcast<i32>(_e3026[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3284 = ((1f - abs(_e3274)) - abs(_e3280));
-                if (_e3284 < 0f) {
-                    phi_3942_ = -(_e3284);
+                let _e3359 = (f32((bitcast<i32>((_e3111[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3365 = (f32((bitcast<i32>(_e3111[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3369 = ((1f - abs(_e3359)) - abs(_e3365));
+                if (_e3369 < 0f) {
+                    phi_4039_ = -(_e3369);
                 } else {
-                    phi_3942_ = 0f;
+                    phi_4039_ = 0f;
                 }
-                let _e3288 = phi_3942_;
-                if (_e3274 < 0f) {
-                    phi_3949_ = (_e3274 + _e3288);
+                let _e3373 = phi_4039_;
+                if (_e3359 < 0f) {
+                    phi_4046_ = (_e3359 + _e3373);
                 } else {
-                    phi_3949_ = (_e3274 - _e3288);
+                    phi_4046_ = (_e3359 - _e3373);
                 }
-                let _e3293 = phi_3949_;
-                if (_e3280 < 0f) {
-                    phi_3956_ = (_e3280 + _e3288);
+                let _e3378 = phi_4046_;
+                if (_e3365 < 0f) {
+                    phi_4053_ = (_e3365 + _e3373);
                 } else {
-                    phi_3956_ = (_e3280 - _e3288);
+                    phi_4053_ = (_e3365 - _e3373);
                 }
-                let _e3298 = phi_3956_;
-                let _e3305 = (1f / sqrt((((_e3293 * _e3293) + (_e3298 * _e3298)) + (_e3284 * _e3284))));
-                let _e3321 = (f32((bitcast<i32>((_e3026[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3327 = (f32((bitcast<i32>(_e3026[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3331 = ((1f - abs(_e3321)) - abs(_e3327));
-                if (_e3331 < 0f) {
-                    phi_3991_ = -(_e3331);
+                let _e3383 = phi_4053_;
+                let _e3390 = (1f / sqrt((((_e3378 * _e3378) + (_e3383 * _e3383)) + (_e3369 * _e3369))));
+                let _e3406 = (f32((bitcast<i32>((_e3111[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3412 = (f32((bitcast<i32>(_e3111[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3416 = ((1f - abs(_e3406)) - abs(_e3412));
+                if (_e3416 < 0f) {
+                    phi_4088_ = -(_e3416);
                 } else {
-                    phi_3991_ = 0f;
+                    phi_4088_ = 0f;
                 }
-                let _e3335 = phi_3991_;
-                if (_e3321 < 0f) {
-                    phi_3998_ = (_e3321 + _e3335);
+                let _e3420 = phi_4088_;
+                if (_e3406 < 0f) {
+                    phi_4095_ = (_e3406 + _e3420);
                 } else {
-                    phi_3998_ = (_e3321 - _e3335);
+                    phi_4095_ = (_e3406 - _e3420);
                 }
-                let _e3340 = phi_3998_;
-                if (_e3327 < 0f) {
-                    phi_4005_ = (_e3327 + _e3335);
+                let _e3425 = phi_4095_;
+                if (_e3412 < 0f) {
+                    phi_4102_ = (_e3412 + _e3420);
                 } else {
-                    phi_4005_ = (_e3327 - _e3335);
+                    phi_4102_ = (_e3412 - _e3420);
                 }
-                let _e3345 = phi_4005_;
-                let _e3352 = (1f / sqrt((((_e3340 * _e3340) + (_e3345 * _e3345)) + (_e3331 * _e3331))));
-                let _e3371 = (f32((bitcast<i32>((_e3026[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3377 = (f32((bitcast<i32>(_e3026[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3381 = ((1f - abs(_e3371)) - abs(_e3377));
-                if (_e3381 < 0f) {
-                    phi_4043_ = -(_e3381);
+                let _e3430 = phi_4102_;
+                let _e3437 = (1f / sqrt((((_e3425 * _e3425) + (_e3430 * _e3430)) + (_e3416 * _e3416))));
+                let _e3456 = (f32((bitcast<i32>((_e3111[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3462 = (f32((bitcast<i32>(_e3111[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3466 = ((1f - abs(_e3456)) - abs(_e3462));
+                if (_e3466 < 0f) {
+                    phi_4140_ = -(_e3466);
                 } else {
-                    phi_4043_ = 0f;
+                    phi_4140_ = 0f;
                 }
-                let _e3385 = phi_4043_;
-                if (_e3371 < 0f) {
-                    phi_4050_ = (_e3371 + _e3385);
+                let _e3470 = phi_4140_;
+                if (_e3456 < 0f) {
+                    phi_4147_ = (_e3456 + _e3470);
                 } else {
-                    phi_4050_ = (_e3371 - _e3385);
+                    phi_4147_ = (_e3456 - _e3470);
                 }
-                let _e3390 = phi_4050_;
-                if (_e3377 < 0f) {
-                    phi_4057_ = (_e3377 + _e3385);
+                let _e3475 = phi_4147_;
+                if (_e3462 < 0f) {
+                    phi_4154_ = (_e3462 + _e3470);
                 } else {
-                    phi_4057_ = (_e3377 - _e3385);
+                    phi_4154_ = (_e3462 - _e3470);
                 }
-                let _e3395 = phi_4057_;
-                let _e3402 = (1f / sqrt((((_e3390 * _e3390) + (_e3395 * _e3395)) + (_e3381 * _e3381))));
-                let _e3409 = ((((_e3293 * _e3305) * _e2758) + ((_e3340 * _e3352) * _e2752.u)) + ((_e3390 * _e3402) * _e2752.v));
-                let _e3410 = ((((_e3298 * _e3305) * _e2758) + ((_e3345 * _e3352) * _e2752.u)) + ((_e3395 * _e3402) * _e2752.v));
-                let _e3411 = ((((_e3284 * _e3305) * _e2758) + ((_e3331 * _e3352) * _e2752.u)) + ((_e3381 * _e3402) * _e2752.v));
-                if (_e2752.instance < _e95) {
+                let _e3480 = phi_4154_;
+                let _e3487 = (1f / sqrt((((_e3475 * _e3475) + (_e3480 * _e3480)) + (_e3466 * _e3466))));
+                let _e3494 = ((((_e3378 * _e3390) * _e2843) + ((_e3425 * _e3437) * _e2837.u)) + ((_e3475 * _e3487) * _e2837.v));
+                let _e3495 = ((((_e3383 * _e3390) * _e2843) + ((_e3430 * _e3437) * _e2837.u)) + ((_e3480 * _e3487) * _e2837.v));
+                let _e3496 = ((((_e3369 * _e3390) * _e2843) + ((_e3416 * _e3437) * _e2837.u)) + ((_e3466 * _e3487) * _e2837.v));
+                if (_e2837.instance < _e95) {
                 } else {
                     return;
                 }
-                let _e3418 = instances.member[(0u + _e2752.instance)].world_to_object[0u];
-                let _e3427 = instances.member[(0u + _e2752.instance)].world_to_object[1u];
-                let _e3439 = instances.member[(0u + _e2752.instance)].world_to_object[2u];
-                let _e3446 = (((_e3418.x * _e3409) + (_e3427.x * _e3410)) + (_e3439.x * _e3411));
-                let _e3447 = (((_e3418.y * _e3409) + (_e3427.y * _e3410)) + (_e3439.y * _e3411));
-                let _e3448 = (((_e3418.z * _e3409) + (_e3427.z * _e3410)) + (_e3439.z * _e3411));
-                let _e3454 = sqrt((((_e3446 * _e3446) + (_e3447 * _e3447)) + (_e3448 * _e3448)));
-                if (_e3454 > 0f) {
-                    let _e3456 = (_e3446 / _e3454);
-                    let _e3457 = (_e3447 / _e3454);
-                    let _e3458 = (_e3448 / _e3454);
-                    if ((((_e3456 * _e3004.x) + (_e3457 * _e3004.y)) + (_e3458 * _e3004.z)) < 0f) {
-                        phi_4143_ = vec3<f32>(-(_e3456), -(_e3457), -(_e3458));
+                let _e3503 = instances.member[(0u + _e2837.instance)].world_to_object[0u];
+                let _e3512 = instances.member[(0u + _e2837.instance)].world_to_object[1u];
+                let _e3524 = instances.member[(0u + _e2837.instance)].world_to_object[2u];
+                let _e3531 = (((_e3503.x * _e3494) + (_e3512.x * _e3495)) + (_e3524.x * _e3496));
+                let _e3532 = (((_e3503.y * _e3494) + (_e3512.y * _e3495)) + (_e3524.y * _e3496));
+                let _e3533 = (((_e3503.z * _e3494) + (_e3512.z * _e3495)) + (_e3524.z * _e3496));
+                let _e3539 = sqrt((((_e3531 * _e3531) + (_e3532 * _e3532)) + (_e3533 * _e3533)));
+                if (_e3539 > 0f) {
+                    let _e3541 = (_e3531 / _e3539);
+                    let _e3542 = (_e3532 / _e3539);
+                    let _e3543 = (_e3533 / _e3539);
+                    if ((((_e3541 * _e3089.x) + (_e3542 * _e3089.y)) + (_e3543 * _e3089.z)) < 0f) {
+                        phi_4240_ = vec3<f32>(-(_e3541), -(_e3542), -(_e3543));
                     } else {
-                        phi_4143_ = vec3<f32>(_e3456, _e3457, _e3458);
+                        phi_4240_ = vec3<f32>(_e3541, _e3542, _e3543);
                     }
-                    let _e3474 = phi_4143_;
-                    phi_4144_ = _e3474;
+                    let _e3559 = phi_4240_;
+                    phi_4241_ = _e3559;
                 } else {
-                    phi_4144_ = _e3004;
+                    phi_4241_ = _e3089;
                 }
-                let _e3476 = phi_4144_;
-                phi_4145_ = _e3476;
+                let _e3561 = phi_4241_;
+                phi_4242_ = _e3561;
             }
-            let _e3478 = phi_4145_;
-            if (_e3250 > 0f) {
-                if (_e3250 < 1f) {
-                    phi_4154_ = _e3250;
+            let _e3563 = phi_4242_;
+            if (_e3335 > 0f) {
+                if (_e3335 < 1f) {
+                    phi_4251_ = _e3335;
                 } else {
-                    phi_4154_ = 1f;
+                    phi_4251_ = 1f;
                 }
-                let _e3482 = phi_4154_;
-                phi_4155_ = _e3482;
+                let _e3567 = phi_4251_;
+                phi_4252_ = _e3567;
             } else {
-                phi_4155_ = 0f;
+                phi_4252_ = 0f;
             }
-            let _e3484 = phi_4155_;
-            if (_e3252 > 0f) {
-                if (_e3252 < 1f) {
-                    phi_4165_ = _e3252;
+            let _e3569 = phi_4252_;
+            if (_e3337 > 0f) {
+                if (_e3337 < 1f) {
+                    phi_4262_ = _e3337;
                 } else {
-                    phi_4165_ = 1f;
+                    phi_4262_ = 1f;
                 }
-                let _e3489 = phi_4165_;
-                phi_4166_ = _e3489;
+                let _e3574 = phi_4262_;
+                phi_4263_ = _e3574;
             } else {
-                phi_4166_ = 0f;
+                phi_4263_ = 0f;
             }
-            let _e3491 = phi_4166_;
-            if (_e3254 > 0f) {
-                if (_e3254 < 1f) {
-                    phi_4176_ = _e3254;
+            let _e3576 = phi_4263_;
+            if (_e3339 > 0f) {
+                if (_e3339 < 1f) {
+                    phi_4273_ = _e3339;
                 } else {
-                    phi_4176_ = 1f;
+                    phi_4273_ = 1f;
                 }
-                let _e3496 = phi_4176_;
-                phi_4177_ = _e3496;
+                let _e3581 = phi_4273_;
+                phi_4274_ = _e3581;
             } else {
-                phi_4177_ = 0f;
+                phi_4274_ = 0f;
             }
-            let _e3498 = phi_4177_;
-            let _e3501 = ((sqrt(_e3484) * 255f) + 0.5f);
-            let _e3510 = ((sqrt(_e3491) * 255f) + 0.5f);
-            let _e3522 = ((sqrt(_e3498) * 255f) + 0.5f);
-            phi_4212_ = abi_Sample(vec3<f32>(_e2912, _e2913, _e2914), _e3256, _e3004, _e3261, _e3478, ((select(select(u32(_e3501), 0u, (_e3501 < bitcast<f32>(0u))), 4294967295u, (_e3501 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3510), 0u, (_e3510 < bitcast<f32>(0u))), 4294967295u, (_e3510 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3522), 0u, (_e3522 < bitcast<f32>(0u))), 4294967295u, (_e3522 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3583 = phi_4274_;
+            let _e3586 = ((sqrt(_e3569) * 255f) + 0.5f);
+            let _e3595 = ((sqrt(_e3576) * 255f) + 0.5f);
+            let _e3607 = ((sqrt(_e3583) * 255f) + 0.5f);
+            phi_4309_ = abi_Sample(vec3<f32>(_e2997, _e2998, _e2999), _e3341, _e3089, _e3346, _e3563, ((select(select(u32(_e3586), 0u, (_e3586 < bitcast<f32>(0u))), 4294967295u, (_e3586 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3595), 0u, (_e3595 < bitcast<f32>(0u))), 4294967295u, (_e3595 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3607), 0u, (_e3607 < bitcast<f32>(0u))), 4294967295u, (_e3607 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4212_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4309_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3536 = phi_4212_;
+        let _e3621 = phi_4309_;
         if (_e113.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e113.first_primitive)] = _e3536;
-        if (_e2752.triangle != 4294967295u) {
-            let _e3545 = ((1f - _e2752.u) - _e2752.v);
-            if (_e2752.triangle < _e83) {
+        samples.member[(0u + _e113.first_primitive)] = _e3621;
+        if (_e2837.triangle != 4294967295u) {
+            let _e3630 = ((1f - _e2837.u) - _e2837.v);
+            if (_e2837.triangle < _e83) {
             } else {
                 return;
             }
-            let _e3550 = triangles.member[(0u + _e2752.triangle)];
-            if (_e3550.i0_ < _e104) {
+            let _e3635 = triangles.member[(0u + _e2837.triangle)];
+            if (_e3635.i0_ < _e104) {
             } else {
                 return;
             }
-            let _e3555 = before.member[(0u + _e3550.i0_)];
-            if (_e3550.i1_ < _e104) {
+            let _e3640 = before.member[(0u + _e3635.i0_)];
+            if (_e3635.i1_ < _e104) {
             } else {
                 return;
             }
-            let _e3560 = before.member[(0u + _e3550.i1_)];
-            if (_e3550.i2_ < _e104) {
+            let _e3645 = before.member[(0u + _e3635.i1_)];
+            if (_e3635.i2_ < _e104) {
             } else {
                 return;
             }
-            let _e3565 = before.member[(0u + _e3550.i2_)];
-            if (_e2752.instance < _e95) {
+            let _e3650 = before.member[(0u + _e3635.i2_)];
+            if (_e2837.instance < _e95) {
             } else {
                 return;
             }
-            let _e3575 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e3588 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e3601 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
-            if (_e2752.instance < _e95) {
+            let _e3660 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3673 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3686 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            if (_e2837.instance < _e95) {
             } else {
                 return;
             }
-            let _e3625 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e3638 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e3651 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
-            if (_e2752.instance < _e95) {
+            let _e3710 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3723 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3736 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            if (_e2837.instance < _e95) {
             } else {
                 return;
             }
-            let _e3678 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e3691 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e3704 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
-            phi_4434_ = vec3<f32>((((((((_e3575.x * _e3555.x) + (_e3575.y * _e3555.y)) + (_e3575.z * _e3555.z)) + (_e3575.w * 1f)) * _e3545) + (((((_e3625.x * _e3560.x) + (_e3625.y * _e3560.y)) + (_e3625.z * _e3560.z)) + (_e3625.w * 1f)) * _e2752.u)) + (((((_e3678.x * _e3565.x) + (_e3678.y * _e3565.y)) + (_e3678.z * _e3565.z)) + (_e3678.w * 1f)) * _e2752.v)), (((((((_e3588.x * _e3555.x) + (_e3588.y * _e3555.y)) + (_e3588.z * _e3555.z)) + (_e3588.w * 1f)) * _e3545) + (((((_e3638.x * _e3560.x) + (_e3638.y * _e3560.y)) + (_e3638.z * _e3560.z)) + (_e3638.w * 1f)) * _e2752.u)) + (((((_e3691.x * _e3565.x) + (_e3691.y * _e3565.y)) + (_e3691.z * _e3565.z)) + (_e3691.w * 1f)) * _e2752.v)), (((((((_e3601.x * _e3555.x) + (_e3601.y * _e3555.y)) + (_e3601.z * _e3555.z)) + (_e3601.w * 1f)) * _e3545) + (((((_e3651.x * _e3560.x) + (_e3651.y * _e3560.y)) + (_e3651.z * _e3560.z)) + (_e3651.w * 1f)) * _e2752.u)) + (((((_e3704.x * _e3565.x) + (_e3704.y * _e3565.y)) + (_e3704.z * _e3565.z)) + (_e3704.w * 1f)) * _e2752.v)));
+            let _e3763 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3776 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3789 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            phi_4531_ = vec3<f32>((((((((_e3660.x * _e3640.x) + (_e3660.y * _e3640.y)) + (_e3660.z * _e3640.z)) + (_e3660.w * 1f)) * _e3630) + (((((_e3710.x * _e3645.x) + (_e3710.y * _e3645.y)) + (_e3710.z * _e3645.z)) + (_e3710.w * 1f)) * _e2837.u)) + (((((_e3763.x * _e3650.x) + (_e3763.y * _e3650.y)) + (_e3763.z * _e3650.z)) + (_e3763.w * 1f)) * _e2837.v)), (((((((_e3673.x * _e3640.x) + (_e3673.y * _e3640.y)) + (_e3673.z * _e3640.z)) + (_e3673.w * 1f)) * _e3630) + (((((_e3723.x * _e3645.x) + (_e3723.y * _e3645.y)) + (_e3723.z * _e3645.z)) + (_e3723.w * 1f)) * _e2837.u)) + (((((_e3776.x * _e3650.x) + (_e3776.y * _e3650.y)) + (_e3776.z * _e3650.z)) + (_e3776.w * 1f)) * _e2837.v)), (((((((_e3686.x * _e3640.x) + (_e3686.y * _e3640.y)) + (_e3686.z * _e3640.z)) + (_e3686.w * 1f)) * _e3630) + (((((_e3736.x * _e3645.x) + (_e3736.y * _e3645.y)) + (_e3736.z * _e3645.z)) + (_e3736.w * 1f)) * _e2837.u)) + (((((_e3789.x * _e3650.x) + (_e3789.y * _e3650.y)) + (_e3789.z * _e3650.z)) + (_e3789.w * 1f)) * _e2837.v)));
         } else {
-            phi_4434_ = vec3<f32>(0f, 0f, 0f);
+            phi_4531_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3724 = phi_4434_;
+        let _e3809 = phi_4531_;
         if (_e113.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3724.x, _e3724.y, _e3724.z, 1f);
+        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3809.x, _e3809.y, _e3809.z, 1f);
     }
     return;
 }

@@ -765,149 +765,155 @@ fn function_() {
     var phi_2466_: u32;
     var phi_2510_: vec3<f32>;
     var phi_2511_: vec3<f32>;
-    var phi_2542_: vec3<f32>;
-    var phi_2543_: vec3<f32>;
-    var phi_2574_: vec3<f32>;
-    var phi_2575_: vec3<f32>;
-    var phi_2595_: bool;
-    var phi_2596_: bool;
-    var phi_2600_: f32;
-    var phi_2601_: f32;
-    var phi_2602_: f32;
-    var phi_2603_: f32;
-    var phi_2611_: f32;
-    var phi_2621_: bool;
-    var phi_2622_: bool;
-    var phi_2626_: f32;
-    var phi_2627_: f32;
-    var phi_2628_: f32;
-    var phi_2629_: f32;
-    var phi_2637_: f32;
-    var phi_2647_: bool;
-    var phi_2648_: bool;
-    var phi_2652_: f32;
-    var phi_2653_: f32;
-    var phi_2654_: f32;
-    var phi_2655_: f32;
-    var phi_2663_: f32;
-    var phi_2678_: f32;
-    var phi_2679_: bool;
-    var phi_2680_: f32;
-    var phi_2681_: bool;
-    var phi_2682_: f32;
-    var phi_2683_: bool;
-    var phi_2701_: f32;
-    var phi_2702_: bool;
-    var phi_2703_: bool;
-    var phi_2704_: f32;
-    var phi_2705_: bool;
+    var phi_2540_: vec3<f32>;
+    var phi_2541_: vec3<f32>;
+    var phi_2570_: vec3<f32>;
+    var phi_2571_: vec3<f32>;
+    var phi_2589_: bool;
+    var phi_2590_: bool;
+    var phi_2594_: f32;
+    var phi_2595_: f32;
+    var phi_2596_: f32;
+    var phi_2597_: f32;
+    var phi_2605_: f32;
+    var phi_2615_: bool;
+    var phi_2616_: bool;
+    var phi_2620_: f32;
+    var phi_2621_: f32;
+    var phi_2622_: f32;
+    var phi_2623_: f32;
+    var phi_2631_: f32;
+    var phi_2641_: bool;
+    var phi_2642_: bool;
+    var phi_2646_: f32;
+    var phi_2647_: f32;
+    var phi_2648_: f32;
+    var phi_2649_: f32;
+    var phi_2657_: f32;
+    var phi_2672_: f32;
+    var phi_2673_: bool;
+    var phi_2674_: f32;
+    var phi_2675_: bool;
+    var phi_2676_: f32;
+    var phi_2677_: bool;
+    var phi_2695_: f32;
+    var phi_2696_: bool;
+    var phi_2697_: bool;
+    var phi_2698_: f32;
+    var phi_2699_: bool;
+    var phi_2700_: bool;
+    var phi_2704_: bool;
+    var phi_2705_: f32;
     var phi_2706_: bool;
-    var phi_2710_: bool;
-    var phi_2711_: f32;
-    var phi_2712_: bool;
-    var phi_2746_: f32;
-    var phi_2755_: f32;
-    var phi_2764_: f32;
-    var phi_2773_: f32;
-    var phi_2780_: f32;
-    var phi_2787_: f32;
-    var phi_2800_: f32;
-    var phi_2809_: f32;
-    var phi_2818_: f32;
-    var phi_2827_: f32;
-    var phi_2834_: f32;
-    var phi_2841_: f32;
-    var phi_2858_: f32;
-    var phi_2863_: f32;
-    var phi_2868_: f32;
-    var phi_2876_: f32;
-    var phi_2881_: f32;
-    var phi_2886_: f32;
-    var phi_2898_: f32;
-    var phi_2903_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: f32;
-    var phi_2918_: lt_bvh_triangle_Intersection;
-    var phi_2919_: bool;
-    var phi_2920_: lt_bvh_triangle_Intersection;
-    var phi_2921_: bool;
-    var phi_2925_: lt_bvh_triangle_Intersection;
-    var phi_2926_: bool;
-    var phi_2927_: lt_bvh_triangle_Intersection;
-    var phi_2928_: bool;
-    var phi_2929_: bool;
-    var phi_2933_: bool;
-    var phi_2937_: lt_bvh_triangle_Intersection;
-    var phi_2975_: bool;
-    var phi_2976_: bool;
-    var phi_2977_: bool;
-    var phi_2978_: bool;
-    var phi_2979_: bool;
-    var phi_2980_: bool;
-    var phi_2984_: bool;
-    var phi_2985_: bool;
-    var phi_3188_: f32;
-    var phi_3191_: bool;
-    var phi_3192_: bool;
-    var phi_3196_: bool;
-    var phi_3204_: lt_bvh_Hit;
-    var phi_3205_: lt_bvh_Hit;
-    var phi_3206_: lt_bvh_Hit;
-    var phi_3207_: lt_bvh_Hit;
+    var phi_2734_: vec3<f32>;
+    var phi_2735_: vec3<f32>;
+    var phi_2760_: vec3<f32>;
+    var phi_2761_: vec3<f32>;
+    var phi_2786_: vec3<f32>;
+    var phi_2787_: vec3<f32>;
+    var phi_2843_: f32;
+    var phi_2852_: f32;
+    var phi_2861_: f32;
+    var phi_2870_: f32;
+    var phi_2877_: f32;
+    var phi_2884_: f32;
+    var phi_2897_: f32;
+    var phi_2906_: f32;
+    var phi_2915_: f32;
+    var phi_2924_: f32;
+    var phi_2931_: f32;
+    var phi_2938_: f32;
+    var phi_2955_: f32;
+    var phi_2960_: f32;
+    var phi_2965_: f32;
+    var phi_2973_: f32;
+    var phi_2978_: f32;
+    var phi_2983_: f32;
+    var phi_2995_: f32;
+    var phi_3000_: f32;
+    var phi_3005_: f32;
+    var phi_3010_: f32;
+    var phi_3015_: lt_bvh_triangle_Intersection;
+    var phi_3016_: bool;
+    var phi_3017_: lt_bvh_triangle_Intersection;
+    var phi_3018_: bool;
+    var phi_3022_: lt_bvh_triangle_Intersection;
+    var phi_3023_: bool;
+    var phi_3024_: lt_bvh_triangle_Intersection;
+    var phi_3025_: bool;
+    var phi_3026_: bool;
+    var phi_3030_: bool;
+    var phi_3034_: lt_bvh_triangle_Intersection;
+    var phi_3072_: bool;
+    var phi_3073_: bool;
+    var phi_3074_: bool;
+    var phi_3075_: bool;
+    var phi_3076_: bool;
+    var phi_3077_: bool;
+    var phi_3081_: bool;
+    var phi_3082_: bool;
+    var phi_3285_: f32;
+    var phi_3288_: bool;
+    var phi_3289_: bool;
+    var phi_3293_: bool;
+    var phi_3301_: lt_bvh_Hit;
+    var phi_3302_: lt_bvh_Hit;
+    var phi_3303_: lt_bvh_Hit;
+    var phi_3304_: lt_bvh_Hit;
     var phi_2464_: lt_bvh_Hit;
     var phi_2467_: u32;
-    var phi_3208_: bool;
-    var phi_3247_: bool;
-    var phi_3248_: bool;
-    var phi_3279_: u32;
+    var phi_3305_: bool;
+    var phi_3344_: bool;
+    var phi_3345_: bool;
+    var phi_3376_: u32;
     var phi_2131_: lt_bvh_Hit;
     var phi_2134_: u32;
-    var phi_3280_: lt_bvh_Hit;
-    var phi_3281_: lt_bvh_Hit;
-    var phi_3282_: bool;
-    var phi_3286_: lt_bvh_Hit;
-    var phi_3287_: lt_bvh_Hit;
-    var phi_3288_: lt_bvh_Hit;
-    var phi_3289_: lt_bvh_Hit;
+    var phi_3377_: lt_bvh_Hit;
+    var phi_3378_: lt_bvh_Hit;
+    var phi_3379_: bool;
+    var phi_3383_: lt_bvh_Hit;
+    var phi_3384_: lt_bvh_Hit;
+    var phi_3385_: lt_bvh_Hit;
+    var phi_3386_: lt_bvh_Hit;
     var phi_1505_: u32;
     var phi_1508_: lt_bvh_Hit;
-    var phi_3290_: bool;
-    var phi_3329_: bool;
-    var phi_3330_: bool;
-    var phi_3361_: u32;
+    var phi_3387_: bool;
+    var phi_3426_: bool;
+    var phi_3427_: bool;
+    var phi_3458_: u32;
     var phi_1168_: u32;
     var phi_1171_: lt_bvh_Hit;
-    var phi_3362_: lt_bvh_Hit;
-    var phi_3363_: lt_bvh_Hit;
-    var phi_3364_: bool;
-    var phi_3368_: lt_bvh_Hit;
-    var phi_3556_: f32;
-    var phi_3561_: f32;
-    var phi_3566_: f32;
-    var phi_3574_: f32;
-    var phi_3579_: f32;
-    var phi_3584_: f32;
-    var phi_3648_: vec3<f32>;
-    var phi_3769_: u32;
-    var phi_3796_: f32;
-    var phi_3803_: f32;
-    var phi_3810_: f32;
-    var phi_3845_: f32;
-    var phi_3852_: f32;
-    var phi_3859_: f32;
-    var phi_3897_: f32;
-    var phi_3904_: f32;
-    var phi_3911_: f32;
-    var phi_3997_: vec3<f32>;
-    var phi_3998_: vec3<f32>;
-    var phi_3999_: vec3<f32>;
+    var phi_3459_: lt_bvh_Hit;
+    var phi_3460_: lt_bvh_Hit;
+    var phi_3461_: bool;
+    var phi_3465_: lt_bvh_Hit;
+    var phi_3653_: f32;
+    var phi_3658_: f32;
+    var phi_3663_: f32;
+    var phi_3671_: f32;
+    var phi_3676_: f32;
+    var phi_3681_: f32;
+    var phi_3745_: vec3<f32>;
+    var phi_3866_: u32;
+    var phi_3893_: f32;
+    var phi_3900_: f32;
+    var phi_3907_: f32;
+    var phi_3942_: f32;
+    var phi_3949_: f32;
+    var phi_3956_: f32;
+    var phi_3994_: f32;
+    var phi_4001_: f32;
     var phi_4008_: f32;
-    var phi_4009_: f32;
-    var phi_4019_: f32;
-    var phi_4020_: f32;
-    var phi_4030_: f32;
-    var phi_4031_: f32;
-    var phi_4066_: abi_Sample;
+    var phi_4094_: vec3<f32>;
+    var phi_4095_: vec3<f32>;
+    var phi_4096_: vec3<f32>;
+    var phi_4105_: f32;
+    var phi_4106_: f32;
+    var phi_4116_: f32;
+    var phi_4117_: f32;
+    var phi_4127_: f32;
+    var phi_4128_: f32;
+    var phi_4163_: abi_Sample;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -1044,7 +1050,7 @@ fn function_() {
         if _e228 {
             let _e229 = (_e106 >= _e76);
             if _e229 {
-                phi_3362_ = lt_bvh_Hit();
+                phi_3459_ = lt_bvh_Hit();
             } else {
                 if (_e106 < _e76) {
                 } else {
@@ -1397,7 +1403,7 @@ fn function_() {
                             if (_e973 == 0u) {
                                 phi_1505_ = u32();
                                 phi_1508_ = lt_bvh_Hit();
-                                phi_3290_ = false;
+                                phi_3387_ = false;
                             } else {
                                 let _e979 = nodes.member[(0u + _e530)].links[1u];
                                 let _e983 = (_e979 + select(firstTrailingBit(_e973), 32u, (_e973 == 0u)));
@@ -1579,7 +1585,7 @@ fn function_() {
                                             if _e1205 {
                                                 let _e1206 = (_e1142 >= _e76);
                                                 if _e1206 {
-                                                    phi_3280_ = lt_bvh_Hit();
+                                                    phi_3377_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1142 < _e76) {
                                                     } else {
@@ -1706,7 +1712,6 @@ fn function_() {
                                                     let _e1361 = phi_1959_;
                                                     let _e1364 = (_e1361.x / _e1361.z);
                                                     let _e1367 = (_e1361.y / _e1361.z);
-                                                    let _e1369 = (1f / _e1361.z);
                                                     if (_e1282 < 0f) {
                                                         phi_1972_ = 0u;
                                                     } else {
@@ -1974,7 +1979,7 @@ fn function_() {
                                                                 if (_e1959 == 0u) {
                                                                     phi_2464_ = lt_bvh_Hit();
                                                                     phi_2467_ = u32();
-                                                                    phi_3208_ = false;
+                                                                    phi_3305_ = false;
                                                                 } else {
                                                                     let _e1963 = nodes.member[(0u + _e1520)].links[1u];
                                                                     let _e1968 = ((_e1144 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
@@ -2000,1062 +2005,1115 @@ fn function_() {
                                                                     let _e1991 = phi_2511_;
                                                                     let _e1995 = (_e1991.x - (_e1364 * _e1991.z));
                                                                     let _e1999 = (_e1991.y - (_e1367 * _e1991.z));
-                                                                    let _e2003 = triangles.member[(0u + _e1968)].v1_;
-                                                                    let _e2005 = (_e2003.x - _e1067);
-                                                                    let _e2007 = (_e2003.y - _e1080);
-                                                                    let _e2009 = (_e2003.z - _e1093);
+                                                                    let _e2001 = triangles.member[(0u + _e1968)].v1_;
+                                                                    let _e2003 = (_e2001.x - _e1067);
+                                                                    let _e2005 = (_e2001.y - _e1080);
+                                                                    let _e2007 = (_e2001.z - _e1093);
                                                                     if (_e1353 == 0u) {
-                                                                        phi_2543_ = vec3<f32>(_e2007, _e2009, _e2005);
+                                                                        phi_2541_ = vec3<f32>(_e2005, _e2007, _e2003);
                                                                     } else {
                                                                         if (_e1353 == 1u) {
-                                                                            phi_2542_ = vec3<f32>(_e2009, _e2005, _e2007);
+                                                                            phi_2540_ = vec3<f32>(_e2007, _e2003, _e2005);
                                                                         } else {
-                                                                            phi_2542_ = (_e2003 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2540_ = (_e2001 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2017 = phi_2542_;
-                                                                        phi_2543_ = _e2017;
+                                                                        let _e2015 = phi_2540_;
+                                                                        phi_2541_ = _e2015;
                                                                     }
-                                                                    let _e2019 = phi_2543_;
-                                                                    let _e2023 = (_e2019.x - (_e1364 * _e2019.z));
-                                                                    let _e2027 = (_e2019.y - (_e1367 * _e2019.z));
-                                                                    let _e2031 = triangles.member[(0u + _e1968)].v2_;
-                                                                    let _e2033 = (_e2031.x - _e1067);
-                                                                    let _e2035 = (_e2031.y - _e1080);
-                                                                    let _e2037 = (_e2031.z - _e1093);
+                                                                    let _e2017 = phi_2541_;
+                                                                    let _e2021 = (_e2017.x - (_e1364 * _e2017.z));
+                                                                    let _e2025 = (_e2017.y - (_e1367 * _e2017.z));
+                                                                    let _e2027 = triangles.member[(0u + _e1968)].v2_;
+                                                                    let _e2029 = (_e2027.x - _e1067);
+                                                                    let _e2031 = (_e2027.y - _e1080);
+                                                                    let _e2033 = (_e2027.z - _e1093);
                                                                     if (_e1353 == 0u) {
-                                                                        phi_2575_ = vec3<f32>(_e2035, _e2037, _e2033);
+                                                                        phi_2571_ = vec3<f32>(_e2031, _e2033, _e2029);
                                                                     } else {
                                                                         if (_e1353 == 1u) {
-                                                                            phi_2574_ = vec3<f32>(_e2037, _e2033, _e2035);
+                                                                            phi_2570_ = vec3<f32>(_e2033, _e2029, _e2031);
                                                                         } else {
-                                                                            phi_2574_ = (_e2031 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2570_ = (_e2027 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2045 = phi_2574_;
-                                                                        phi_2575_ = _e2045;
+                                                                        let _e2041 = phi_2570_;
+                                                                        phi_2571_ = _e2041;
                                                                     }
-                                                                    let _e2047 = phi_2575_;
-                                                                    let _e2051 = (_e2047.x - (_e1364 * _e2047.z));
-                                                                    let _e2055 = (_e2047.y - (_e1367 * _e2047.z));
-                                                                    if (_e2023 < _e2051) {
-                                                                        phi_2596_ = true;
+                                                                    let _e2043 = phi_2571_;
+                                                                    let _e2047 = (_e2043.x - (_e1364 * _e2043.z));
+                                                                    let _e2051 = (_e2043.y - (_e1367 * _e2043.z));
+                                                                    if (_e2021 < _e2047) {
+                                                                        phi_2590_ = true;
                                                                     } else {
-                                                                        if (_e2023 == _e2051) {
-                                                                            phi_2595_ = (_e2027 < _e2055);
+                                                                        if (_e2021 == _e2047) {
+                                                                            phi_2589_ = (_e2025 < _e2051);
                                                                         } else {
-                                                                            phi_2595_ = false;
+                                                                            phi_2589_ = false;
                                                                         }
-                                                                        let _e2062 = phi_2595_;
-                                                                        phi_2596_ = _e2062;
+                                                                        let _e2056 = phi_2589_;
+                                                                        phi_2590_ = _e2056;
                                                                     }
+                                                                    let _e2058 = phi_2590_;
+                                                                    if _e2058 {
+                                                                        phi_2594_ = _e2051;
+                                                                        phi_2595_ = _e2047;
+                                                                        phi_2596_ = _e2025;
+                                                                        phi_2597_ = _e2021;
+                                                                    } else {
+                                                                        phi_2594_ = _e2025;
+                                                                        phi_2595_ = _e2021;
+                                                                        phi_2596_ = _e2051;
+                                                                        phi_2597_ = _e2047;
+                                                                    }
+                                                                    let _e2060 = phi_2594_;
+                                                                    let _e2062 = phi_2595_;
                                                                     let _e2064 = phi_2596_;
-                                                                    if _e2064 {
-                                                                        phi_2600_ = _e2055;
-                                                                        phi_2601_ = _e2051;
-                                                                        phi_2602_ = _e2027;
-                                                                        phi_2603_ = _e2023;
+                                                                    let _e2066 = phi_2597_;
+                                                                    let _e2069 = ((_e2066 * _e2060) - (_e2064 * _e2062));
+                                                                    if _e2058 {
+                                                                        phi_2605_ = -(_e2069);
                                                                     } else {
-                                                                        phi_2600_ = _e2027;
-                                                                        phi_2601_ = _e2023;
-                                                                        phi_2602_ = _e2055;
-                                                                        phi_2603_ = _e2051;
+                                                                        phi_2605_ = _e2069;
                                                                     }
-                                                                    let _e2066 = phi_2600_;
-                                                                    let _e2068 = phi_2601_;
-                                                                    let _e2070 = phi_2602_;
-                                                                    let _e2072 = phi_2603_;
-                                                                    let _e2075 = ((_e2072 * _e2066) - (_e2070 * _e2068));
-                                                                    if _e2064 {
-                                                                        phi_2611_ = -(_e2075);
+                                                                    let _e2072 = phi_2605_;
+                                                                    if (_e2047 < _e1995) {
+                                                                        phi_2616_ = true;
                                                                     } else {
-                                                                        phi_2611_ = _e2075;
-                                                                    }
-                                                                    let _e2078 = phi_2611_;
-                                                                    if (_e2051 < _e1995) {
-                                                                        phi_2622_ = true;
-                                                                    } else {
-                                                                        if (_e2051 == _e1995) {
-                                                                            phi_2621_ = (_e2055 < _e1999);
+                                                                        if (_e2047 == _e1995) {
+                                                                            phi_2615_ = (_e2051 < _e1999);
                                                                         } else {
-                                                                            phi_2621_ = false;
+                                                                            phi_2615_ = false;
                                                                         }
-                                                                        let _e2083 = phi_2621_;
-                                                                        phi_2622_ = _e2083;
+                                                                        let _e2077 = phi_2615_;
+                                                                        phi_2616_ = _e2077;
                                                                     }
+                                                                    let _e2079 = phi_2616_;
+                                                                    if _e2079 {
+                                                                        phi_2620_ = _e1999;
+                                                                        phi_2621_ = _e1995;
+                                                                        phi_2622_ = _e2051;
+                                                                        phi_2623_ = _e2047;
+                                                                    } else {
+                                                                        phi_2620_ = _e2051;
+                                                                        phi_2621_ = _e2047;
+                                                                        phi_2622_ = _e1999;
+                                                                        phi_2623_ = _e1995;
+                                                                    }
+                                                                    let _e2081 = phi_2620_;
+                                                                    let _e2083 = phi_2621_;
                                                                     let _e2085 = phi_2622_;
-                                                                    if _e2085 {
-                                                                        phi_2626_ = _e1999;
-                                                                        phi_2627_ = _e1995;
-                                                                        phi_2628_ = _e2055;
-                                                                        phi_2629_ = _e2051;
+                                                                    let _e2087 = phi_2623_;
+                                                                    let _e2090 = ((_e2087 * _e2081) - (_e2085 * _e2083));
+                                                                    if _e2079 {
+                                                                        phi_2631_ = -(_e2090);
                                                                     } else {
-                                                                        phi_2626_ = _e2055;
-                                                                        phi_2627_ = _e2051;
-                                                                        phi_2628_ = _e1999;
-                                                                        phi_2629_ = _e1995;
+                                                                        phi_2631_ = _e2090;
                                                                     }
-                                                                    let _e2087 = phi_2626_;
-                                                                    let _e2089 = phi_2627_;
-                                                                    let _e2091 = phi_2628_;
-                                                                    let _e2093 = phi_2629_;
-                                                                    let _e2096 = ((_e2093 * _e2087) - (_e2091 * _e2089));
-                                                                    if _e2085 {
-                                                                        phi_2637_ = -(_e2096);
+                                                                    let _e2093 = phi_2631_;
+                                                                    if (_e1995 < _e2021) {
+                                                                        phi_2642_ = true;
                                                                     } else {
-                                                                        phi_2637_ = _e2096;
-                                                                    }
-                                                                    let _e2099 = phi_2637_;
-                                                                    if (_e1995 < _e2023) {
-                                                                        phi_2648_ = true;
-                                                                    } else {
-                                                                        if (_e1995 == _e2023) {
-                                                                            phi_2647_ = (_e1999 < _e2027);
+                                                                        if (_e1995 == _e2021) {
+                                                                            phi_2641_ = (_e1999 < _e2025);
                                                                         } else {
-                                                                            phi_2647_ = false;
+                                                                            phi_2641_ = false;
                                                                         }
-                                                                        let _e2104 = phi_2647_;
-                                                                        phi_2648_ = _e2104;
+                                                                        let _e2098 = phi_2641_;
+                                                                        phi_2642_ = _e2098;
                                                                     }
+                                                                    let _e2100 = phi_2642_;
+                                                                    if _e2100 {
+                                                                        phi_2646_ = _e2025;
+                                                                        phi_2647_ = _e2021;
+                                                                        phi_2648_ = _e1999;
+                                                                        phi_2649_ = _e1995;
+                                                                    } else {
+                                                                        phi_2646_ = _e1999;
+                                                                        phi_2647_ = _e1995;
+                                                                        phi_2648_ = _e2025;
+                                                                        phi_2649_ = _e2021;
+                                                                    }
+                                                                    let _e2102 = phi_2646_;
+                                                                    let _e2104 = phi_2647_;
                                                                     let _e2106 = phi_2648_;
-                                                                    if _e2106 {
-                                                                        phi_2652_ = _e2027;
-                                                                        phi_2653_ = _e2023;
-                                                                        phi_2654_ = _e1999;
-                                                                        phi_2655_ = _e1995;
+                                                                    let _e2108 = phi_2649_;
+                                                                    let _e2111 = ((_e2108 * _e2102) - (_e2106 * _e2104));
+                                                                    if _e2100 {
+                                                                        phi_2657_ = -(_e2111);
                                                                     } else {
-                                                                        phi_2652_ = _e1999;
-                                                                        phi_2653_ = _e1995;
-                                                                        phi_2654_ = _e2027;
-                                                                        phi_2655_ = _e2023;
+                                                                        phi_2657_ = _e2111;
                                                                     }
-                                                                    let _e2108 = phi_2652_;
-                                                                    let _e2110 = phi_2653_;
-                                                                    let _e2112 = phi_2654_;
-                                                                    let _e2114 = phi_2655_;
-                                                                    let _e2117 = ((_e2114 * _e2108) - (_e2112 * _e2110));
-                                                                    if _e2106 {
-                                                                        phi_2663_ = -(_e2117);
-                                                                    } else {
-                                                                        phi_2663_ = _e2117;
-                                                                    }
-                                                                    let _e2120 = phi_2663_;
-                                                                    if (_e2078 >= 0f) {
-                                                                        if (_e2099 >= 0f) {
-                                                                            if (_e2120 >= 0f) {
-                                                                                phi_2678_ = ((_e2078 + _e2099) + _e2120);
-                                                                                phi_2679_ = false;
+                                                                    let _e2114 = phi_2657_;
+                                                                    if (_e2072 >= 0f) {
+                                                                        if (_e2093 >= 0f) {
+                                                                            if (_e2114 >= 0f) {
+                                                                                phi_2672_ = ((_e2072 + _e2093) + _e2114);
+                                                                                phi_2673_ = false;
                                                                             } else {
-                                                                                phi_2678_ = f32();
-                                                                                phi_2679_ = true;
+                                                                                phi_2672_ = f32();
+                                                                                phi_2673_ = true;
                                                                             }
-                                                                            let _e2127 = phi_2678_;
-                                                                            let _e2129 = phi_2679_;
-                                                                            phi_2680_ = _e2127;
-                                                                            phi_2681_ = _e2129;
+                                                                            let _e2121 = phi_2672_;
+                                                                            let _e2123 = phi_2673_;
+                                                                            phi_2674_ = _e2121;
+                                                                            phi_2675_ = _e2123;
                                                                         } else {
-                                                                            phi_2680_ = f32();
-                                                                            phi_2681_ = true;
+                                                                            phi_2674_ = f32();
+                                                                            phi_2675_ = true;
                                                                         }
-                                                                        let _e2131 = phi_2680_;
-                                                                        let _e2133 = phi_2681_;
-                                                                        phi_2682_ = _e2131;
-                                                                        phi_2683_ = _e2133;
+                                                                        let _e2125 = phi_2674_;
+                                                                        let _e2127 = phi_2675_;
+                                                                        phi_2676_ = _e2125;
+                                                                        phi_2677_ = _e2127;
                                                                     } else {
-                                                                        phi_2682_ = f32();
-                                                                        phi_2683_ = true;
+                                                                        phi_2676_ = f32();
+                                                                        phi_2677_ = true;
                                                                     }
-                                                                    let _e2135 = phi_2682_;
-                                                                    let _e2137 = phi_2683_;
-                                                                    if _e2137 {
-                                                                        if (_e2078 <= 0f) {
-                                                                            if (_e2099 <= 0f) {
-                                                                                let _e2140 = (_e2120 <= 0f);
-                                                                                if _e2140 {
+                                                                    let _e2129 = phi_2676_;
+                                                                    let _e2131 = phi_2677_;
+                                                                    if _e2131 {
+                                                                        if (_e2072 <= 0f) {
+                                                                            if (_e2093 <= 0f) {
+                                                                                let _e2134 = (_e2114 <= 0f);
+                                                                                if _e2134 {
                                                                                 }
-                                                                                phi_2701_ = ((_e2078 + _e2099) + _e2120);
-                                                                                phi_2702_ = false;
-                                                                                phi_2703_ = _e2140;
+                                                                                phi_2695_ = ((_e2072 + _e2093) + _e2114);
+                                                                                phi_2696_ = false;
+                                                                                phi_2697_ = _e2134;
                                                                             } else {
-                                                                                phi_2701_ = f32();
-                                                                                phi_2702_ = true;
-                                                                                phi_2703_ = false;
+                                                                                phi_2695_ = f32();
+                                                                                phi_2696_ = true;
+                                                                                phi_2697_ = false;
                                                                             }
-                                                                            let _e2144 = phi_2701_;
-                                                                            let _e2146 = phi_2702_;
-                                                                            let _e2148 = phi_2703_;
-                                                                            phi_2704_ = _e2144;
-                                                                            phi_2705_ = _e2146;
-                                                                            phi_2706_ = _e2148;
+                                                                            let _e2138 = phi_2695_;
+                                                                            let _e2140 = phi_2696_;
+                                                                            let _e2142 = phi_2697_;
+                                                                            phi_2698_ = _e2138;
+                                                                            phi_2699_ = _e2140;
+                                                                            phi_2700_ = _e2142;
                                                                         } else {
-                                                                            phi_2704_ = f32();
-                                                                            phi_2705_ = true;
-                                                                            phi_2706_ = false;
+                                                                            phi_2698_ = f32();
+                                                                            phi_2699_ = true;
+                                                                            phi_2700_ = false;
+                                                                        }
+                                                                        let _e2144 = phi_2698_;
+                                                                        let _e2146 = phi_2699_;
+                                                                        let _e2148 = phi_2700_;
+                                                                        if _e2146 {
+                                                                            phi_2704_ = false;
+                                                                        } else {
+                                                                            phi_2704_ = _e2148;
                                                                         }
                                                                         let _e2150 = phi_2704_;
-                                                                        let _e2152 = phi_2705_;
-                                                                        let _e2154 = phi_2706_;
-                                                                        if _e2152 {
-                                                                            phi_2710_ = false;
-                                                                        } else {
-                                                                            phi_2710_ = _e2154;
-                                                                        }
-                                                                        let _e2156 = phi_2710_;
-                                                                        phi_2711_ = _e2150;
-                                                                        phi_2712_ = _e2156;
+                                                                        phi_2705_ = _e2144;
+                                                                        phi_2706_ = _e2150;
                                                                     } else {
-                                                                        phi_2711_ = _e2135;
-                                                                        phi_2712_ = true;
+                                                                        phi_2705_ = _e2129;
+                                                                        phi_2706_ = true;
                                                                     }
-                                                                    let _e2158 = phi_2711_;
-                                                                    let _e2160 = phi_2712_;
-                                                                    if _e2160 {
-                                                                        let _e2161 = (_e2158 == 0f);
-                                                                        if _e2161 {
-                                                                            phi_2925_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2926_ = false;
+                                                                    let _e2152 = phi_2705_;
+                                                                    let _e2154 = phi_2706_;
+                                                                    if _e2154 {
+                                                                        let _e2155 = (_e2152 == 0f);
+                                                                        if _e2155 {
+                                                                            phi_3022_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3023_ = false;
                                                                         } else {
-                                                                            let _e2167 = ((((_e2078 * (_e1369 * _e1991.z)) + (_e2099 * (_e1369 * _e2019.z))) + (_e2120 * (_e1369 * _e2047.z))) / _e2158);
-                                                                            if (_e2167 > _e157.tmin) {
-                                                                                if (_e2167 < _e157.tmax) {
-                                                                                    let _e2171 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2173 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2171.x < _e2173.x) {
-                                                                                        phi_2746_ = _e2171.x;
-                                                                                    } else {
-                                                                                        phi_2746_ = _e2173.x;
-                                                                                    }
-                                                                                    let _e2180 = phi_2746_;
-                                                                                    if (_e2171.y < _e2173.y) {
-                                                                                        phi_2755_ = _e2171.y;
-                                                                                    } else {
-                                                                                        phi_2755_ = _e2173.y;
-                                                                                    }
-                                                                                    let _e2187 = phi_2755_;
-                                                                                    if (_e2171.z < _e2173.z) {
-                                                                                        phi_2764_ = _e2171.z;
-                                                                                    } else {
-                                                                                        phi_2764_ = _e2173.z;
-                                                                                    }
-                                                                                    let _e2194 = phi_2764_;
-                                                                                    let _e2196 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2180 < _e2196.x) {
-                                                                                        phi_2773_ = _e2180;
-                                                                                    } else {
-                                                                                        phi_2773_ = _e2196.x;
-                                                                                    }
-                                                                                    let _e2201 = phi_2773_;
-                                                                                    if (_e2187 < _e2196.y) {
-                                                                                        phi_2780_ = _e2187;
-                                                                                    } else {
-                                                                                        phi_2780_ = _e2196.y;
-                                                                                    }
-                                                                                    let _e2206 = phi_2780_;
-                                                                                    if (_e2194 < _e2196.z) {
-                                                                                        phi_2787_ = _e2194;
-                                                                                    } else {
-                                                                                        phi_2787_ = _e2196.z;
-                                                                                    }
-                                                                                    let _e2211 = phi_2787_;
-                                                                                    let _e2213 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2215 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2213.x > _e2215.x) {
-                                                                                        phi_2800_ = _e2213.x;
-                                                                                    } else {
-                                                                                        phi_2800_ = _e2215.x;
-                                                                                    }
-                                                                                    let _e2222 = phi_2800_;
-                                                                                    if (_e2213.y > _e2215.y) {
-                                                                                        phi_2809_ = _e2213.y;
-                                                                                    } else {
-                                                                                        phi_2809_ = _e2215.y;
-                                                                                    }
-                                                                                    let _e2229 = phi_2809_;
-                                                                                    if (_e2213.z > _e2215.z) {
-                                                                                        phi_2818_ = _e2213.z;
-                                                                                    } else {
-                                                                                        phi_2818_ = _e2215.z;
-                                                                                    }
-                                                                                    let _e2236 = phi_2818_;
-                                                                                    let _e2238 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2222 > _e2238.x) {
-                                                                                        phi_2827_ = _e2222;
-                                                                                    } else {
-                                                                                        phi_2827_ = _e2238.x;
-                                                                                    }
-                                                                                    let _e2243 = phi_2827_;
-                                                                                    if (_e2229 > _e2238.y) {
-                                                                                        phi_2834_ = _e2229;
-                                                                                    } else {
-                                                                                        phi_2834_ = _e2238.y;
-                                                                                    }
-                                                                                    let _e2248 = phi_2834_;
-                                                                                    if (_e2236 > _e2238.z) {
-                                                                                        phi_2841_ = _e2236;
-                                                                                    } else {
-                                                                                        phi_2841_ = _e2238.z;
-                                                                                    }
-                                                                                    let _e2253 = phi_2841_;
-                                                                                    let _e2257 = ((_e2201 - _e1067) * _e1282);
-                                                                                    let _e2258 = ((_e2206 - _e1080) * _e1292);
-                                                                                    let _e2259 = ((_e2211 - _e1093) * _e1302);
-                                                                                    let _e2263 = ((_e2243 - _e1067) * _e1282);
-                                                                                    let _e2264 = ((_e2248 - _e1080) * _e1292);
-                                                                                    let _e2265 = ((_e2253 - _e1093) * _e1302);
-                                                                                    if (_e2257 < _e2263) {
-                                                                                        phi_2858_ = _e2257;
-                                                                                    } else {
-                                                                                        phi_2858_ = _e2263;
-                                                                                    }
-                                                                                    let _e2268 = phi_2858_;
-                                                                                    if (_e2258 < _e2264) {
-                                                                                        phi_2863_ = _e2258;
-                                                                                    } else {
-                                                                                        phi_2863_ = _e2264;
-                                                                                    }
-                                                                                    let _e2271 = phi_2863_;
-                                                                                    if (_e2259 < _e2265) {
-                                                                                        phi_2868_ = _e2259;
-                                                                                    } else {
-                                                                                        phi_2868_ = _e2265;
-                                                                                    }
-                                                                                    let _e2274 = phi_2868_;
-                                                                                    if (_e2257 > _e2263) {
-                                                                                        phi_2876_ = _e2257;
-                                                                                    } else {
-                                                                                        phi_2876_ = _e2263;
-                                                                                    }
-                                                                                    let _e2280 = phi_2876_;
-                                                                                    if (_e2258 > _e2264) {
-                                                                                        phi_2881_ = _e2258;
-                                                                                    } else {
-                                                                                        phi_2881_ = _e2264;
-                                                                                    }
-                                                                                    let _e2283 = phi_2881_;
-                                                                                    if (_e2259 > _e2265) {
-                                                                                        phi_2886_ = _e2259;
-                                                                                    } else {
-                                                                                        phi_2886_ = _e2265;
-                                                                                    }
-                                                                                    let _e2286 = phi_2886_;
-                                                                                    let _e2290 = core_intrinsics_maximum_number_nsz_f32_((_e2268 - _e1337), (_e2271 - _e1338));
-                                                                                    let _e2291 = core_intrinsics_maximum_number_nsz_f32_(_e2290, (_e2274 - _e1339));
-                                                                                    let _e2292 = core_intrinsics_minimum_number_nsz_f32_((_e2280 + _e1337), (_e2283 + _e1338));
-                                                                                    let _e2293 = core_intrinsics_minimum_number_nsz_f32_(_e2292, (_e2286 + _e1339));
-                                                                                    if (_e2291 > _e1042) {
-                                                                                        phi_2898_ = _e2291;
-                                                                                    } else {
-                                                                                        phi_2898_ = _e1042;
-                                                                                    }
-                                                                                    let _e2296 = phi_2898_;
-                                                                                    if (_e2293 < _e1044) {
-                                                                                        phi_2903_ = _e2293;
-                                                                                    } else {
-                                                                                        phi_2903_ = _e1044;
-                                                                                    }
-                                                                                    let _e2299 = phi_2903_;
-                                                                                    if (_e2167 < _e2296) {
-                                                                                        phi_2908_ = _e2296;
-                                                                                    } else {
-                                                                                        phi_2908_ = _e2167;
-                                                                                    }
-                                                                                    let _e2302 = phi_2908_;
-                                                                                    if (_e2302 > _e2299) {
-                                                                                        phi_2913_ = _e2299;
-                                                                                    } else {
-                                                                                        phi_2913_ = _e2302;
-                                                                                    }
-                                                                                    let _e2305 = phi_2913_;
-                                                                                    phi_2918_ = lt_bvh_triangle_Intersection(_e2305, (_e2099 / _e2158), (_e2120 / _e2158), (_e2296 <= _e2299));
-                                                                                    phi_2919_ = false;
+                                                                            let _e2157 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2159 = (_e2157.x - _e1067);
+                                                                            let _e2161 = (_e2157.y - _e1080);
+                                                                            let _e2163 = (_e2157.z - _e1093);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2735_ = vec3<f32>(_e2161, _e2163, _e2159);
+                                                                            } else {
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2734_ = vec3<f32>(_e2163, _e2159, _e2161);
                                                                                 } else {
-                                                                                    phi_2918_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2919_ = true;
+                                                                                    phi_2734_ = (_e2157 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                                 }
-                                                                                let _e2311 = phi_2918_;
-                                                                                let _e2313 = phi_2919_;
-                                                                                phi_2920_ = _e2311;
-                                                                                phi_2921_ = _e2313;
+                                                                                let _e2171 = phi_2734_;
+                                                                                phi_2735_ = _e2171;
+                                                                            }
+                                                                            let _e2173 = phi_2735_;
+                                                                            let _e2175 = triangles.member[(0u + _e1968)].v1_;
+                                                                            let _e2177 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2180 = (_e2175.x - _e2177.x);
+                                                                            let _e2183 = (_e2175.y - _e2177.y);
+                                                                            let _e2186 = (_e2175.z - _e2177.z);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2761_ = vec3<f32>(_e2183, _e2186, _e2180);
                                                                             } else {
-                                                                                phi_2920_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2921_ = true;
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2760_ = vec3<f32>(_e2186, _e2180, _e2183);
+                                                                                } else {
+                                                                                    phi_2760_ = (_e2175 - _e2177);
+                                                                                }
+                                                                                let _e2193 = phi_2760_;
+                                                                                phi_2761_ = _e2193;
                                                                             }
-                                                                            let _e2315 = phi_2920_;
-                                                                            let _e2317 = phi_2921_;
-                                                                            if _e2317 {
+                                                                            let _e2195 = phi_2761_;
+                                                                            let _e2197 = triangles.member[(0u + _e1968)].v2_;
+                                                                            let _e2199 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2202 = (_e2197.x - _e2199.x);
+                                                                            let _e2205 = (_e2197.y - _e2199.y);
+                                                                            let _e2208 = (_e2197.z - _e2199.z);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2787_ = vec3<f32>(_e2205, _e2208, _e2202);
+                                                                            } else {
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2786_ = vec3<f32>(_e2208, _e2202, _e2205);
+                                                                                } else {
+                                                                                    phi_2786_ = (_e2197 - _e2199);
+                                                                                }
+                                                                                let _e2215 = phi_2786_;
+                                                                                phi_2787_ = _e2215;
                                                                             }
-                                                                            phi_2925_ = _e2315;
-                                                                            phi_2926_ = _e2317;
+                                                                            let _e2217 = phi_2787_;
+                                                                            let _e2224 = ((_e2195.y * _e2217.z) - (_e2195.z * _e2217.y));
+                                                                            let _e2231 = ((_e2195.z * _e2217.x) - (_e2195.x * _e2217.z));
+                                                                            let _e2238 = ((_e2195.x * _e2217.y) - (_e2195.y * _e2217.x));
+                                                                            let _e2252 = (((1f / _e1361.z) * (((_e2224 * _e2173.x) + (_e2231 * _e2173.y)) + (_e2238 * _e2173.z))) / (((_e2224 * _e1364) + (_e2231 * _e1367)) + _e2238));
+                                                                            if (_e2252 > _e157.tmin) {
+                                                                                if (_e2252 < _e157.tmax) {
+                                                                                    let _e2256 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2258 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2256.x < _e2258.x) {
+                                                                                        phi_2843_ = _e2256.x;
+                                                                                    } else {
+                                                                                        phi_2843_ = _e2258.x;
+                                                                                    }
+                                                                                    let _e2265 = phi_2843_;
+                                                                                    if (_e2256.y < _e2258.y) {
+                                                                                        phi_2852_ = _e2256.y;
+                                                                                    } else {
+                                                                                        phi_2852_ = _e2258.y;
+                                                                                    }
+                                                                                    let _e2272 = phi_2852_;
+                                                                                    if (_e2256.z < _e2258.z) {
+                                                                                        phi_2861_ = _e2256.z;
+                                                                                    } else {
+                                                                                        phi_2861_ = _e2258.z;
+                                                                                    }
+                                                                                    let _e2279 = phi_2861_;
+                                                                                    let _e2281 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2265 < _e2281.x) {
+                                                                                        phi_2870_ = _e2265;
+                                                                                    } else {
+                                                                                        phi_2870_ = _e2281.x;
+                                                                                    }
+                                                                                    let _e2286 = phi_2870_;
+                                                                                    if (_e2272 < _e2281.y) {
+                                                                                        phi_2877_ = _e2272;
+                                                                                    } else {
+                                                                                        phi_2877_ = _e2281.y;
+                                                                                    }
+                                                                                    let _e2291 = phi_2877_;
+                                                                                    if (_e2279 < _e2281.z) {
+                                                                                        phi_2884_ = _e2279;
+                                                                                    } else {
+                                                                                        phi_2884_ = _e2281.z;
+                                                                                    }
+                                                                                    let _e2296 = phi_2884_;
+                                                                                    let _e2298 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2300 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2298.x > _e2300.x) {
+                                                                                        phi_2897_ = _e2298.x;
+                                                                                    } else {
+                                                                                        phi_2897_ = _e2300.x;
+                                                                                    }
+                                                                                    let _e2307 = phi_2897_;
+                                                                                    if (_e2298.y > _e2300.y) {
+                                                                                        phi_2906_ = _e2298.y;
+                                                                                    } else {
+                                                                                        phi_2906_ = _e2300.y;
+                                                                                    }
+                                                                                    let _e2314 = phi_2906_;
+                                                                                    if (_e2298.z > _e2300.z) {
+                                                                                        phi_2915_ = _e2298.z;
+                                                                                    } else {
+                                                                                        phi_2915_ = _e2300.z;
+                                                                                    }
+                                                                                    let _e2321 = phi_2915_;
+                                                                                    let _e2323 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2307 > _e2323.x) {
+                                                                                        phi_2924_ = _e2307;
+                                                                                    } else {
+                                                                                        phi_2924_ = _e2323.x;
+                                                                                    }
+                                                                                    let _e2328 = phi_2924_;
+                                                                                    if (_e2314 > _e2323.y) {
+                                                                                        phi_2931_ = _e2314;
+                                                                                    } else {
+                                                                                        phi_2931_ = _e2323.y;
+                                                                                    }
+                                                                                    let _e2333 = phi_2931_;
+                                                                                    if (_e2321 > _e2323.z) {
+                                                                                        phi_2938_ = _e2321;
+                                                                                    } else {
+                                                                                        phi_2938_ = _e2323.z;
+                                                                                    }
+                                                                                    let _e2338 = phi_2938_;
+                                                                                    let _e2342 = ((_e2286 - _e1067) * _e1282);
+                                                                                    let _e2343 = ((_e2291 - _e1080) * _e1292);
+                                                                                    let _e2344 = ((_e2296 - _e1093) * _e1302);
+                                                                                    let _e2348 = ((_e2328 - _e1067) * _e1282);
+                                                                                    let _e2349 = ((_e2333 - _e1080) * _e1292);
+                                                                                    let _e2350 = ((_e2338 - _e1093) * _e1302);
+                                                                                    if (_e2342 < _e2348) {
+                                                                                        phi_2955_ = _e2342;
+                                                                                    } else {
+                                                                                        phi_2955_ = _e2348;
+                                                                                    }
+                                                                                    let _e2353 = phi_2955_;
+                                                                                    if (_e2343 < _e2349) {
+                                                                                        phi_2960_ = _e2343;
+                                                                                    } else {
+                                                                                        phi_2960_ = _e2349;
+                                                                                    }
+                                                                                    let _e2356 = phi_2960_;
+                                                                                    if (_e2344 < _e2350) {
+                                                                                        phi_2965_ = _e2344;
+                                                                                    } else {
+                                                                                        phi_2965_ = _e2350;
+                                                                                    }
+                                                                                    let _e2359 = phi_2965_;
+                                                                                    if (_e2342 > _e2348) {
+                                                                                        phi_2973_ = _e2342;
+                                                                                    } else {
+                                                                                        phi_2973_ = _e2348;
+                                                                                    }
+                                                                                    let _e2365 = phi_2973_;
+                                                                                    if (_e2343 > _e2349) {
+                                                                                        phi_2978_ = _e2343;
+                                                                                    } else {
+                                                                                        phi_2978_ = _e2349;
+                                                                                    }
+                                                                                    let _e2368 = phi_2978_;
+                                                                                    if (_e2344 > _e2350) {
+                                                                                        phi_2983_ = _e2344;
+                                                                                    } else {
+                                                                                        phi_2983_ = _e2350;
+                                                                                    }
+                                                                                    let _e2371 = phi_2983_;
+                                                                                    let _e2375 = core_intrinsics_maximum_number_nsz_f32_((_e2353 - _e1337), (_e2356 - _e1338));
+                                                                                    let _e2376 = core_intrinsics_maximum_number_nsz_f32_(_e2375, (_e2359 - _e1339));
+                                                                                    let _e2377 = core_intrinsics_minimum_number_nsz_f32_((_e2365 + _e1337), (_e2368 + _e1338));
+                                                                                    let _e2378 = core_intrinsics_minimum_number_nsz_f32_(_e2377, (_e2371 + _e1339));
+                                                                                    if (_e2376 > _e1042) {
+                                                                                        phi_2995_ = _e2376;
+                                                                                    } else {
+                                                                                        phi_2995_ = _e1042;
+                                                                                    }
+                                                                                    let _e2381 = phi_2995_;
+                                                                                    if (_e2378 < _e1044) {
+                                                                                        phi_3000_ = _e2378;
+                                                                                    } else {
+                                                                                        phi_3000_ = _e1044;
+                                                                                    }
+                                                                                    let _e2384 = phi_3000_;
+                                                                                    if (_e2252 < _e2381) {
+                                                                                        phi_3005_ = _e2381;
+                                                                                    } else {
+                                                                                        phi_3005_ = _e2252;
+                                                                                    }
+                                                                                    let _e2387 = phi_3005_;
+                                                                                    if (_e2387 > _e2384) {
+                                                                                        phi_3010_ = _e2384;
+                                                                                    } else {
+                                                                                        phi_3010_ = _e2387;
+                                                                                    }
+                                                                                    let _e2390 = phi_3010_;
+                                                                                    phi_3015_ = lt_bvh_triangle_Intersection(_e2390, (_e2093 / _e2152), (_e2114 / _e2152), (_e2381 <= _e2384));
+                                                                                    phi_3016_ = false;
+                                                                                } else {
+                                                                                    phi_3015_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3016_ = true;
+                                                                                }
+                                                                                let _e2396 = phi_3015_;
+                                                                                let _e2398 = phi_3016_;
+                                                                                phi_3017_ = _e2396;
+                                                                                phi_3018_ = _e2398;
+                                                                            } else {
+                                                                                phi_3017_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3018_ = true;
+                                                                            }
+                                                                            let _e2400 = phi_3017_;
+                                                                            let _e2402 = phi_3018_;
+                                                                            if _e2402 {
+                                                                            }
+                                                                            phi_3022_ = _e2400;
+                                                                            phi_3023_ = _e2402;
                                                                         }
-                                                                        let _e2319 = phi_2925_;
-                                                                        let _e2321 = phi_2926_;
-                                                                        phi_2927_ = _e2319;
-                                                                        phi_2928_ = _e2161;
-                                                                        phi_2929_ = _e2321;
+                                                                        let _e2404 = phi_3022_;
+                                                                        let _e2406 = phi_3023_;
+                                                                        phi_3024_ = _e2404;
+                                                                        phi_3025_ = _e2155;
+                                                                        phi_3026_ = _e2406;
                                                                     } else {
-                                                                        phi_2927_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2928_ = true;
-                                                                        phi_2929_ = false;
+                                                                        phi_3024_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3025_ = true;
+                                                                        phi_3026_ = false;
                                                                     }
-                                                                    let _e2323 = phi_2927_;
-                                                                    let _e2325 = phi_2928_;
-                                                                    let _e2327 = phi_2929_;
-                                                                    if _e2325 {
-                                                                        phi_2933_ = true;
+                                                                    let _e2408 = phi_3024_;
+                                                                    let _e2410 = phi_3025_;
+                                                                    let _e2412 = phi_3026_;
+                                                                    if _e2410 {
+                                                                        phi_3030_ = true;
                                                                     } else {
-                                                                        phi_2933_ = _e2327;
+                                                                        phi_3030_ = _e2412;
                                                                     }
-                                                                    let _e2329 = phi_2933_;
-                                                                    if _e2329 {
-                                                                        phi_2937_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2414 = phi_3030_;
+                                                                    if _e2414 {
+                                                                        phi_3034_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2937_ = _e2323;
+                                                                        phi_3034_ = _e2408;
                                                                     }
-                                                                    let _e2331 = phi_2937_;
-                                                                    if _e2331.is_hit {
-                                                                        if (_e2331.t > _e157.tmin) {
-                                                                            if (_e2331.t < _e1957.t) {
-                                                                                phi_2985_ = true;
+                                                                    let _e2416 = phi_3034_;
+                                                                    if _e2416.is_hit {
+                                                                        if (_e2416.t > _e157.tmin) {
+                                                                            if (_e2416.t < _e1957.t) {
+                                                                                phi_3082_ = true;
                                                                             } else {
-                                                                                if (_e2331.t == _e1957.t) {
+                                                                                if (_e2416.t == _e1957.t) {
                                                                                     if (_e1957.triangle != 4294967295u) {
                                                                                         if (_e1968 < _e1957.triangle) {
-                                                                                            phi_2976_ = true;
+                                                                                            phi_3073_ = true;
                                                                                         } else {
                                                                                             if (_e1968 == _e1957.triangle) {
-                                                                                                phi_2975_ = (_e983 < _e1957.instance);
+                                                                                                phi_3072_ = (_e983 < _e1957.instance);
                                                                                             } else {
-                                                                                                phi_2975_ = false;
+                                                                                                phi_3072_ = false;
                                                                                             }
-                                                                                            let _e2349 = phi_2975_;
-                                                                                            phi_2976_ = _e2349;
+                                                                                            let _e2434 = phi_3072_;
+                                                                                            phi_3073_ = _e2434;
                                                                                         }
-                                                                                        let _e2351 = phi_2976_;
-                                                                                        phi_2977_ = _e2351;
-                                                                                        phi_2978_ = false;
+                                                                                        let _e2436 = phi_3073_;
+                                                                                        phi_3074_ = _e2436;
+                                                                                        phi_3075_ = false;
                                                                                     } else {
-                                                                                        phi_2977_ = bool();
-                                                                                        phi_2978_ = true;
+                                                                                        phi_3074_ = bool();
+                                                                                        phi_3075_ = true;
                                                                                     }
-                                                                                    let _e2353 = phi_2977_;
-                                                                                    let _e2355 = phi_2978_;
-                                                                                    phi_2979_ = _e2353;
-                                                                                    phi_2980_ = _e2355;
+                                                                                    let _e2438 = phi_3074_;
+                                                                                    let _e2440 = phi_3075_;
+                                                                                    phi_3076_ = _e2438;
+                                                                                    phi_3077_ = _e2440;
                                                                                 } else {
-                                                                                    phi_2979_ = bool();
-                                                                                    phi_2980_ = true;
+                                                                                    phi_3076_ = bool();
+                                                                                    phi_3077_ = true;
                                                                                 }
-                                                                                let _e2357 = phi_2979_;
-                                                                                let _e2359 = phi_2980_;
-                                                                                if _e2359 {
-                                                                                    phi_2984_ = false;
+                                                                                let _e2442 = phi_3076_;
+                                                                                let _e2444 = phi_3077_;
+                                                                                if _e2444 {
+                                                                                    phi_3081_ = false;
                                                                                 } else {
-                                                                                    phi_2984_ = _e2357;
+                                                                                    phi_3081_ = _e2442;
                                                                                 }
-                                                                                let _e2361 = phi_2984_;
-                                                                                phi_2985_ = _e2361;
+                                                                                let _e2446 = phi_3081_;
+                                                                                phi_3082_ = _e2446;
                                                                             }
-                                                                            let _e2363 = phi_2985_;
-                                                                            if _e2363 {
-                                                                                let _e2365 = triangles.member[(0u + _e1968)].i0_;
-                                                                                if ((_e2365 & 2147483648u) == 0u) {
-                                                                                    phi_3196_ = true;
+                                                                            let _e2448 = phi_3082_;
+                                                                            if _e2448 {
+                                                                                let _e2450 = triangles.member[(0u + _e1968)].i0_;
+                                                                                if ((_e2450 & 2147483648u) == 0u) {
+                                                                                    phi_3293_ = true;
                                                                                 } else {
                                                                                     if (_e1968 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2374 = triangles.member[(0u + _e1968)].i0_;
-                                                                                    let _e2375 = (_e2374 & 2147483647u);
-                                                                                    let _e2377 = triangles.member[(0u + _e1968)].i1_;
-                                                                                    let _e2379 = triangles.member[(0u + _e1968)].i2_;
-                                                                                    if (_e2375 < _e82) {
+                                                                                    let _e2459 = triangles.member[(0u + _e1968)].i0_;
+                                                                                    let _e2460 = (_e2459 & 2147483647u);
+                                                                                    let _e2462 = triangles.member[(0u + _e1968)].i1_;
+                                                                                    let _e2464 = triangles.member[(0u + _e1968)].i2_;
+                                                                                    if (_e2460 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2383 = vertices.member[(0u + _e2375)];
-                                                                                    if (_e2377 < _e82) {
+                                                                                    let _e2468 = vertices.member[(0u + _e2460)];
+                                                                                    if (_e2462 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2387 = vertices.member[(0u + _e2377)];
-                                                                                    if (_e2379 < _e82) {
+                                                                                    let _e2472 = vertices.member[(0u + _e2462)];
+                                                                                    if (_e2464 < _e82) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2391 = vertices.member[(0u + _e2379)];
-                                                                                    let _e2392 = array<abi_Vertex, 3>(_e2383, _e2387, _e2391);
-                                                                                    if (_e2392[0].material < _e85) {
+                                                                                    let _e2476 = vertices.member[(0u + _e2464)];
+                                                                                    let _e2477 = array<abi_Vertex, 3>(_e2468, _e2472, _e2476);
+                                                                                    if (_e2477[0].material < _e85) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2398 = materials.member[(0u + _e2392[0].material)];
-                                                                                    if ((_e2398.flags & 0u) == 0u) {
-                                                                                        let _e2403 = ((1f - _e2331.u) - _e2331.v);
-                                                                                        if (_e2398.cutoff <= 0f) {
-                                                                                            phi_3191_ = true;
+                                                                                    let _e2483 = materials.member[(0u + _e2477[0].material)];
+                                                                                    if ((_e2483.flags & 0u) == 0u) {
+                                                                                        let _e2488 = ((1f - _e2416.u) - _e2416.v);
+                                                                                        if (_e2483.cutoff <= 0f) {
+                                                                                            phi_3288_ = true;
                                                                                         } else {
-                                                                                            let _e2430 = (_e2398.base_color.w * ((((f32((_e2392[0].color >> bitcast<u32>(24i))) * _e2403) + (f32((_e2392[1].color >> bitcast<u32>(24i))) * _e2331.u)) + (f32((_e2392[2].color >> bitcast<u32>(24i))) * _e2331.v)) * (1f / 255f)));
-                                                                                            if (_e2398.alpha_size == 0u) {
-                                                                                                phi_3188_ = _e2430;
+                                                                                            let _e2515 = (_e2483.base_color.w * ((((f32((_e2477[0].color >> bitcast<u32>(24i))) * _e2488) + (f32((_e2477[1].color >> bitcast<u32>(24i))) * _e2416.u)) + (f32((_e2477[2].color >> bitcast<u32>(24i))) * _e2416.v)) * (1f / 255f)));
+                                                                                            if (_e2483.alpha_size == 0u) {
+                                                                                                phi_3285_ = _e2515;
                                                                                             } else {
-                                                                                                local.offset = _e2398.alpha_offset;
-                                                                                                local.size = _e2398.alpha_size;
-                                                                                                local.flags = _e2398.flags;
-                                                                                                let _e2461 = _lt_shaders_texture_TextureView_quad((&local), (((_e2392[0].u * _e2403) + (_e2392[1].u * _e2331.u)) + (_e2392[2].u * _e2331.v)), (((_e2392[0].v * _e2403) + (_e2392[1].v * _e2331.u)) + (_e2392[2].v * _e2331.v)));
-                                                                                                let _e2465 = (_e2461.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2465 < _e94) {
+                                                                                                local.offset = _e2483.alpha_offset;
+                                                                                                local.size = _e2483.alpha_size;
+                                                                                                local.flags = _e2483.flags;
+                                                                                                let _e2546 = _lt_shaders_texture_TextureView_quad((&local), (((_e2477[0].u * _e2488) + (_e2477[1].u * _e2416.u)) + (_e2477[2].u * _e2416.v)), (((_e2477[0].v * _e2488) + (_e2477[1].v * _e2416.u)) + (_e2477[2].v * _e2416.v)));
+                                                                                                let _e2550 = (_e2546.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2550 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2469 = alpha_texels.member[(0u + _e2465)];
-                                                                                                let _e2485 = (_e2461.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2485 < _e94) {
+                                                                                                let _e2554 = alpha_texels.member[(0u + _e2550)];
+                                                                                                let _e2570 = (_e2546.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2570 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2489 = alpha_texels.member[(0u + _e2485)];
-                                                                                                let _e2506 = (_e2461.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2506 < _e94) {
+                                                                                                let _e2574 = alpha_texels.member[(0u + _e2570)];
+                                                                                                let _e2591 = (_e2546.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2591 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2510 = alpha_texels.member[(0u + _e2506)];
-                                                                                                let _e2527 = (_e2461.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2527 < _e94) {
+                                                                                                let _e2595 = alpha_texels.member[(0u + _e2591)];
+                                                                                                let _e2612 = (_e2546.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2612 < _e94) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2531 = alpha_texels.member[(0u + _e2527)];
-                                                                                                phi_3188_ = (_e2430 * (((((f32(((_e2469 >> bitcast<u32>((((_e2461.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.x) + ((f32(((_e2489 >> bitcast<u32>((((_e2461.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.y)) + ((f32(((_e2510 >> bitcast<u32>((((_e2461.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.z)) + ((f32(((_e2531 >> bitcast<u32>((((_e2461.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2461.weights.w)));
+                                                                                                let _e2616 = alpha_texels.member[(0u + _e2612)];
+                                                                                                phi_3285_ = (_e2515 * (((((f32(((_e2554 >> bitcast<u32>((((_e2546.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.x) + ((f32(((_e2574 >> bitcast<u32>((((_e2546.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.y)) + ((f32(((_e2595 >> bitcast<u32>((((_e2546.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.z)) + ((f32(((_e2616 >> bitcast<u32>((((_e2546.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2546.weights.w)));
                                                                                             }
-                                                                                            let _e2547 = phi_3188_;
-                                                                                            phi_3191_ = (_e2547 >= _e2398.cutoff);
+                                                                                            let _e2632 = phi_3285_;
+                                                                                            phi_3288_ = (_e2632 >= _e2483.cutoff);
                                                                                         }
-                                                                                        let _e2551 = phi_3191_;
-                                                                                        phi_3192_ = _e2551;
+                                                                                        let _e2636 = phi_3288_;
+                                                                                        phi_3289_ = _e2636;
                                                                                     } else {
-                                                                                        phi_3192_ = false;
+                                                                                        phi_3289_ = false;
                                                                                     }
-                                                                                    let _e2553 = phi_3192_;
-                                                                                    if _e2553 {
+                                                                                    let _e2638 = phi_3289_;
+                                                                                    if _e2638 {
                                                                                     }
-                                                                                    phi_3196_ = _e2553;
+                                                                                    phi_3293_ = _e2638;
                                                                                 }
-                                                                                let _e2555 = phi_3196_;
-                                                                                if _e2555 {
-                                                                                    phi_3204_ = lt_bvh_Hit(_e2331.t, _e2331.u, _e2331.v, _e1968, _e983);
+                                                                                let _e2640 = phi_3293_;
+                                                                                if _e2640 {
+                                                                                    phi_3301_ = lt_bvh_Hit(_e2416.t, _e2416.u, _e2416.v, _e1968, _e983);
                                                                                 } else {
-                                                                                    phi_3204_ = _e1957;
+                                                                                    phi_3301_ = _e1957;
                                                                                 }
-                                                                                let _e2561 = phi_3204_;
-                                                                                phi_3205_ = _e2561;
+                                                                                let _e2646 = phi_3301_;
+                                                                                phi_3302_ = _e2646;
                                                                             } else {
-                                                                                phi_3205_ = _e1957;
+                                                                                phi_3302_ = _e1957;
                                                                             }
-                                                                            let _e2563 = phi_3205_;
-                                                                            phi_3206_ = _e2563;
+                                                                            let _e2648 = phi_3302_;
+                                                                            phi_3303_ = _e2648;
                                                                         } else {
-                                                                            phi_3206_ = _e1957;
+                                                                            phi_3303_ = _e1957;
                                                                         }
-                                                                        let _e2565 = phi_3206_;
-                                                                        phi_3207_ = _e2565;
+                                                                        let _e2650 = phi_3303_;
+                                                                        phi_3304_ = _e2650;
                                                                     } else {
-                                                                        phi_3207_ = _e1957;
+                                                                        phi_3304_ = _e1957;
                                                                     }
-                                                                    let _e2567 = phi_3207_;
-                                                                    phi_2464_ = _e2567;
+                                                                    let _e2652 = phi_3304_;
+                                                                    phi_2464_ = _e2652;
                                                                     phi_2467_ = (_e1959 & (_e1959 - 1u));
-                                                                    phi_3208_ = true;
+                                                                    phi_3305_ = true;
                                                                 }
-                                                                let _e2569 = phi_2464_;
-                                                                let _e2571 = phi_2467_;
-                                                                let _e2573 = phi_3208_;
+                                                                let _e2654 = phi_2464_;
+                                                                let _e2656 = phi_2467_;
+                                                                let _e2658 = phi_3305_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2463_ = _e2569;
-                                                                    phi_2466_ = _e2571;
-                                                                    break if !(_e2573);
+                                                                    phi_2463_ = _e2654;
+                                                                    phi_2466_ = _e2656;
+                                                                    break if !(_e2658);
                                                                 }
                                                             }
-                                                            let _e2576 = local_1.group_mask;
-                                                            if ((_e2576 & 4278190080u) == 0u) {
-                                                                let _e2580 = local_1.len;
-                                                                if (_e2580 == 0u) {
-                                                                    phi_3247_ = false;
+                                                            let _e2661 = local_1.group_mask;
+                                                            if ((_e2661 & 4278190080u) == 0u) {
+                                                                let _e2665 = local_1.len;
+                                                                if (_e2665 == 0u) {
+                                                                    phi_3344_ = false;
                                                                 } else {
-                                                                    let _e2584 = local_1.len;
-                                                                    local_1.len = (_e2584 - 1u);
-                                                                    let _e2587 = local_1.len;
-                                                                    if (_e2587 < 32u) {
+                                                                    let _e2669 = local_1.len;
+                                                                    local_1.len = (_e2669 - 1u);
+                                                                    let _e2672 = local_1.len;
+                                                                    if (_e2672 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2592 = local_1.first[(0u + _e2587)];
-                                                                    local_1.group = _e2592;
-                                                                    let _e2595 = local_1.len;
-                                                                    if (_e2595 < 32u) {
+                                                                    let _e2677 = local_1.first[(0u + _e2672)];
+                                                                    local_1.group = _e2677;
+                                                                    let _e2680 = local_1.len;
+                                                                    if (_e2680 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2600 = local_1.mask[(0u + _e2595)];
-                                                                    local_1.group_mask = _e2600;
-                                                                    phi_3247_ = true;
+                                                                    let _e2685 = local_1.mask[(0u + _e2680)];
+                                                                    local_1.group_mask = _e2685;
+                                                                    phi_3344_ = true;
                                                                 }
-                                                                let _e2603 = phi_3247_;
-                                                                phi_3248_ = _e2603;
+                                                                let _e2688 = phi_3344_;
+                                                                phi_3345_ = _e2688;
                                                             } else {
-                                                                phi_3248_ = true;
+                                                                phi_3345_ = true;
                                                             }
-                                                            let _e2605 = phi_3248_;
-                                                            if _e2605 {
-                                                                let _e2607 = local_1.group_mask;
-                                                                let _e2613 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2607)), 32u, (_e2607 == 0u)));
-                                                                let _e2617 = local_1.group_mask;
-                                                                let _e2631 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2631 & ~((1u << bitcast<u32>((_e2613 & 31u)))));
-                                                                let _e2634 = local_1.group;
-                                                                phi_3279_ = (_e2634 + countOneBits(((_e2617 & ~((4294967295u << bitcast<u32>((((_e2613 - 24u) ^ _e1380) & 31u))))) & 255u)));
+                                                            let _e2690 = phi_3345_;
+                                                            if _e2690 {
+                                                                let _e2692 = local_1.group_mask;
+                                                                let _e2698 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2692)), 32u, (_e2692 == 0u)));
+                                                                let _e2702 = local_1.group_mask;
+                                                                let _e2716 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2716 & ~((1u << bitcast<u32>((_e2698 & 31u)))));
+                                                                let _e2719 = local_1.group;
+                                                                phi_3376_ = (_e2719 + countOneBits(((_e2702 & ~((4294967295u << bitcast<u32>((((_e2698 - 24u) ^ _e1380) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3279_ = 4294967295u;
+                                                                phi_3376_ = 4294967295u;
                                                             }
-                                                            let _e2637 = phi_3279_;
-                                                            let _e3620 = local_9;
-                                                            phi_2131_ = _e3620;
-                                                            phi_2134_ = _e2637;
+                                                            let _e2722 = phi_3376_;
+                                                            let _e3711 = local_9;
+                                                            phi_2131_ = _e3711;
+                                                            phi_2134_ = _e2722;
                                                         } else {
                                                             phi_2131_ = lt_bvh_Hit();
                                                             phi_2134_ = u32();
                                                         }
-                                                        let _e2639 = phi_2131_;
-                                                        let _e2641 = phi_2134_;
+                                                        let _e2724 = phi_2131_;
+                                                        let _e2726 = phi_2134_;
                                                         continue;
                                                         continuing {
-                                                            phi_2130_ = _e2639;
-                                                            phi_2133_ = _e2641;
+                                                            phi_2130_ = _e2724;
+                                                            phi_2133_ = _e2726;
                                                             break if !(_e1521);
                                                         }
                                                     }
-                                                    let _e3624 = local_10;
-                                                    phi_3280_ = _e3624;
+                                                    let _e3715 = local_10;
+                                                    phi_3377_ = _e3715;
                                                 }
-                                                let _e2644 = phi_3280_;
-                                                phi_3281_ = _e2644;
-                                                phi_3282_ = _e1206;
+                                                let _e2729 = phi_3377_;
+                                                phi_3378_ = _e2729;
+                                                phi_3379_ = _e1206;
                                             } else {
-                                                phi_3281_ = lt_bvh_Hit();
-                                                phi_3282_ = true;
+                                                phi_3378_ = lt_bvh_Hit();
+                                                phi_3379_ = true;
                                             }
-                                            let _e2646 = phi_3281_;
-                                            let _e2648 = phi_3282_;
-                                            if _e2648 {
-                                                phi_3286_ = _e975;
+                                            let _e2731 = phi_3378_;
+                                            let _e2733 = phi_3379_;
+                                            if _e2733 {
+                                                phi_3383_ = _e975;
                                             } else {
-                                                phi_3286_ = _e2646;
+                                                phi_3383_ = _e2731;
                                             }
-                                            let _e2650 = phi_3286_;
-                                            phi_3287_ = _e2650;
+                                            let _e2735 = phi_3383_;
+                                            phi_3384_ = _e2735;
                                         } else {
-                                            phi_3287_ = _e975;
+                                            phi_3384_ = _e975;
                                         }
-                                        let _e2652 = phi_3287_;
-                                        phi_3288_ = _e2652;
+                                        let _e2737 = phi_3384_;
+                                        phi_3385_ = _e2737;
                                     } else {
-                                        phi_3288_ = _e975;
+                                        phi_3385_ = _e975;
                                     }
-                                    let _e2654 = phi_3288_;
-                                    phi_3289_ = _e2654;
+                                    let _e2739 = phi_3385_;
+                                    phi_3386_ = _e2739;
                                 } else {
-                                    phi_3289_ = _e975;
+                                    phi_3386_ = _e975;
                                 }
-                                let _e2656 = phi_3289_;
+                                let _e2741 = phi_3386_;
                                 phi_1505_ = (_e973 & (_e973 - 1u));
-                                phi_1508_ = _e2656;
-                                phi_3290_ = true;
+                                phi_1508_ = _e2741;
+                                phi_3387_ = true;
                             }
-                            let _e2658 = phi_1505_;
-                            let _e2660 = phi_1508_;
-                            let _e2662 = phi_3290_;
+                            let _e2743 = phi_1505_;
+                            let _e2745 = phi_1508_;
+                            let _e2747 = phi_3387_;
                             continue;
                             continuing {
-                                phi_1504_ = _e2658;
-                                phi_1507_ = _e2660;
-                                break if !(_e2662);
+                                phi_1504_ = _e2743;
+                                phi_1507_ = _e2745;
+                                break if !(_e2747);
                             }
                         }
-                        let _e2665 = local_2.group_mask;
-                        if ((_e2665 & 4278190080u) == 0u) {
-                            let _e2669 = local_2.len;
-                            if (_e2669 == 0u) {
-                                phi_3329_ = false;
+                        let _e2750 = local_2.group_mask;
+                        if ((_e2750 & 4278190080u) == 0u) {
+                            let _e2754 = local_2.len;
+                            if (_e2754 == 0u) {
+                                phi_3426_ = false;
                             } else {
-                                let _e2673 = local_2.len;
-                                local_2.len = (_e2673 - 1u);
-                                let _e2676 = local_2.len;
-                                if (_e2676 < 32u) {
+                                let _e2758 = local_2.len;
+                                local_2.len = (_e2758 - 1u);
+                                let _e2761 = local_2.len;
+                                if (_e2761 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2681 = local_2.first[(0u + _e2676)];
-                                local_2.group = _e2681;
-                                let _e2684 = local_2.len;
-                                if (_e2684 < 32u) {
+                                let _e2766 = local_2.first[(0u + _e2761)];
+                                local_2.group = _e2766;
+                                let _e2769 = local_2.len;
+                                if (_e2769 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2689 = local_2.mask[(0u + _e2684)];
-                                local_2.group_mask = _e2689;
-                                phi_3329_ = true;
+                                let _e2774 = local_2.mask[(0u + _e2769)];
+                                local_2.group_mask = _e2774;
+                                phi_3426_ = true;
                             }
-                            let _e2692 = phi_3329_;
-                            phi_3330_ = _e2692;
+                            let _e2777 = phi_3426_;
+                            phi_3427_ = _e2777;
                         } else {
-                            phi_3330_ = true;
+                            phi_3427_ = true;
                         }
-                        let _e2694 = phi_3330_;
-                        if _e2694 {
-                            let _e2696 = local_2.group_mask;
-                            let _e2702 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2696)), 32u, (_e2696 == 0u)));
-                            let _e2706 = local_2.group_mask;
-                            let _e2720 = local_2.group_mask;
-                            local_2.group_mask = (_e2720 & ~((1u << bitcast<u32>((_e2702 & 31u)))));
-                            let _e2723 = local_2.group;
-                            phi_3361_ = (_e2723 + countOneBits(((_e2706 & ~((4294967295u << bitcast<u32>((((_e2702 - 24u) ^ _e392) & 31u))))) & 255u)));
+                        let _e2779 = phi_3427_;
+                        if _e2779 {
+                            let _e2781 = local_2.group_mask;
+                            let _e2787 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2781)), 32u, (_e2781 == 0u)));
+                            let _e2791 = local_2.group_mask;
+                            let _e2805 = local_2.group_mask;
+                            local_2.group_mask = (_e2805 & ~((1u << bitcast<u32>((_e2787 & 31u)))));
+                            let _e2808 = local_2.group;
+                            phi_3458_ = (_e2808 + countOneBits(((_e2791 & ~((4294967295u << bitcast<u32>((((_e2787 - 24u) ^ _e392) & 31u))))) & 255u)));
                         } else {
-                            phi_3361_ = 4294967295u;
+                            phi_3458_ = 4294967295u;
                         }
-                        let _e2726 = phi_3361_;
-                        phi_1168_ = _e2726;
-                        let _e3640 = local_11;
-                        phi_1171_ = _e3640;
+                        let _e2811 = phi_3458_;
+                        phi_1168_ = _e2811;
+                        let _e3731 = local_11;
+                        phi_1171_ = _e3731;
                     } else {
                         phi_1168_ = u32();
                         phi_1171_ = lt_bvh_Hit();
                     }
-                    let _e2728 = phi_1168_;
-                    let _e2730 = phi_1171_;
+                    let _e2813 = phi_1168_;
+                    let _e2815 = phi_1171_;
                     continue;
                     continuing {
-                        phi_1167_ = _e2728;
-                        phi_1170_ = _e2730;
+                        phi_1167_ = _e2813;
+                        phi_1170_ = _e2815;
                         break if !(_e533);
                     }
                 }
-                let _e3643 = local_12;
-                phi_3362_ = _e3643;
+                let _e3734 = local_12;
+                phi_3459_ = _e3734;
             }
-            let _e2733 = phi_3362_;
-            phi_3363_ = _e2733;
-            phi_3364_ = _e229;
+            let _e2818 = phi_3459_;
+            phi_3460_ = _e2818;
+            phi_3461_ = _e229;
         } else {
-            phi_3363_ = lt_bvh_Hit();
-            phi_3364_ = true;
+            phi_3460_ = lt_bvh_Hit();
+            phi_3461_ = true;
         }
-        let _e2735 = phi_3363_;
-        let _e2737 = phi_3364_;
-        if _e2737 {
-            phi_3368_ = _e159;
+        let _e2820 = phi_3460_;
+        let _e2822 = phi_3461_;
+        if _e2822 {
+            phi_3465_ = _e159;
         } else {
-            phi_3368_ = _e2735;
+            phi_3465_ = _e2820;
         }
-        let _e2739 = phi_3368_;
-        if (_e2739.triangle != 4294967295u) {
-            let _e2745 = ((1f - _e2739.u) - _e2739.v);
-            if (_e2739.triangle < _e79) {
+        let _e2824 = phi_3465_;
+        if (_e2824.triangle != 4294967295u) {
+            let _e2830 = ((1f - _e2824.u) - _e2824.v);
+            if (_e2824.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2751 = triangles.member[(0u + _e2739.triangle)];
-            if (_e2739.instance < _e91) {
+            let _e2836 = triangles.member[(0u + _e2824.triangle)];
+            if (_e2824.instance < _e91) {
             } else {
                 return;
             }
-            let _e2762 = instances.member[(0u + _e2739.instance)].object_to_world[0u];
-            let _e2773 = ((((_e2762.x * _e2751.v0_.x) + (_e2762.y * _e2751.v0_.y)) + (_e2762.z * _e2751.v0_.z)) + (_e2762.w * 1f));
-            let _e2775 = instances.member[(0u + _e2739.instance)].object_to_world[1u];
-            let _e2786 = ((((_e2775.x * _e2751.v0_.x) + (_e2775.y * _e2751.v0_.y)) + (_e2775.z * _e2751.v0_.z)) + (_e2775.w * 1f));
-            let _e2788 = instances.member[(0u + _e2739.instance)].object_to_world[2u];
-            let _e2799 = ((((_e2788.x * _e2751.v0_.x) + (_e2788.y * _e2751.v0_.y)) + (_e2788.z * _e2751.v0_.z)) + (_e2788.w * 1f));
-            let _e2806 = instances.member[(0u + _e2739.instance)].object_to_world[0u];
-            let _e2817 = ((((_e2806.x * _e2751.v1_.x) + (_e2806.y * _e2751.v1_.y)) + (_e2806.z * _e2751.v1_.z)) + (_e2806.w * 1f));
-            let _e2819 = instances.member[(0u + _e2739.instance)].object_to_world[1u];
-            let _e2830 = ((((_e2819.x * _e2751.v1_.x) + (_e2819.y * _e2751.v1_.y)) + (_e2819.z * _e2751.v1_.z)) + (_e2819.w * 1f));
-            let _e2832 = instances.member[(0u + _e2739.instance)].object_to_world[2u];
-            let _e2843 = ((((_e2832.x * _e2751.v1_.x) + (_e2832.y * _e2751.v1_.y)) + (_e2832.z * _e2751.v1_.z)) + (_e2832.w * 1f));
-            let _e2850 = instances.member[(0u + _e2739.instance)].object_to_world[0u];
-            let _e2861 = ((((_e2850.x * _e2751.v2_.x) + (_e2850.y * _e2751.v2_.y)) + (_e2850.z * _e2751.v2_.z)) + (_e2850.w * 1f));
-            let _e2863 = instances.member[(0u + _e2739.instance)].object_to_world[1u];
-            let _e2874 = ((((_e2863.x * _e2751.v2_.x) + (_e2863.y * _e2751.v2_.y)) + (_e2863.z * _e2751.v2_.z)) + (_e2863.w * 1f));
-            let _e2876 = instances.member[(0u + _e2739.instance)].object_to_world[2u];
-            let _e2887 = ((((_e2876.x * _e2751.v2_.x) + (_e2876.y * _e2751.v2_.y)) + (_e2876.z * _e2751.v2_.z)) + (_e2876.w * 1f));
-            let _e2900 = (((_e2773 * _e2745) + (_e2817 * _e2739.u)) + (_e2861 * _e2739.v));
-            let _e2901 = (((_e2786 * _e2745) + (_e2830 * _e2739.u)) + (_e2874 * _e2739.v));
-            let _e2902 = (((_e2799 * _e2745) + (_e2843 * _e2739.u)) + (_e2887 * _e2739.v));
-            let _e2904 = abs(_e2773);
-            let _e2905 = abs(_e2786);
-            let _e2906 = abs(_e2799);
-            let _e2907 = abs(_e2817);
-            let _e2908 = abs(_e2830);
-            let _e2909 = abs(_e2843);
-            if (_e2904 > _e2907) {
-                phi_3556_ = _e2904;
+            let _e2847 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e2858 = ((((_e2847.x * _e2836.v0_.x) + (_e2847.y * _e2836.v0_.y)) + (_e2847.z * _e2836.v0_.z)) + (_e2847.w * 1f));
+            let _e2860 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e2871 = ((((_e2860.x * _e2836.v0_.x) + (_e2860.y * _e2836.v0_.y)) + (_e2860.z * _e2836.v0_.z)) + (_e2860.w * 1f));
+            let _e2873 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            let _e2884 = ((((_e2873.x * _e2836.v0_.x) + (_e2873.y * _e2836.v0_.y)) + (_e2873.z * _e2836.v0_.z)) + (_e2873.w * 1f));
+            let _e2891 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e2902 = ((((_e2891.x * _e2836.v1_.x) + (_e2891.y * _e2836.v1_.y)) + (_e2891.z * _e2836.v1_.z)) + (_e2891.w * 1f));
+            let _e2904 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e2915 = ((((_e2904.x * _e2836.v1_.x) + (_e2904.y * _e2836.v1_.y)) + (_e2904.z * _e2836.v1_.z)) + (_e2904.w * 1f));
+            let _e2917 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            let _e2928 = ((((_e2917.x * _e2836.v1_.x) + (_e2917.y * _e2836.v1_.y)) + (_e2917.z * _e2836.v1_.z)) + (_e2917.w * 1f));
+            let _e2935 = instances.member[(0u + _e2824.instance)].object_to_world[0u];
+            let _e2946 = ((((_e2935.x * _e2836.v2_.x) + (_e2935.y * _e2836.v2_.y)) + (_e2935.z * _e2836.v2_.z)) + (_e2935.w * 1f));
+            let _e2948 = instances.member[(0u + _e2824.instance)].object_to_world[1u];
+            let _e2959 = ((((_e2948.x * _e2836.v2_.x) + (_e2948.y * _e2836.v2_.y)) + (_e2948.z * _e2836.v2_.z)) + (_e2948.w * 1f));
+            let _e2961 = instances.member[(0u + _e2824.instance)].object_to_world[2u];
+            let _e2972 = ((((_e2961.x * _e2836.v2_.x) + (_e2961.y * _e2836.v2_.y)) + (_e2961.z * _e2836.v2_.z)) + (_e2961.w * 1f));
+            let _e2985 = (((_e2858 * _e2830) + (_e2902 * _e2824.u)) + (_e2946 * _e2824.v));
+            let _e2986 = (((_e2871 * _e2830) + (_e2915 * _e2824.u)) + (_e2959 * _e2824.v));
+            let _e2987 = (((_e2884 * _e2830) + (_e2928 * _e2824.u)) + (_e2972 * _e2824.v));
+            let _e2989 = abs(_e2858);
+            let _e2990 = abs(_e2871);
+            let _e2991 = abs(_e2884);
+            let _e2992 = abs(_e2902);
+            let _e2993 = abs(_e2915);
+            let _e2994 = abs(_e2928);
+            if (_e2989 > _e2992) {
+                phi_3653_ = _e2989;
             } else {
-                phi_3556_ = _e2907;
+                phi_3653_ = _e2992;
             }
-            let _e2912 = phi_3556_;
-            if (_e2905 > _e2908) {
-                phi_3561_ = _e2905;
+            let _e2997 = phi_3653_;
+            if (_e2990 > _e2993) {
+                phi_3658_ = _e2990;
             } else {
-                phi_3561_ = _e2908;
+                phi_3658_ = _e2993;
             }
-            let _e2915 = phi_3561_;
-            if (_e2906 > _e2909) {
-                phi_3566_ = _e2906;
+            let _e3000 = phi_3658_;
+            if (_e2991 > _e2994) {
+                phi_3663_ = _e2991;
             } else {
-                phi_3566_ = _e2909;
+                phi_3663_ = _e2994;
             }
-            let _e2918 = phi_3566_;
-            let _e2919 = abs(_e2861);
-            let _e2920 = abs(_e2874);
-            let _e2921 = abs(_e2887);
-            if (_e2912 > _e2919) {
-                phi_3574_ = _e2912;
+            let _e3003 = phi_3663_;
+            let _e3004 = abs(_e2946);
+            let _e3005 = abs(_e2959);
+            let _e3006 = abs(_e2972);
+            if (_e2997 > _e3004) {
+                phi_3671_ = _e2997;
             } else {
-                phi_3574_ = _e2919;
+                phi_3671_ = _e3004;
             }
-            let _e2924 = phi_3574_;
-            if (_e2915 > _e2920) {
-                phi_3579_ = _e2915;
+            let _e3009 = phi_3671_;
+            if (_e3000 > _e3005) {
+                phi_3676_ = _e3000;
             } else {
-                phi_3579_ = _e2920;
+                phi_3676_ = _e3005;
             }
-            let _e2927 = phi_3579_;
-            if (_e2918 > _e2921) {
-                phi_3584_ = _e2918;
+            let _e3012 = phi_3676_;
+            if (_e3003 > _e3006) {
+                phi_3681_ = _e3003;
             } else {
-                phi_3584_ = _e2921;
+                phi_3681_ = _e3006;
             }
-            let _e2930 = phi_3584_;
-            let _e2931 = (_e2817 - _e2773);
-            let _e2932 = (_e2830 - _e2786);
-            let _e2933 = (_e2843 - _e2799);
-            let _e2934 = (_e2861 - _e2773);
-            let _e2935 = (_e2874 - _e2786);
-            let _e2936 = (_e2887 - _e2799);
-            let _e2940 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2932), abs(_e2933));
-            let _e2941 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2931), _e2940);
-            let _e2942 = (_e2931 / _e2941);
-            let _e2943 = (_e2932 / _e2941);
-            let _e2944 = (_e2933 / _e2941);
-            let _e2948 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2935), abs(_e2936));
-            let _e2949 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2934), _e2948);
-            let _e2950 = (_e2934 / _e2949);
-            let _e2951 = (_e2935 / _e2949);
-            let _e2952 = (_e2936 / _e2949);
-            let _e2955 = ((_e2943 * _e2952) - (_e2951 * _e2944));
-            let _e2958 = ((_e2944 * _e2950) - (_e2952 * _e2942));
-            let _e2961 = ((_e2942 * _e2951) - (_e2950 * _e2943));
-            let _e2963 = p.member.eye;
-            let _e2976 = (1f / sqrt((((_e2955 * _e2955) + (_e2958 * _e2958)) + (_e2961 * _e2961))));
-            let _e2977 = (_e2955 * _e2976);
-            let _e2978 = (_e2958 * _e2976);
-            let _e2979 = (_e2961 * _e2976);
-            if ((((_e2977 * (_e2963.x - _e2900)) + (_e2978 * (_e2963.y - _e2901))) + (_e2979 * (_e2963.z - _e2902))) < 0f) {
-                phi_3648_ = vec3<f32>(-(_e2977), -(_e2978), -(_e2979));
+            let _e3015 = phi_3681_;
+            let _e3016 = (_e2902 - _e2858);
+            let _e3017 = (_e2915 - _e2871);
+            let _e3018 = (_e2928 - _e2884);
+            let _e3019 = (_e2946 - _e2858);
+            let _e3020 = (_e2959 - _e2871);
+            let _e3021 = (_e2972 - _e2884);
+            let _e3025 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3017), abs(_e3018));
+            let _e3026 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3016), _e3025);
+            let _e3027 = (_e3016 / _e3026);
+            let _e3028 = (_e3017 / _e3026);
+            let _e3029 = (_e3018 / _e3026);
+            let _e3033 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3020), abs(_e3021));
+            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3019), _e3033);
+            let _e3035 = (_e3019 / _e3034);
+            let _e3036 = (_e3020 / _e3034);
+            let _e3037 = (_e3021 / _e3034);
+            let _e3040 = ((_e3028 * _e3037) - (_e3036 * _e3029));
+            let _e3043 = ((_e3029 * _e3035) - (_e3037 * _e3027));
+            let _e3046 = ((_e3027 * _e3036) - (_e3035 * _e3028));
+            let _e3048 = p.member.eye;
+            let _e3061 = (1f / sqrt((((_e3040 * _e3040) + (_e3043 * _e3043)) + (_e3046 * _e3046))));
+            let _e3062 = (_e3040 * _e3061);
+            let _e3063 = (_e3043 * _e3061);
+            let _e3064 = (_e3046 * _e3061);
+            if ((((_e3062 * (_e3048.x - _e2985)) + (_e3063 * (_e3048.y - _e2986))) + (_e3064 * (_e3048.z - _e2987))) < 0f) {
+                phi_3745_ = vec3<f32>(-(_e3062), -(_e3063), -(_e3064));
             } else {
-                phi_3648_ = vec3<f32>(_e2977, _e2978, _e2979);
+                phi_3745_ = vec3<f32>(_e3062, _e3063, _e3064);
             }
-            let _e2992 = phi_3648_;
-            if (_e2739.triangle < _e79) {
+            let _e3077 = phi_3745_;
+            if (_e2824.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2997 = triangles.member[(0u + _e2739.triangle)];
-            let _e2999 = (_e2997.i0_ & 2147483647u);
-            if (_e2999 < _e82) {
+            let _e3082 = triangles.member[(0u + _e2824.triangle)];
+            let _e3084 = (_e3082.i0_ & 2147483647u);
+            if (_e3084 < _e82) {
             } else {
                 return;
             }
-            let _e3005 = vertices.member[(0u + _e2999)];
-            if (_e2997.i1_ < _e82) {
+            let _e3090 = vertices.member[(0u + _e3084)];
+            if (_e3082.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e3009 = vertices.member[(0u + _e2997.i1_)];
-            if (_e2997.i2_ < _e82) {
+            let _e3094 = vertices.member[(0u + _e3082.i1_)];
+            if (_e3082.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e3013 = vertices.member[(0u + _e2997.i2_)];
-            let _e3014 = array<abi_Vertex, 3>(_e3005, _e3009, _e3013);
-            if (_e3014[0].material < _e85) {
+            let _e3098 = vertices.member[(0u + _e3082.i2_)];
+            let _e3099 = array<abi_Vertex, 3>(_e3090, _e3094, _e3098);
+            if (_e3099[0].material < _e85) {
             } else {
                 return;
             }
-            let _e3020 = materials.member[(0u + _e3014[0].material)];
-            let _e3037 = (1f / 255f);
-            let _e3056 = (1f / 255f);
-            let _e3078 = (1f / 255f);
-            let _e3091 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2745, _e2739.u, _e2739.v));
-            let _e3093 = ((_e3020.base_color.x * ((((f32((_e3014[0].color & 255u)) * _e3037) * _e2745) + ((f32((_e3014[1].color & 255u)) * _e3056) * _e2739.u)) + ((f32((_e3014[2].color & 255u)) * _e3078) * _e2739.v))) * _e3091.x);
-            let _e3095 = ((_e3020.base_color.y * ((((f32(((_e3014[0].color >> bitcast<u32>(8i)) & 255u)) * _e3037) * _e2745) + ((f32(((_e3014[1].color >> bitcast<u32>(8i)) & 255u)) * _e3056) * _e2739.u)) + ((f32(((_e3014[2].color >> bitcast<u32>(8i)) & 255u)) * _e3078) * _e2739.v))) * _e3091.y);
-            let _e3097 = ((_e3020.base_color.z * ((((f32(((_e3014[0].color >> bitcast<u32>(16i)) & 255u)) * _e3037) * _e2745) + ((f32(((_e3014[1].color >> bitcast<u32>(16i)) & 255u)) * _e3056) * _e2739.u)) + ((f32(((_e3014[2].color >> bitcast<u32>(16i)) & 255u)) * _e3078) * _e2739.v))) * _e3091.z);
-            let _e3098 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2927, _e2930);
-            let _e3099 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2924, _e3098);
-            if ((_e3020.flags & 2u) == 0u) {
-                phi_3769_ = 0u;
+            let _e3105 = materials.member[(0u + _e3099[0].material)];
+            let _e3122 = (1f / 255f);
+            let _e3141 = (1f / 255f);
+            let _e3163 = (1f / 255f);
+            let _e3176 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2830, _e2824.u, _e2824.v));
+            let _e3178 = ((_e3105.base_color.x * ((((f32((_e3099[0].color & 255u)) * _e3122) * _e2830) + ((f32((_e3099[1].color & 255u)) * _e3141) * _e2824.u)) + ((f32((_e3099[2].color & 255u)) * _e3163) * _e2824.v))) * _e3176.x);
+            let _e3180 = ((_e3105.base_color.y * ((((f32(((_e3099[0].color >> bitcast<u32>(8i)) & 255u)) * _e3122) * _e2830) + ((f32(((_e3099[1].color >> bitcast<u32>(8i)) & 255u)) * _e3141) * _e2824.u)) + ((f32(((_e3099[2].color >> bitcast<u32>(8i)) & 255u)) * _e3163) * _e2824.v))) * _e3176.y);
+            let _e3182 = ((_e3105.base_color.z * ((((f32(((_e3099[0].color >> bitcast<u32>(16i)) & 255u)) * _e3122) * _e2830) + ((f32(((_e3099[1].color >> bitcast<u32>(16i)) & 255u)) * _e3141) * _e2824.u)) + ((f32(((_e3099[2].color >> bitcast<u32>(16i)) & 255u)) * _e3163) * _e2824.v))) * _e3176.z);
+            let _e3183 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3012, _e3015);
+            let _e3184 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3009, _e3183);
+            if ((_e3105.flags & 2u) == 0u) {
+                phi_3866_ = 0u;
             } else {
-                phi_3769_ = 1u;
+                phi_3866_ = 1u;
             }
-            let _e3104 = phi_3769_;
-            if (_e3014[0].normal == 2147516416u) {
-                phi_3999_ = _e2992;
+            let _e3189 = phi_3866_;
+            if (_e3099[0].normal == 2147516416u) {
+                phi_4096_ = _e3077;
             } else {
-                let _e3117 = (f32((bitcast<i32>((_e3014[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3123 = (f32((bitcast<i32>(_e3014[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3127 = ((1f - abs(_e3117)) - abs(_e3123));
-                if (_e3127 < 0f) {
-                    phi_3796_ = -(_e3127);
+                let _e3202 = (f32((bitcast<i32>((_e3099[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3208 = (f32((bitcast<i32>(_e3099[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3212 = ((1f - abs(_e3202)) - abs(_e3208));
+                if (_e3212 < 0f) {
+                    phi_3893_ = -(_e3212);
                 } else {
-                    phi_3796_ = 0f;
+                    phi_3893_ = 0f;
                 }
-                let _e3131 = phi_3796_;
-                if (_e3117 < 0f) {
-                    phi_3803_ = (_e3117 + _e3131);
+                let _e3216 = phi_3893_;
+                if (_e3202 < 0f) {
+                    phi_3900_ = (_e3202 + _e3216);
                 } else {
-                    phi_3803_ = (_e3117 - _e3131);
+                    phi_3900_ = (_e3202 - _e3216);
                 }
-                let _e3136 = phi_3803_;
-                if (_e3123 < 0f) {
-                    phi_3810_ = (_e3123 + _e3131);
+                let _e3221 = phi_3900_;
+                if (_e3208 < 0f) {
+                    phi_3907_ = (_e3208 + _e3216);
                 } else {
-                    phi_3810_ = (_e3123 - _e3131);
+                    phi_3907_ = (_e3208 - _e3216);
                 }
-                let _e3141 = phi_3810_;
-                let _e3148 = (1f / sqrt((((_e3136 * _e3136) + (_e3141 * _e3141)) + (_e3127 * _e3127))));
-                let _e3164 = (f32((bitcast<i32>((_e3014[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3170 = (f32((bitcast<i32>(_e3014[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3174 = ((1f - abs(_e3164)) - abs(_e3170));
-                if (_e3174 < 0f) {
-                    phi_3845_ = -(_e3174);
+                let _e3226 = phi_3907_;
+                let _e3233 = (1f / sqrt((((_e3221 * _e3221) + (_e3226 * _e3226)) + (_e3212 * _e3212))));
+                let _e3249 = (f32((bitcast<i32>((_e3099[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3255 = (f32((bitcast<i32>(_e3099[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3259 = ((1f - abs(_e3249)) - abs(_e3255));
+                if (_e3259 < 0f) {
+                    phi_3942_ = -(_e3259);
                 } else {
-                    phi_3845_ = 0f;
+                    phi_3942_ = 0f;
                 }
-                let _e3178 = phi_3845_;
-                if (_e3164 < 0f) {
-                    phi_3852_ = (_e3164 + _e3178);
+                let _e3263 = phi_3942_;
+                if (_e3249 < 0f) {
+                    phi_3949_ = (_e3249 + _e3263);
                 } else {
-                    phi_3852_ = (_e3164 - _e3178);
+                    phi_3949_ = (_e3249 - _e3263);
                 }
-                let _e3183 = phi_3852_;
-                if (_e3170 < 0f) {
-                    phi_3859_ = (_e3170 + _e3178);
+                let _e3268 = phi_3949_;
+                if (_e3255 < 0f) {
+                    phi_3956_ = (_e3255 + _e3263);
                 } else {
-                    phi_3859_ = (_e3170 - _e3178);
+                    phi_3956_ = (_e3255 - _e3263);
                 }
-                let _e3188 = phi_3859_;
-                let _e3195 = (1f / sqrt((((_e3183 * _e3183) + (_e3188 * _e3188)) + (_e3174 * _e3174))));
-                let _e3214 = (f32((bitcast<i32>((_e3014[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3220 = (f32((bitcast<i32>(_e3014[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3224 = ((1f - abs(_e3214)) - abs(_e3220));
-                if (_e3224 < 0f) {
-                    phi_3897_ = -(_e3224);
+                let _e3273 = phi_3956_;
+                let _e3280 = (1f / sqrt((((_e3268 * _e3268) + (_e3273 * _e3273)) + (_e3259 * _e3259))));
+                let _e3299 = (f32((bitcast<i32>((_e3099[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3305 = (f32((bitcast<i32>(_e3099[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3309 = ((1f - abs(_e3299)) - abs(_e3305));
+                if (_e3309 < 0f) {
+                    phi_3994_ = -(_e3309);
                 } else {
-                    phi_3897_ = 0f;
+                    phi_3994_ = 0f;
                 }
-                let _e3228 = phi_3897_;
-                if (_e3214 < 0f) {
-                    phi_3904_ = (_e3214 + _e3228);
+                let _e3313 = phi_3994_;
+                if (_e3299 < 0f) {
+                    phi_4001_ = (_e3299 + _e3313);
                 } else {
-                    phi_3904_ = (_e3214 - _e3228);
+                    phi_4001_ = (_e3299 - _e3313);
                 }
-                let _e3233 = phi_3904_;
-                if (_e3220 < 0f) {
-                    phi_3911_ = (_e3220 + _e3228);
+                let _e3318 = phi_4001_;
+                if (_e3305 < 0f) {
+                    phi_4008_ = (_e3305 + _e3313);
                 } else {
-                    phi_3911_ = (_e3220 - _e3228);
+                    phi_4008_ = (_e3305 - _e3313);
                 }
-                let _e3238 = phi_3911_;
-                let _e3245 = (1f / sqrt((((_e3233 * _e3233) + (_e3238 * _e3238)) + (_e3224 * _e3224))));
-                let _e3252 = ((((_e3136 * _e3148) * _e2745) + ((_e3183 * _e3195) * _e2739.u)) + ((_e3233 * _e3245) * _e2739.v));
-                let _e3253 = ((((_e3141 * _e3148) * _e2745) + ((_e3188 * _e3195) * _e2739.u)) + ((_e3238 * _e3245) * _e2739.v));
-                let _e3254 = ((((_e3127 * _e3148) * _e2745) + ((_e3174 * _e3195) * _e2739.u)) + ((_e3224 * _e3245) * _e2739.v));
-                if (_e2739.instance < _e91) {
+                let _e3323 = phi_4008_;
+                let _e3330 = (1f / sqrt((((_e3318 * _e3318) + (_e3323 * _e3323)) + (_e3309 * _e3309))));
+                let _e3337 = ((((_e3221 * _e3233) * _e2830) + ((_e3268 * _e3280) * _e2824.u)) + ((_e3318 * _e3330) * _e2824.v));
+                let _e3338 = ((((_e3226 * _e3233) * _e2830) + ((_e3273 * _e3280) * _e2824.u)) + ((_e3323 * _e3330) * _e2824.v));
+                let _e3339 = ((((_e3212 * _e3233) * _e2830) + ((_e3259 * _e3280) * _e2824.u)) + ((_e3309 * _e3330) * _e2824.v));
+                if (_e2824.instance < _e91) {
                 } else {
                     return;
                 }
-                let _e3261 = instances.member[(0u + _e2739.instance)].world_to_object[0u];
-                let _e3270 = instances.member[(0u + _e2739.instance)].world_to_object[1u];
-                let _e3282 = instances.member[(0u + _e2739.instance)].world_to_object[2u];
-                let _e3289 = (((_e3261.x * _e3252) + (_e3270.x * _e3253)) + (_e3282.x * _e3254));
-                let _e3290 = (((_e3261.y * _e3252) + (_e3270.y * _e3253)) + (_e3282.y * _e3254));
-                let _e3291 = (((_e3261.z * _e3252) + (_e3270.z * _e3253)) + (_e3282.z * _e3254));
-                let _e3297 = sqrt((((_e3289 * _e3289) + (_e3290 * _e3290)) + (_e3291 * _e3291)));
-                if (_e3297 > 0f) {
-                    let _e3299 = (_e3289 / _e3297);
-                    let _e3300 = (_e3290 / _e3297);
-                    let _e3301 = (_e3291 / _e3297);
-                    if ((((_e3299 * _e2992.x) + (_e3300 * _e2992.y)) + (_e3301 * _e2992.z)) < 0f) {
-                        phi_3997_ = vec3<f32>(-(_e3299), -(_e3300), -(_e3301));
+                let _e3346 = instances.member[(0u + _e2824.instance)].world_to_object[0u];
+                let _e3355 = instances.member[(0u + _e2824.instance)].world_to_object[1u];
+                let _e3367 = instances.member[(0u + _e2824.instance)].world_to_object[2u];
+                let _e3374 = (((_e3346.x * _e3337) + (_e3355.x * _e3338)) + (_e3367.x * _e3339));
+                let _e3375 = (((_e3346.y * _e3337) + (_e3355.y * _e3338)) + (_e3367.y * _e3339));
+                let _e3376 = (((_e3346.z * _e3337) + (_e3355.z * _e3338)) + (_e3367.z * _e3339));
+                let _e3382 = sqrt((((_e3374 * _e3374) + (_e3375 * _e3375)) + (_e3376 * _e3376)));
+                if (_e3382 > 0f) {
+                    let _e3384 = (_e3374 / _e3382);
+                    let _e3385 = (_e3375 / _e3382);
+                    let _e3386 = (_e3376 / _e3382);
+                    if ((((_e3384 * _e3077.x) + (_e3385 * _e3077.y)) + (_e3386 * _e3077.z)) < 0f) {
+                        phi_4094_ = vec3<f32>(-(_e3384), -(_e3385), -(_e3386));
                     } else {
-                        phi_3997_ = vec3<f32>(_e3299, _e3300, _e3301);
+                        phi_4094_ = vec3<f32>(_e3384, _e3385, _e3386);
                     }
-                    let _e3317 = phi_3997_;
-                    phi_3998_ = _e3317;
+                    let _e3402 = phi_4094_;
+                    phi_4095_ = _e3402;
                 } else {
-                    phi_3998_ = _e2992;
+                    phi_4095_ = _e3077;
                 }
-                let _e3319 = phi_3998_;
-                phi_3999_ = _e3319;
+                let _e3404 = phi_4095_;
+                phi_4096_ = _e3404;
             }
-            let _e3321 = phi_3999_;
-            if (_e3093 > 0f) {
-                if (_e3093 < 1f) {
-                    phi_4008_ = _e3093;
+            let _e3406 = phi_4096_;
+            if (_e3178 > 0f) {
+                if (_e3178 < 1f) {
+                    phi_4105_ = _e3178;
                 } else {
-                    phi_4008_ = 1f;
+                    phi_4105_ = 1f;
                 }
-                let _e3325 = phi_4008_;
-                phi_4009_ = _e3325;
+                let _e3410 = phi_4105_;
+                phi_4106_ = _e3410;
             } else {
-                phi_4009_ = 0f;
+                phi_4106_ = 0f;
             }
-            let _e3327 = phi_4009_;
-            if (_e3095 > 0f) {
-                if (_e3095 < 1f) {
-                    phi_4019_ = _e3095;
+            let _e3412 = phi_4106_;
+            if (_e3180 > 0f) {
+                if (_e3180 < 1f) {
+                    phi_4116_ = _e3180;
                 } else {
-                    phi_4019_ = 1f;
+                    phi_4116_ = 1f;
                 }
-                let _e3332 = phi_4019_;
-                phi_4020_ = _e3332;
+                let _e3417 = phi_4116_;
+                phi_4117_ = _e3417;
             } else {
-                phi_4020_ = 0f;
+                phi_4117_ = 0f;
             }
-            let _e3334 = phi_4020_;
-            if (_e3097 > 0f) {
-                if (_e3097 < 1f) {
-                    phi_4030_ = _e3097;
+            let _e3419 = phi_4117_;
+            if (_e3182 > 0f) {
+                if (_e3182 < 1f) {
+                    phi_4127_ = _e3182;
                 } else {
-                    phi_4030_ = 1f;
+                    phi_4127_ = 1f;
                 }
-                let _e3339 = phi_4030_;
-                phi_4031_ = _e3339;
+                let _e3424 = phi_4127_;
+                phi_4128_ = _e3424;
             } else {
-                phi_4031_ = 0f;
+                phi_4128_ = 0f;
             }
-            let _e3341 = phi_4031_;
-            let _e3344 = ((sqrt(_e3327) * 255f) + 0.5f);
-            let _e3353 = ((sqrt(_e3334) * 255f) + 0.5f);
-            let _e3365 = ((sqrt(_e3341) * 255f) + 0.5f);
-            phi_4066_ = abi_Sample(vec3<f32>(_e2900, _e2901, _e2902), _e3099, _e2992, _e3104, _e3321, ((select(select(u32(_e3344), 0u, (_e3344 < bitcast<f32>(0u))), 4294967295u, (_e3344 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3353), 0u, (_e3353 < bitcast<f32>(0u))), 4294967295u, (_e3353 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3365), 0u, (_e3365 < bitcast<f32>(0u))), 4294967295u, (_e3365 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3426 = phi_4128_;
+            let _e3429 = ((sqrt(_e3412) * 255f) + 0.5f);
+            let _e3438 = ((sqrt(_e3419) * 255f) + 0.5f);
+            let _e3450 = ((sqrt(_e3426) * 255f) + 0.5f);
+            phi_4163_ = abi_Sample(vec3<f32>(_e2985, _e2986, _e2987), _e3184, _e3077, _e3189, _e3406, ((select(select(u32(_e3429), 0u, (_e3429 < bitcast<f32>(0u))), 4294967295u, (_e3429 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3438), 0u, (_e3438 < bitcast<f32>(0u))), 4294967295u, (_e3438 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3450), 0u, (_e3450 < bitcast<f32>(0u))), 4294967295u, (_e3450 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4066_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4163_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3379 = phi_4066_;
+        let _e3464 = phi_4163_;
         if (_e100.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.first_primitive)] = _e3379;
+        samples.member[(0u + _e100.first_primitive)] = _e3464;
     }
     return;
 }

@@ -773,150 +773,156 @@ fn function_() {
     var phi_2476_: u32;
     var phi_2520_: vec3<f32>;
     var phi_2521_: vec3<f32>;
-    var phi_2552_: vec3<f32>;
-    var phi_2553_: vec3<f32>;
-    var phi_2584_: vec3<f32>;
-    var phi_2585_: vec3<f32>;
-    var phi_2605_: bool;
-    var phi_2606_: bool;
-    var phi_2610_: f32;
-    var phi_2611_: f32;
-    var phi_2612_: f32;
-    var phi_2613_: f32;
-    var phi_2621_: f32;
-    var phi_2631_: bool;
-    var phi_2632_: bool;
-    var phi_2636_: f32;
-    var phi_2637_: f32;
-    var phi_2638_: f32;
-    var phi_2639_: f32;
-    var phi_2647_: f32;
-    var phi_2657_: bool;
-    var phi_2658_: bool;
-    var phi_2662_: f32;
-    var phi_2663_: f32;
-    var phi_2664_: f32;
-    var phi_2665_: f32;
-    var phi_2673_: f32;
-    var phi_2688_: f32;
-    var phi_2689_: bool;
-    var phi_2690_: f32;
-    var phi_2691_: bool;
-    var phi_2692_: f32;
-    var phi_2693_: bool;
-    var phi_2711_: f32;
-    var phi_2712_: bool;
-    var phi_2713_: bool;
-    var phi_2714_: f32;
-    var phi_2715_: bool;
+    var phi_2550_: vec3<f32>;
+    var phi_2551_: vec3<f32>;
+    var phi_2580_: vec3<f32>;
+    var phi_2581_: vec3<f32>;
+    var phi_2599_: bool;
+    var phi_2600_: bool;
+    var phi_2604_: f32;
+    var phi_2605_: f32;
+    var phi_2606_: f32;
+    var phi_2607_: f32;
+    var phi_2615_: f32;
+    var phi_2625_: bool;
+    var phi_2626_: bool;
+    var phi_2630_: f32;
+    var phi_2631_: f32;
+    var phi_2632_: f32;
+    var phi_2633_: f32;
+    var phi_2641_: f32;
+    var phi_2651_: bool;
+    var phi_2652_: bool;
+    var phi_2656_: f32;
+    var phi_2657_: f32;
+    var phi_2658_: f32;
+    var phi_2659_: f32;
+    var phi_2667_: f32;
+    var phi_2682_: f32;
+    var phi_2683_: bool;
+    var phi_2684_: f32;
+    var phi_2685_: bool;
+    var phi_2686_: f32;
+    var phi_2687_: bool;
+    var phi_2705_: f32;
+    var phi_2706_: bool;
+    var phi_2707_: bool;
+    var phi_2708_: f32;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
+    var phi_2714_: bool;
+    var phi_2715_: f32;
     var phi_2716_: bool;
-    var phi_2720_: bool;
-    var phi_2721_: f32;
-    var phi_2722_: bool;
-    var phi_2756_: f32;
-    var phi_2765_: f32;
-    var phi_2774_: f32;
-    var phi_2783_: f32;
-    var phi_2790_: f32;
-    var phi_2797_: f32;
-    var phi_2810_: f32;
-    var phi_2819_: f32;
-    var phi_2828_: f32;
-    var phi_2837_: f32;
-    var phi_2844_: f32;
-    var phi_2851_: f32;
-    var phi_2868_: f32;
-    var phi_2873_: f32;
-    var phi_2878_: f32;
-    var phi_2886_: f32;
-    var phi_2891_: f32;
-    var phi_2896_: f32;
-    var phi_2908_: f32;
-    var phi_2913_: f32;
-    var phi_2918_: f32;
-    var phi_2923_: f32;
-    var phi_2928_: lt_bvh_triangle_Intersection;
-    var phi_2929_: bool;
-    var phi_2930_: lt_bvh_triangle_Intersection;
-    var phi_2931_: bool;
-    var phi_2935_: lt_bvh_triangle_Intersection;
-    var phi_2936_: bool;
-    var phi_2937_: lt_bvh_triangle_Intersection;
-    var phi_2938_: bool;
-    var phi_2939_: bool;
-    var phi_2943_: bool;
-    var phi_2947_: lt_bvh_triangle_Intersection;
-    var phi_2985_: bool;
-    var phi_2986_: bool;
-    var phi_2987_: bool;
-    var phi_2988_: bool;
-    var phi_2989_: bool;
-    var phi_2990_: bool;
-    var phi_2994_: bool;
-    var phi_2995_: bool;
-    var phi_3198_: f32;
-    var phi_3201_: bool;
-    var phi_3202_: bool;
-    var phi_3206_: bool;
-    var phi_3214_: lt_bvh_Hit;
-    var phi_3215_: lt_bvh_Hit;
-    var phi_3216_: lt_bvh_Hit;
-    var phi_3217_: lt_bvh_Hit;
+    var phi_2744_: vec3<f32>;
+    var phi_2745_: vec3<f32>;
+    var phi_2770_: vec3<f32>;
+    var phi_2771_: vec3<f32>;
+    var phi_2796_: vec3<f32>;
+    var phi_2797_: vec3<f32>;
+    var phi_2853_: f32;
+    var phi_2862_: f32;
+    var phi_2871_: f32;
+    var phi_2880_: f32;
+    var phi_2887_: f32;
+    var phi_2894_: f32;
+    var phi_2907_: f32;
+    var phi_2916_: f32;
+    var phi_2925_: f32;
+    var phi_2934_: f32;
+    var phi_2941_: f32;
+    var phi_2948_: f32;
+    var phi_2965_: f32;
+    var phi_2970_: f32;
+    var phi_2975_: f32;
+    var phi_2983_: f32;
+    var phi_2988_: f32;
+    var phi_2993_: f32;
+    var phi_3005_: f32;
+    var phi_3010_: f32;
+    var phi_3015_: f32;
+    var phi_3020_: f32;
+    var phi_3025_: lt_bvh_triangle_Intersection;
+    var phi_3026_: bool;
+    var phi_3027_: lt_bvh_triangle_Intersection;
+    var phi_3028_: bool;
+    var phi_3032_: lt_bvh_triangle_Intersection;
+    var phi_3033_: bool;
+    var phi_3034_: lt_bvh_triangle_Intersection;
+    var phi_3035_: bool;
+    var phi_3036_: bool;
+    var phi_3040_: bool;
+    var phi_3044_: lt_bvh_triangle_Intersection;
+    var phi_3082_: bool;
+    var phi_3083_: bool;
+    var phi_3084_: bool;
+    var phi_3085_: bool;
+    var phi_3086_: bool;
+    var phi_3087_: bool;
+    var phi_3091_: bool;
+    var phi_3092_: bool;
+    var phi_3295_: f32;
+    var phi_3298_: bool;
+    var phi_3299_: bool;
+    var phi_3303_: bool;
+    var phi_3311_: lt_bvh_Hit;
+    var phi_3312_: lt_bvh_Hit;
+    var phi_3313_: lt_bvh_Hit;
+    var phi_3314_: lt_bvh_Hit;
     var phi_2474_: lt_bvh_Hit;
     var phi_2477_: u32;
-    var phi_3218_: bool;
-    var phi_3257_: bool;
-    var phi_3258_: bool;
-    var phi_3289_: u32;
+    var phi_3315_: bool;
+    var phi_3354_: bool;
+    var phi_3355_: bool;
+    var phi_3386_: u32;
     var phi_2141_: lt_bvh_Hit;
     var phi_2144_: u32;
-    var phi_3290_: lt_bvh_Hit;
-    var phi_3291_: lt_bvh_Hit;
-    var phi_3292_: bool;
-    var phi_3296_: lt_bvh_Hit;
-    var phi_3297_: lt_bvh_Hit;
-    var phi_3298_: lt_bvh_Hit;
-    var phi_3299_: lt_bvh_Hit;
+    var phi_3387_: lt_bvh_Hit;
+    var phi_3388_: lt_bvh_Hit;
+    var phi_3389_: bool;
+    var phi_3393_: lt_bvh_Hit;
+    var phi_3394_: lt_bvh_Hit;
+    var phi_3395_: lt_bvh_Hit;
+    var phi_3396_: lt_bvh_Hit;
     var phi_1515_: u32;
     var phi_1518_: lt_bvh_Hit;
-    var phi_3300_: bool;
-    var phi_3339_: bool;
-    var phi_3340_: bool;
-    var phi_3371_: u32;
+    var phi_3397_: bool;
+    var phi_3436_: bool;
+    var phi_3437_: bool;
+    var phi_3468_: u32;
     var phi_1178_: u32;
     var phi_1181_: lt_bvh_Hit;
-    var phi_3372_: lt_bvh_Hit;
-    var phi_3373_: lt_bvh_Hit;
-    var phi_3374_: bool;
-    var phi_3378_: lt_bvh_Hit;
-    var phi_3566_: f32;
-    var phi_3571_: f32;
-    var phi_3576_: f32;
-    var phi_3584_: f32;
-    var phi_3589_: f32;
-    var phi_3594_: f32;
-    var phi_3658_: vec3<f32>;
-    var phi_3779_: u32;
-    var phi_3806_: f32;
-    var phi_3813_: f32;
-    var phi_3820_: f32;
-    var phi_3855_: f32;
-    var phi_3862_: f32;
-    var phi_3869_: f32;
-    var phi_3907_: f32;
-    var phi_3914_: f32;
-    var phi_3921_: f32;
-    var phi_4007_: vec3<f32>;
-    var phi_4008_: vec3<f32>;
-    var phi_4009_: vec3<f32>;
+    var phi_3469_: lt_bvh_Hit;
+    var phi_3470_: lt_bvh_Hit;
+    var phi_3471_: bool;
+    var phi_3475_: lt_bvh_Hit;
+    var phi_3663_: f32;
+    var phi_3668_: f32;
+    var phi_3673_: f32;
+    var phi_3681_: f32;
+    var phi_3686_: f32;
+    var phi_3691_: f32;
+    var phi_3755_: vec3<f32>;
+    var phi_3876_: u32;
+    var phi_3903_: f32;
+    var phi_3910_: f32;
+    var phi_3917_: f32;
+    var phi_3952_: f32;
+    var phi_3959_: f32;
+    var phi_3966_: f32;
+    var phi_4004_: f32;
+    var phi_4011_: f32;
     var phi_4018_: f32;
-    var phi_4019_: f32;
-    var phi_4029_: f32;
-    var phi_4030_: f32;
-    var phi_4040_: f32;
-    var phi_4041_: f32;
-    var phi_4076_: abi_Sample;
-    var phi_4298_: vec3<f32>;
+    var phi_4104_: vec3<f32>;
+    var phi_4105_: vec3<f32>;
+    var phi_4106_: vec3<f32>;
+    var phi_4115_: f32;
+    var phi_4116_: f32;
+    var phi_4126_: f32;
+    var phi_4127_: f32;
+    var phi_4137_: f32;
+    var phi_4138_: f32;
+    var phi_4173_: abi_Sample;
+    var phi_4395_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -1054,7 +1060,7 @@ fn function_() {
         if _e236 {
             let _e237 = (_e114 >= _e78);
             if _e237 {
-                phi_3372_ = lt_bvh_Hit();
+                phi_3469_ = lt_bvh_Hit();
             } else {
                 if (_e114 < _e78) {
                 } else {
@@ -1407,7 +1413,7 @@ fn function_() {
                             if (_e981 == 0u) {
                                 phi_1515_ = u32();
                                 phi_1518_ = lt_bvh_Hit();
-                                phi_3300_ = false;
+                                phi_3397_ = false;
                             } else {
                                 let _e987 = nodes.member[(0u + _e538)].links[1u];
                                 let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
@@ -1589,7 +1595,7 @@ fn function_() {
                                             if _e1213 {
                                                 let _e1214 = (_e1150 >= _e78);
                                                 if _e1214 {
-                                                    phi_3290_ = lt_bvh_Hit();
+                                                    phi_3387_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1150 < _e78) {
                                                     } else {
@@ -1716,7 +1722,6 @@ fn function_() {
                                                     let _e1369 = phi_1969_;
                                                     let _e1372 = (_e1369.x / _e1369.z);
                                                     let _e1375 = (_e1369.y / _e1369.z);
-                                                    let _e1377 = (1f / _e1369.z);
                                                     if (_e1290 < 0f) {
                                                         phi_1982_ = 0u;
                                                     } else {
@@ -1984,7 +1989,7 @@ fn function_() {
                                                                 if (_e1967 == 0u) {
                                                                     phi_2474_ = lt_bvh_Hit();
                                                                     phi_2477_ = u32();
-                                                                    phi_3218_ = false;
+                                                                    phi_3315_ = false;
                                                                 } else {
                                                                     let _e1971 = nodes.member[(0u + _e1528)].links[1u];
                                                                     let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
@@ -2010,1115 +2015,1168 @@ fn function_() {
                                                                     let _e1999 = phi_2521_;
                                                                     let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
                                                                     let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
-                                                                    let _e2011 = triangles.member[(0u + _e1976)].v1_;
-                                                                    let _e2013 = (_e2011.x - _e1075);
-                                                                    let _e2015 = (_e2011.y - _e1088);
-                                                                    let _e2017 = (_e2011.z - _e1101);
+                                                                    let _e2009 = triangles.member[(0u + _e1976)].v1_;
+                                                                    let _e2011 = (_e2009.x - _e1075);
+                                                                    let _e2013 = (_e2009.y - _e1088);
+                                                                    let _e2015 = (_e2009.z - _e1101);
                                                                     if (_e1361 == 0u) {
-                                                                        phi_2553_ = vec3<f32>(_e2015, _e2017, _e2013);
+                                                                        phi_2551_ = vec3<f32>(_e2013, _e2015, _e2011);
                                                                     } else {
                                                                         if (_e1361 == 1u) {
-                                                                            phi_2552_ = vec3<f32>(_e2017, _e2013, _e2015);
+                                                                            phi_2550_ = vec3<f32>(_e2015, _e2011, _e2013);
                                                                         } else {
-                                                                            phi_2552_ = (_e2011 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2550_ = (_e2009 - vec3<f32>(_e1075, _e1088, _e1101));
                                                                         }
-                                                                        let _e2025 = phi_2552_;
-                                                                        phi_2553_ = _e2025;
+                                                                        let _e2023 = phi_2550_;
+                                                                        phi_2551_ = _e2023;
                                                                     }
-                                                                    let _e2027 = phi_2553_;
-                                                                    let _e2031 = (_e2027.x - (_e1372 * _e2027.z));
-                                                                    let _e2035 = (_e2027.y - (_e1375 * _e2027.z));
-                                                                    let _e2039 = triangles.member[(0u + _e1976)].v2_;
-                                                                    let _e2041 = (_e2039.x - _e1075);
-                                                                    let _e2043 = (_e2039.y - _e1088);
-                                                                    let _e2045 = (_e2039.z - _e1101);
+                                                                    let _e2025 = phi_2551_;
+                                                                    let _e2029 = (_e2025.x - (_e1372 * _e2025.z));
+                                                                    let _e2033 = (_e2025.y - (_e1375 * _e2025.z));
+                                                                    let _e2035 = triangles.member[(0u + _e1976)].v2_;
+                                                                    let _e2037 = (_e2035.x - _e1075);
+                                                                    let _e2039 = (_e2035.y - _e1088);
+                                                                    let _e2041 = (_e2035.z - _e1101);
                                                                     if (_e1361 == 0u) {
-                                                                        phi_2585_ = vec3<f32>(_e2043, _e2045, _e2041);
+                                                                        phi_2581_ = vec3<f32>(_e2039, _e2041, _e2037);
                                                                     } else {
                                                                         if (_e1361 == 1u) {
-                                                                            phi_2584_ = vec3<f32>(_e2045, _e2041, _e2043);
+                                                                            phi_2580_ = vec3<f32>(_e2041, _e2037, _e2039);
                                                                         } else {
-                                                                            phi_2584_ = (_e2039 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2580_ = (_e2035 - vec3<f32>(_e1075, _e1088, _e1101));
                                                                         }
-                                                                        let _e2053 = phi_2584_;
-                                                                        phi_2585_ = _e2053;
+                                                                        let _e2049 = phi_2580_;
+                                                                        phi_2581_ = _e2049;
                                                                     }
-                                                                    let _e2055 = phi_2585_;
-                                                                    let _e2059 = (_e2055.x - (_e1372 * _e2055.z));
-                                                                    let _e2063 = (_e2055.y - (_e1375 * _e2055.z));
-                                                                    if (_e2031 < _e2059) {
-                                                                        phi_2606_ = true;
+                                                                    let _e2051 = phi_2581_;
+                                                                    let _e2055 = (_e2051.x - (_e1372 * _e2051.z));
+                                                                    let _e2059 = (_e2051.y - (_e1375 * _e2051.z));
+                                                                    if (_e2029 < _e2055) {
+                                                                        phi_2600_ = true;
                                                                     } else {
-                                                                        if (_e2031 == _e2059) {
-                                                                            phi_2605_ = (_e2035 < _e2063);
+                                                                        if (_e2029 == _e2055) {
+                                                                            phi_2599_ = (_e2033 < _e2059);
                                                                         } else {
-                                                                            phi_2605_ = false;
+                                                                            phi_2599_ = false;
                                                                         }
-                                                                        let _e2070 = phi_2605_;
-                                                                        phi_2606_ = _e2070;
+                                                                        let _e2064 = phi_2599_;
+                                                                        phi_2600_ = _e2064;
                                                                     }
+                                                                    let _e2066 = phi_2600_;
+                                                                    if _e2066 {
+                                                                        phi_2604_ = _e2059;
+                                                                        phi_2605_ = _e2055;
+                                                                        phi_2606_ = _e2033;
+                                                                        phi_2607_ = _e2029;
+                                                                    } else {
+                                                                        phi_2604_ = _e2033;
+                                                                        phi_2605_ = _e2029;
+                                                                        phi_2606_ = _e2059;
+                                                                        phi_2607_ = _e2055;
+                                                                    }
+                                                                    let _e2068 = phi_2604_;
+                                                                    let _e2070 = phi_2605_;
                                                                     let _e2072 = phi_2606_;
-                                                                    if _e2072 {
-                                                                        phi_2610_ = _e2063;
-                                                                        phi_2611_ = _e2059;
-                                                                        phi_2612_ = _e2035;
-                                                                        phi_2613_ = _e2031;
+                                                                    let _e2074 = phi_2607_;
+                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
+                                                                    if _e2066 {
+                                                                        phi_2615_ = -(_e2077);
                                                                     } else {
-                                                                        phi_2610_ = _e2035;
-                                                                        phi_2611_ = _e2031;
-                                                                        phi_2612_ = _e2063;
-                                                                        phi_2613_ = _e2059;
+                                                                        phi_2615_ = _e2077;
                                                                     }
-                                                                    let _e2074 = phi_2610_;
-                                                                    let _e2076 = phi_2611_;
-                                                                    let _e2078 = phi_2612_;
-                                                                    let _e2080 = phi_2613_;
-                                                                    let _e2083 = ((_e2080 * _e2074) - (_e2078 * _e2076));
-                                                                    if _e2072 {
-                                                                        phi_2621_ = -(_e2083);
+                                                                    let _e2080 = phi_2615_;
+                                                                    if (_e2055 < _e2003) {
+                                                                        phi_2626_ = true;
                                                                     } else {
-                                                                        phi_2621_ = _e2083;
-                                                                    }
-                                                                    let _e2086 = phi_2621_;
-                                                                    if (_e2059 < _e2003) {
-                                                                        phi_2632_ = true;
-                                                                    } else {
-                                                                        if (_e2059 == _e2003) {
-                                                                            phi_2631_ = (_e2063 < _e2007);
+                                                                        if (_e2055 == _e2003) {
+                                                                            phi_2625_ = (_e2059 < _e2007);
                                                                         } else {
-                                                                            phi_2631_ = false;
+                                                                            phi_2625_ = false;
                                                                         }
-                                                                        let _e2091 = phi_2631_;
-                                                                        phi_2632_ = _e2091;
+                                                                        let _e2085 = phi_2625_;
+                                                                        phi_2626_ = _e2085;
                                                                     }
+                                                                    let _e2087 = phi_2626_;
+                                                                    if _e2087 {
+                                                                        phi_2630_ = _e2007;
+                                                                        phi_2631_ = _e2003;
+                                                                        phi_2632_ = _e2059;
+                                                                        phi_2633_ = _e2055;
+                                                                    } else {
+                                                                        phi_2630_ = _e2059;
+                                                                        phi_2631_ = _e2055;
+                                                                        phi_2632_ = _e2007;
+                                                                        phi_2633_ = _e2003;
+                                                                    }
+                                                                    let _e2089 = phi_2630_;
+                                                                    let _e2091 = phi_2631_;
                                                                     let _e2093 = phi_2632_;
-                                                                    if _e2093 {
-                                                                        phi_2636_ = _e2007;
-                                                                        phi_2637_ = _e2003;
-                                                                        phi_2638_ = _e2063;
-                                                                        phi_2639_ = _e2059;
+                                                                    let _e2095 = phi_2633_;
+                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
+                                                                    if _e2087 {
+                                                                        phi_2641_ = -(_e2098);
                                                                     } else {
-                                                                        phi_2636_ = _e2063;
-                                                                        phi_2637_ = _e2059;
-                                                                        phi_2638_ = _e2007;
-                                                                        phi_2639_ = _e2003;
+                                                                        phi_2641_ = _e2098;
                                                                     }
-                                                                    let _e2095 = phi_2636_;
-                                                                    let _e2097 = phi_2637_;
-                                                                    let _e2099 = phi_2638_;
-                                                                    let _e2101 = phi_2639_;
-                                                                    let _e2104 = ((_e2101 * _e2095) - (_e2099 * _e2097));
-                                                                    if _e2093 {
-                                                                        phi_2647_ = -(_e2104);
+                                                                    let _e2101 = phi_2641_;
+                                                                    if (_e2003 < _e2029) {
+                                                                        phi_2652_ = true;
                                                                     } else {
-                                                                        phi_2647_ = _e2104;
-                                                                    }
-                                                                    let _e2107 = phi_2647_;
-                                                                    if (_e2003 < _e2031) {
-                                                                        phi_2658_ = true;
-                                                                    } else {
-                                                                        if (_e2003 == _e2031) {
-                                                                            phi_2657_ = (_e2007 < _e2035);
+                                                                        if (_e2003 == _e2029) {
+                                                                            phi_2651_ = (_e2007 < _e2033);
                                                                         } else {
-                                                                            phi_2657_ = false;
+                                                                            phi_2651_ = false;
                                                                         }
-                                                                        let _e2112 = phi_2657_;
-                                                                        phi_2658_ = _e2112;
+                                                                        let _e2106 = phi_2651_;
+                                                                        phi_2652_ = _e2106;
                                                                     }
+                                                                    let _e2108 = phi_2652_;
+                                                                    if _e2108 {
+                                                                        phi_2656_ = _e2033;
+                                                                        phi_2657_ = _e2029;
+                                                                        phi_2658_ = _e2007;
+                                                                        phi_2659_ = _e2003;
+                                                                    } else {
+                                                                        phi_2656_ = _e2007;
+                                                                        phi_2657_ = _e2003;
+                                                                        phi_2658_ = _e2033;
+                                                                        phi_2659_ = _e2029;
+                                                                    }
+                                                                    let _e2110 = phi_2656_;
+                                                                    let _e2112 = phi_2657_;
                                                                     let _e2114 = phi_2658_;
-                                                                    if _e2114 {
-                                                                        phi_2662_ = _e2035;
-                                                                        phi_2663_ = _e2031;
-                                                                        phi_2664_ = _e2007;
-                                                                        phi_2665_ = _e2003;
+                                                                    let _e2116 = phi_2659_;
+                                                                    let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
+                                                                    if _e2108 {
+                                                                        phi_2667_ = -(_e2119);
                                                                     } else {
-                                                                        phi_2662_ = _e2007;
-                                                                        phi_2663_ = _e2003;
-                                                                        phi_2664_ = _e2035;
-                                                                        phi_2665_ = _e2031;
+                                                                        phi_2667_ = _e2119;
                                                                     }
-                                                                    let _e2116 = phi_2662_;
-                                                                    let _e2118 = phi_2663_;
-                                                                    let _e2120 = phi_2664_;
-                                                                    let _e2122 = phi_2665_;
-                                                                    let _e2125 = ((_e2122 * _e2116) - (_e2120 * _e2118));
-                                                                    if _e2114 {
-                                                                        phi_2673_ = -(_e2125);
-                                                                    } else {
-                                                                        phi_2673_ = _e2125;
-                                                                    }
-                                                                    let _e2128 = phi_2673_;
-                                                                    if (_e2086 >= 0f) {
-                                                                        if (_e2107 >= 0f) {
-                                                                            if (_e2128 >= 0f) {
-                                                                                phi_2688_ = ((_e2086 + _e2107) + _e2128);
-                                                                                phi_2689_ = false;
+                                                                    let _e2122 = phi_2667_;
+                                                                    if (_e2080 >= 0f) {
+                                                                        if (_e2101 >= 0f) {
+                                                                            if (_e2122 >= 0f) {
+                                                                                phi_2682_ = ((_e2080 + _e2101) + _e2122);
+                                                                                phi_2683_ = false;
                                                                             } else {
-                                                                                phi_2688_ = f32();
-                                                                                phi_2689_ = true;
+                                                                                phi_2682_ = f32();
+                                                                                phi_2683_ = true;
                                                                             }
-                                                                            let _e2135 = phi_2688_;
-                                                                            let _e2137 = phi_2689_;
-                                                                            phi_2690_ = _e2135;
-                                                                            phi_2691_ = _e2137;
+                                                                            let _e2129 = phi_2682_;
+                                                                            let _e2131 = phi_2683_;
+                                                                            phi_2684_ = _e2129;
+                                                                            phi_2685_ = _e2131;
                                                                         } else {
-                                                                            phi_2690_ = f32();
-                                                                            phi_2691_ = true;
+                                                                            phi_2684_ = f32();
+                                                                            phi_2685_ = true;
                                                                         }
-                                                                        let _e2139 = phi_2690_;
-                                                                        let _e2141 = phi_2691_;
-                                                                        phi_2692_ = _e2139;
-                                                                        phi_2693_ = _e2141;
+                                                                        let _e2133 = phi_2684_;
+                                                                        let _e2135 = phi_2685_;
+                                                                        phi_2686_ = _e2133;
+                                                                        phi_2687_ = _e2135;
                                                                     } else {
-                                                                        phi_2692_ = f32();
-                                                                        phi_2693_ = true;
+                                                                        phi_2686_ = f32();
+                                                                        phi_2687_ = true;
                                                                     }
-                                                                    let _e2143 = phi_2692_;
-                                                                    let _e2145 = phi_2693_;
-                                                                    if _e2145 {
-                                                                        if (_e2086 <= 0f) {
-                                                                            if (_e2107 <= 0f) {
-                                                                                let _e2148 = (_e2128 <= 0f);
-                                                                                if _e2148 {
+                                                                    let _e2137 = phi_2686_;
+                                                                    let _e2139 = phi_2687_;
+                                                                    if _e2139 {
+                                                                        if (_e2080 <= 0f) {
+                                                                            if (_e2101 <= 0f) {
+                                                                                let _e2142 = (_e2122 <= 0f);
+                                                                                if _e2142 {
                                                                                 }
-                                                                                phi_2711_ = ((_e2086 + _e2107) + _e2128);
-                                                                                phi_2712_ = false;
-                                                                                phi_2713_ = _e2148;
+                                                                                phi_2705_ = ((_e2080 + _e2101) + _e2122);
+                                                                                phi_2706_ = false;
+                                                                                phi_2707_ = _e2142;
                                                                             } else {
-                                                                                phi_2711_ = f32();
-                                                                                phi_2712_ = true;
-                                                                                phi_2713_ = false;
+                                                                                phi_2705_ = f32();
+                                                                                phi_2706_ = true;
+                                                                                phi_2707_ = false;
                                                                             }
-                                                                            let _e2152 = phi_2711_;
-                                                                            let _e2154 = phi_2712_;
-                                                                            let _e2156 = phi_2713_;
-                                                                            phi_2714_ = _e2152;
-                                                                            phi_2715_ = _e2154;
-                                                                            phi_2716_ = _e2156;
+                                                                            let _e2146 = phi_2705_;
+                                                                            let _e2148 = phi_2706_;
+                                                                            let _e2150 = phi_2707_;
+                                                                            phi_2708_ = _e2146;
+                                                                            phi_2709_ = _e2148;
+                                                                            phi_2710_ = _e2150;
                                                                         } else {
-                                                                            phi_2714_ = f32();
-                                                                            phi_2715_ = true;
-                                                                            phi_2716_ = false;
+                                                                            phi_2708_ = f32();
+                                                                            phi_2709_ = true;
+                                                                            phi_2710_ = false;
+                                                                        }
+                                                                        let _e2152 = phi_2708_;
+                                                                        let _e2154 = phi_2709_;
+                                                                        let _e2156 = phi_2710_;
+                                                                        if _e2154 {
+                                                                            phi_2714_ = false;
+                                                                        } else {
+                                                                            phi_2714_ = _e2156;
                                                                         }
                                                                         let _e2158 = phi_2714_;
-                                                                        let _e2160 = phi_2715_;
-                                                                        let _e2162 = phi_2716_;
-                                                                        if _e2160 {
-                                                                            phi_2720_ = false;
-                                                                        } else {
-                                                                            phi_2720_ = _e2162;
-                                                                        }
-                                                                        let _e2164 = phi_2720_;
-                                                                        phi_2721_ = _e2158;
-                                                                        phi_2722_ = _e2164;
+                                                                        phi_2715_ = _e2152;
+                                                                        phi_2716_ = _e2158;
                                                                     } else {
-                                                                        phi_2721_ = _e2143;
-                                                                        phi_2722_ = true;
+                                                                        phi_2715_ = _e2137;
+                                                                        phi_2716_ = true;
                                                                     }
-                                                                    let _e2166 = phi_2721_;
-                                                                    let _e2168 = phi_2722_;
-                                                                    if _e2168 {
-                                                                        let _e2169 = (_e2166 == 0f);
-                                                                        if _e2169 {
-                                                                            phi_2935_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2936_ = false;
+                                                                    let _e2160 = phi_2715_;
+                                                                    let _e2162 = phi_2716_;
+                                                                    if _e2162 {
+                                                                        let _e2163 = (_e2160 == 0f);
+                                                                        if _e2163 {
+                                                                            phi_3032_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3033_ = false;
                                                                         } else {
-                                                                            let _e2175 = ((((_e2086 * (_e1377 * _e1999.z)) + (_e2107 * (_e1377 * _e2027.z))) + (_e2128 * (_e1377 * _e2055.z))) / _e2166);
-                                                                            if (_e2175 > _e165.tmin) {
-                                                                                if (_e2175 < _e165.tmax) {
-                                                                                    let _e2179 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2181 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2179.x < _e2181.x) {
-                                                                                        phi_2756_ = _e2179.x;
-                                                                                    } else {
-                                                                                        phi_2756_ = _e2181.x;
-                                                                                    }
-                                                                                    let _e2188 = phi_2756_;
-                                                                                    if (_e2179.y < _e2181.y) {
-                                                                                        phi_2765_ = _e2179.y;
-                                                                                    } else {
-                                                                                        phi_2765_ = _e2181.y;
-                                                                                    }
-                                                                                    let _e2195 = phi_2765_;
-                                                                                    if (_e2179.z < _e2181.z) {
-                                                                                        phi_2774_ = _e2179.z;
-                                                                                    } else {
-                                                                                        phi_2774_ = _e2181.z;
-                                                                                    }
-                                                                                    let _e2202 = phi_2774_;
-                                                                                    let _e2204 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2188 < _e2204.x) {
-                                                                                        phi_2783_ = _e2188;
-                                                                                    } else {
-                                                                                        phi_2783_ = _e2204.x;
-                                                                                    }
-                                                                                    let _e2209 = phi_2783_;
-                                                                                    if (_e2195 < _e2204.y) {
-                                                                                        phi_2790_ = _e2195;
-                                                                                    } else {
-                                                                                        phi_2790_ = _e2204.y;
-                                                                                    }
-                                                                                    let _e2214 = phi_2790_;
-                                                                                    if (_e2202 < _e2204.z) {
-                                                                                        phi_2797_ = _e2202;
-                                                                                    } else {
-                                                                                        phi_2797_ = _e2204.z;
-                                                                                    }
-                                                                                    let _e2219 = phi_2797_;
-                                                                                    let _e2221 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2223 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2221.x > _e2223.x) {
-                                                                                        phi_2810_ = _e2221.x;
-                                                                                    } else {
-                                                                                        phi_2810_ = _e2223.x;
-                                                                                    }
-                                                                                    let _e2230 = phi_2810_;
-                                                                                    if (_e2221.y > _e2223.y) {
-                                                                                        phi_2819_ = _e2221.y;
-                                                                                    } else {
-                                                                                        phi_2819_ = _e2223.y;
-                                                                                    }
-                                                                                    let _e2237 = phi_2819_;
-                                                                                    if (_e2221.z > _e2223.z) {
-                                                                                        phi_2828_ = _e2221.z;
-                                                                                    } else {
-                                                                                        phi_2828_ = _e2223.z;
-                                                                                    }
-                                                                                    let _e2244 = phi_2828_;
-                                                                                    let _e2246 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2230 > _e2246.x) {
-                                                                                        phi_2837_ = _e2230;
-                                                                                    } else {
-                                                                                        phi_2837_ = _e2246.x;
-                                                                                    }
-                                                                                    let _e2251 = phi_2837_;
-                                                                                    if (_e2237 > _e2246.y) {
-                                                                                        phi_2844_ = _e2237;
-                                                                                    } else {
-                                                                                        phi_2844_ = _e2246.y;
-                                                                                    }
-                                                                                    let _e2256 = phi_2844_;
-                                                                                    if (_e2244 > _e2246.z) {
-                                                                                        phi_2851_ = _e2244;
-                                                                                    } else {
-                                                                                        phi_2851_ = _e2246.z;
-                                                                                    }
-                                                                                    let _e2261 = phi_2851_;
-                                                                                    let _e2265 = ((_e2209 - _e1075) * _e1290);
-                                                                                    let _e2266 = ((_e2214 - _e1088) * _e1300);
-                                                                                    let _e2267 = ((_e2219 - _e1101) * _e1310);
-                                                                                    let _e2271 = ((_e2251 - _e1075) * _e1290);
-                                                                                    let _e2272 = ((_e2256 - _e1088) * _e1300);
-                                                                                    let _e2273 = ((_e2261 - _e1101) * _e1310);
-                                                                                    if (_e2265 < _e2271) {
-                                                                                        phi_2868_ = _e2265;
-                                                                                    } else {
-                                                                                        phi_2868_ = _e2271;
-                                                                                    }
-                                                                                    let _e2276 = phi_2868_;
-                                                                                    if (_e2266 < _e2272) {
-                                                                                        phi_2873_ = _e2266;
-                                                                                    } else {
-                                                                                        phi_2873_ = _e2272;
-                                                                                    }
-                                                                                    let _e2279 = phi_2873_;
-                                                                                    if (_e2267 < _e2273) {
-                                                                                        phi_2878_ = _e2267;
-                                                                                    } else {
-                                                                                        phi_2878_ = _e2273;
-                                                                                    }
-                                                                                    let _e2282 = phi_2878_;
-                                                                                    if (_e2265 > _e2271) {
-                                                                                        phi_2886_ = _e2265;
-                                                                                    } else {
-                                                                                        phi_2886_ = _e2271;
-                                                                                    }
-                                                                                    let _e2288 = phi_2886_;
-                                                                                    if (_e2266 > _e2272) {
-                                                                                        phi_2891_ = _e2266;
-                                                                                    } else {
-                                                                                        phi_2891_ = _e2272;
-                                                                                    }
-                                                                                    let _e2291 = phi_2891_;
-                                                                                    if (_e2267 > _e2273) {
-                                                                                        phi_2896_ = _e2267;
-                                                                                    } else {
-                                                                                        phi_2896_ = _e2273;
-                                                                                    }
-                                                                                    let _e2294 = phi_2896_;
-                                                                                    let _e2298 = core_intrinsics_maximum_number_nsz_f32_((_e2276 - _e1345), (_e2279 - _e1346));
-                                                                                    let _e2299 = core_intrinsics_maximum_number_nsz_f32_(_e2298, (_e2282 - _e1347));
-                                                                                    let _e2300 = core_intrinsics_minimum_number_nsz_f32_((_e2288 + _e1345), (_e2291 + _e1346));
-                                                                                    let _e2301 = core_intrinsics_minimum_number_nsz_f32_(_e2300, (_e2294 + _e1347));
-                                                                                    if (_e2299 > _e1050) {
-                                                                                        phi_2908_ = _e2299;
-                                                                                    } else {
-                                                                                        phi_2908_ = _e1050;
-                                                                                    }
-                                                                                    let _e2304 = phi_2908_;
-                                                                                    if (_e2301 < _e1052) {
-                                                                                        phi_2913_ = _e2301;
-                                                                                    } else {
-                                                                                        phi_2913_ = _e1052;
-                                                                                    }
-                                                                                    let _e2307 = phi_2913_;
-                                                                                    if (_e2175 < _e2304) {
-                                                                                        phi_2918_ = _e2304;
-                                                                                    } else {
-                                                                                        phi_2918_ = _e2175;
-                                                                                    }
-                                                                                    let _e2310 = phi_2918_;
-                                                                                    if (_e2310 > _e2307) {
-                                                                                        phi_2923_ = _e2307;
-                                                                                    } else {
-                                                                                        phi_2923_ = _e2310;
-                                                                                    }
-                                                                                    let _e2313 = phi_2923_;
-                                                                                    phi_2928_ = lt_bvh_triangle_Intersection(_e2313, (_e2107 / _e2166), (_e2128 / _e2166), (_e2304 <= _e2307));
-                                                                                    phi_2929_ = false;
+                                                                            let _e2165 = triangles.member[(0u + _e1976)].v0_;
+                                                                            let _e2167 = (_e2165.x - _e1075);
+                                                                            let _e2169 = (_e2165.y - _e1088);
+                                                                            let _e2171 = (_e2165.z - _e1101);
+                                                                            if (_e1361 == 0u) {
+                                                                                phi_2745_ = vec3<f32>(_e2169, _e2171, _e2167);
+                                                                            } else {
+                                                                                if (_e1361 == 1u) {
+                                                                                    phi_2744_ = vec3<f32>(_e2171, _e2167, _e2169);
                                                                                 } else {
-                                                                                    phi_2928_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2929_ = true;
+                                                                                    phi_2744_ = (_e2165 - vec3<f32>(_e1075, _e1088, _e1101));
                                                                                 }
-                                                                                let _e2319 = phi_2928_;
-                                                                                let _e2321 = phi_2929_;
-                                                                                phi_2930_ = _e2319;
-                                                                                phi_2931_ = _e2321;
+                                                                                let _e2179 = phi_2744_;
+                                                                                phi_2745_ = _e2179;
+                                                                            }
+                                                                            let _e2181 = phi_2745_;
+                                                                            let _e2183 = triangles.member[(0u + _e1976)].v1_;
+                                                                            let _e2185 = triangles.member[(0u + _e1976)].v0_;
+                                                                            let _e2188 = (_e2183.x - _e2185.x);
+                                                                            let _e2191 = (_e2183.y - _e2185.y);
+                                                                            let _e2194 = (_e2183.z - _e2185.z);
+                                                                            if (_e1361 == 0u) {
+                                                                                phi_2771_ = vec3<f32>(_e2191, _e2194, _e2188);
                                                                             } else {
-                                                                                phi_2930_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2931_ = true;
+                                                                                if (_e1361 == 1u) {
+                                                                                    phi_2770_ = vec3<f32>(_e2194, _e2188, _e2191);
+                                                                                } else {
+                                                                                    phi_2770_ = (_e2183 - _e2185);
+                                                                                }
+                                                                                let _e2201 = phi_2770_;
+                                                                                phi_2771_ = _e2201;
                                                                             }
-                                                                            let _e2323 = phi_2930_;
-                                                                            let _e2325 = phi_2931_;
-                                                                            if _e2325 {
+                                                                            let _e2203 = phi_2771_;
+                                                                            let _e2205 = triangles.member[(0u + _e1976)].v2_;
+                                                                            let _e2207 = triangles.member[(0u + _e1976)].v0_;
+                                                                            let _e2210 = (_e2205.x - _e2207.x);
+                                                                            let _e2213 = (_e2205.y - _e2207.y);
+                                                                            let _e2216 = (_e2205.z - _e2207.z);
+                                                                            if (_e1361 == 0u) {
+                                                                                phi_2797_ = vec3<f32>(_e2213, _e2216, _e2210);
+                                                                            } else {
+                                                                                if (_e1361 == 1u) {
+                                                                                    phi_2796_ = vec3<f32>(_e2216, _e2210, _e2213);
+                                                                                } else {
+                                                                                    phi_2796_ = (_e2205 - _e2207);
+                                                                                }
+                                                                                let _e2223 = phi_2796_;
+                                                                                phi_2797_ = _e2223;
                                                                             }
-                                                                            phi_2935_ = _e2323;
-                                                                            phi_2936_ = _e2325;
+                                                                            let _e2225 = phi_2797_;
+                                                                            let _e2232 = ((_e2203.y * _e2225.z) - (_e2203.z * _e2225.y));
+                                                                            let _e2239 = ((_e2203.z * _e2225.x) - (_e2203.x * _e2225.z));
+                                                                            let _e2246 = ((_e2203.x * _e2225.y) - (_e2203.y * _e2225.x));
+                                                                            let _e2260 = (((1f / _e1369.z) * (((_e2232 * _e2181.x) + (_e2239 * _e2181.y)) + (_e2246 * _e2181.z))) / (((_e2232 * _e1372) + (_e2239 * _e1375)) + _e2246));
+                                                                            if (_e2260 > _e165.tmin) {
+                                                                                if (_e2260 < _e165.tmax) {
+                                                                                    let _e2264 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2266 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2264.x < _e2266.x) {
+                                                                                        phi_2853_ = _e2264.x;
+                                                                                    } else {
+                                                                                        phi_2853_ = _e2266.x;
+                                                                                    }
+                                                                                    let _e2273 = phi_2853_;
+                                                                                    if (_e2264.y < _e2266.y) {
+                                                                                        phi_2862_ = _e2264.y;
+                                                                                    } else {
+                                                                                        phi_2862_ = _e2266.y;
+                                                                                    }
+                                                                                    let _e2280 = phi_2862_;
+                                                                                    if (_e2264.z < _e2266.z) {
+                                                                                        phi_2871_ = _e2264.z;
+                                                                                    } else {
+                                                                                        phi_2871_ = _e2266.z;
+                                                                                    }
+                                                                                    let _e2287 = phi_2871_;
+                                                                                    let _e2289 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2273 < _e2289.x) {
+                                                                                        phi_2880_ = _e2273;
+                                                                                    } else {
+                                                                                        phi_2880_ = _e2289.x;
+                                                                                    }
+                                                                                    let _e2294 = phi_2880_;
+                                                                                    if (_e2280 < _e2289.y) {
+                                                                                        phi_2887_ = _e2280;
+                                                                                    } else {
+                                                                                        phi_2887_ = _e2289.y;
+                                                                                    }
+                                                                                    let _e2299 = phi_2887_;
+                                                                                    if (_e2287 < _e2289.z) {
+                                                                                        phi_2894_ = _e2287;
+                                                                                    } else {
+                                                                                        phi_2894_ = _e2289.z;
+                                                                                    }
+                                                                                    let _e2304 = phi_2894_;
+                                                                                    let _e2306 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2308 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2306.x > _e2308.x) {
+                                                                                        phi_2907_ = _e2306.x;
+                                                                                    } else {
+                                                                                        phi_2907_ = _e2308.x;
+                                                                                    }
+                                                                                    let _e2315 = phi_2907_;
+                                                                                    if (_e2306.y > _e2308.y) {
+                                                                                        phi_2916_ = _e2306.y;
+                                                                                    } else {
+                                                                                        phi_2916_ = _e2308.y;
+                                                                                    }
+                                                                                    let _e2322 = phi_2916_;
+                                                                                    if (_e2306.z > _e2308.z) {
+                                                                                        phi_2925_ = _e2306.z;
+                                                                                    } else {
+                                                                                        phi_2925_ = _e2308.z;
+                                                                                    }
+                                                                                    let _e2329 = phi_2925_;
+                                                                                    let _e2331 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2315 > _e2331.x) {
+                                                                                        phi_2934_ = _e2315;
+                                                                                    } else {
+                                                                                        phi_2934_ = _e2331.x;
+                                                                                    }
+                                                                                    let _e2336 = phi_2934_;
+                                                                                    if (_e2322 > _e2331.y) {
+                                                                                        phi_2941_ = _e2322;
+                                                                                    } else {
+                                                                                        phi_2941_ = _e2331.y;
+                                                                                    }
+                                                                                    let _e2341 = phi_2941_;
+                                                                                    if (_e2329 > _e2331.z) {
+                                                                                        phi_2948_ = _e2329;
+                                                                                    } else {
+                                                                                        phi_2948_ = _e2331.z;
+                                                                                    }
+                                                                                    let _e2346 = phi_2948_;
+                                                                                    let _e2350 = ((_e2294 - _e1075) * _e1290);
+                                                                                    let _e2351 = ((_e2299 - _e1088) * _e1300);
+                                                                                    let _e2352 = ((_e2304 - _e1101) * _e1310);
+                                                                                    let _e2356 = ((_e2336 - _e1075) * _e1290);
+                                                                                    let _e2357 = ((_e2341 - _e1088) * _e1300);
+                                                                                    let _e2358 = ((_e2346 - _e1101) * _e1310);
+                                                                                    if (_e2350 < _e2356) {
+                                                                                        phi_2965_ = _e2350;
+                                                                                    } else {
+                                                                                        phi_2965_ = _e2356;
+                                                                                    }
+                                                                                    let _e2361 = phi_2965_;
+                                                                                    if (_e2351 < _e2357) {
+                                                                                        phi_2970_ = _e2351;
+                                                                                    } else {
+                                                                                        phi_2970_ = _e2357;
+                                                                                    }
+                                                                                    let _e2364 = phi_2970_;
+                                                                                    if (_e2352 < _e2358) {
+                                                                                        phi_2975_ = _e2352;
+                                                                                    } else {
+                                                                                        phi_2975_ = _e2358;
+                                                                                    }
+                                                                                    let _e2367 = phi_2975_;
+                                                                                    if (_e2350 > _e2356) {
+                                                                                        phi_2983_ = _e2350;
+                                                                                    } else {
+                                                                                        phi_2983_ = _e2356;
+                                                                                    }
+                                                                                    let _e2373 = phi_2983_;
+                                                                                    if (_e2351 > _e2357) {
+                                                                                        phi_2988_ = _e2351;
+                                                                                    } else {
+                                                                                        phi_2988_ = _e2357;
+                                                                                    }
+                                                                                    let _e2376 = phi_2988_;
+                                                                                    if (_e2352 > _e2358) {
+                                                                                        phi_2993_ = _e2352;
+                                                                                    } else {
+                                                                                        phi_2993_ = _e2358;
+                                                                                    }
+                                                                                    let _e2379 = phi_2993_;
+                                                                                    let _e2383 = core_intrinsics_maximum_number_nsz_f32_((_e2361 - _e1345), (_e2364 - _e1346));
+                                                                                    let _e2384 = core_intrinsics_maximum_number_nsz_f32_(_e2383, (_e2367 - _e1347));
+                                                                                    let _e2385 = core_intrinsics_minimum_number_nsz_f32_((_e2373 + _e1345), (_e2376 + _e1346));
+                                                                                    let _e2386 = core_intrinsics_minimum_number_nsz_f32_(_e2385, (_e2379 + _e1347));
+                                                                                    if (_e2384 > _e1050) {
+                                                                                        phi_3005_ = _e2384;
+                                                                                    } else {
+                                                                                        phi_3005_ = _e1050;
+                                                                                    }
+                                                                                    let _e2389 = phi_3005_;
+                                                                                    if (_e2386 < _e1052) {
+                                                                                        phi_3010_ = _e2386;
+                                                                                    } else {
+                                                                                        phi_3010_ = _e1052;
+                                                                                    }
+                                                                                    let _e2392 = phi_3010_;
+                                                                                    if (_e2260 < _e2389) {
+                                                                                        phi_3015_ = _e2389;
+                                                                                    } else {
+                                                                                        phi_3015_ = _e2260;
+                                                                                    }
+                                                                                    let _e2395 = phi_3015_;
+                                                                                    if (_e2395 > _e2392) {
+                                                                                        phi_3020_ = _e2392;
+                                                                                    } else {
+                                                                                        phi_3020_ = _e2395;
+                                                                                    }
+                                                                                    let _e2398 = phi_3020_;
+                                                                                    phi_3025_ = lt_bvh_triangle_Intersection(_e2398, (_e2101 / _e2160), (_e2122 / _e2160), (_e2389 <= _e2392));
+                                                                                    phi_3026_ = false;
+                                                                                } else {
+                                                                                    phi_3025_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3026_ = true;
+                                                                                }
+                                                                                let _e2404 = phi_3025_;
+                                                                                let _e2406 = phi_3026_;
+                                                                                phi_3027_ = _e2404;
+                                                                                phi_3028_ = _e2406;
+                                                                            } else {
+                                                                                phi_3027_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3028_ = true;
+                                                                            }
+                                                                            let _e2408 = phi_3027_;
+                                                                            let _e2410 = phi_3028_;
+                                                                            if _e2410 {
+                                                                            }
+                                                                            phi_3032_ = _e2408;
+                                                                            phi_3033_ = _e2410;
                                                                         }
-                                                                        let _e2327 = phi_2935_;
-                                                                        let _e2329 = phi_2936_;
-                                                                        phi_2937_ = _e2327;
-                                                                        phi_2938_ = _e2169;
-                                                                        phi_2939_ = _e2329;
+                                                                        let _e2412 = phi_3032_;
+                                                                        let _e2414 = phi_3033_;
+                                                                        phi_3034_ = _e2412;
+                                                                        phi_3035_ = _e2163;
+                                                                        phi_3036_ = _e2414;
                                                                     } else {
-                                                                        phi_2937_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2938_ = true;
-                                                                        phi_2939_ = false;
+                                                                        phi_3034_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3035_ = true;
+                                                                        phi_3036_ = false;
                                                                     }
-                                                                    let _e2331 = phi_2937_;
-                                                                    let _e2333 = phi_2938_;
-                                                                    let _e2335 = phi_2939_;
-                                                                    if _e2333 {
-                                                                        phi_2943_ = true;
+                                                                    let _e2416 = phi_3034_;
+                                                                    let _e2418 = phi_3035_;
+                                                                    let _e2420 = phi_3036_;
+                                                                    if _e2418 {
+                                                                        phi_3040_ = true;
                                                                     } else {
-                                                                        phi_2943_ = _e2335;
+                                                                        phi_3040_ = _e2420;
                                                                     }
-                                                                    let _e2337 = phi_2943_;
-                                                                    if _e2337 {
-                                                                        phi_2947_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2422 = phi_3040_;
+                                                                    if _e2422 {
+                                                                        phi_3044_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2947_ = _e2331;
+                                                                        phi_3044_ = _e2416;
                                                                     }
-                                                                    let _e2339 = phi_2947_;
-                                                                    if _e2339.is_hit {
-                                                                        if (_e2339.t > _e165.tmin) {
-                                                                            if (_e2339.t < _e1965.t) {
-                                                                                phi_2995_ = true;
+                                                                    let _e2424 = phi_3044_;
+                                                                    if _e2424.is_hit {
+                                                                        if (_e2424.t > _e165.tmin) {
+                                                                            if (_e2424.t < _e1965.t) {
+                                                                                phi_3092_ = true;
                                                                             } else {
-                                                                                if (_e2339.t == _e1965.t) {
+                                                                                if (_e2424.t == _e1965.t) {
                                                                                     if (_e1965.triangle != 4294967295u) {
                                                                                         if (_e1976 < _e1965.triangle) {
-                                                                                            phi_2986_ = true;
+                                                                                            phi_3083_ = true;
                                                                                         } else {
                                                                                             if (_e1976 == _e1965.triangle) {
-                                                                                                phi_2985_ = (_e991 < _e1965.instance);
+                                                                                                phi_3082_ = (_e991 < _e1965.instance);
                                                                                             } else {
-                                                                                                phi_2985_ = false;
+                                                                                                phi_3082_ = false;
                                                                                             }
-                                                                                            let _e2357 = phi_2985_;
-                                                                                            phi_2986_ = _e2357;
+                                                                                            let _e2442 = phi_3082_;
+                                                                                            phi_3083_ = _e2442;
                                                                                         }
-                                                                                        let _e2359 = phi_2986_;
-                                                                                        phi_2987_ = _e2359;
-                                                                                        phi_2988_ = false;
+                                                                                        let _e2444 = phi_3083_;
+                                                                                        phi_3084_ = _e2444;
+                                                                                        phi_3085_ = false;
                                                                                     } else {
-                                                                                        phi_2987_ = bool();
-                                                                                        phi_2988_ = true;
+                                                                                        phi_3084_ = bool();
+                                                                                        phi_3085_ = true;
                                                                                     }
-                                                                                    let _e2361 = phi_2987_;
-                                                                                    let _e2363 = phi_2988_;
-                                                                                    phi_2989_ = _e2361;
-                                                                                    phi_2990_ = _e2363;
+                                                                                    let _e2446 = phi_3084_;
+                                                                                    let _e2448 = phi_3085_;
+                                                                                    phi_3086_ = _e2446;
+                                                                                    phi_3087_ = _e2448;
                                                                                 } else {
-                                                                                    phi_2989_ = bool();
-                                                                                    phi_2990_ = true;
+                                                                                    phi_3086_ = bool();
+                                                                                    phi_3087_ = true;
                                                                                 }
-                                                                                let _e2365 = phi_2989_;
-                                                                                let _e2367 = phi_2990_;
-                                                                                if _e2367 {
-                                                                                    phi_2994_ = false;
+                                                                                let _e2450 = phi_3086_;
+                                                                                let _e2452 = phi_3087_;
+                                                                                if _e2452 {
+                                                                                    phi_3091_ = false;
                                                                                 } else {
-                                                                                    phi_2994_ = _e2365;
+                                                                                    phi_3091_ = _e2450;
                                                                                 }
-                                                                                let _e2369 = phi_2994_;
-                                                                                phi_2995_ = _e2369;
+                                                                                let _e2454 = phi_3091_;
+                                                                                phi_3092_ = _e2454;
                                                                             }
-                                                                            let _e2371 = phi_2995_;
-                                                                            if _e2371 {
-                                                                                let _e2373 = triangles.member[(0u + _e1976)].i0_;
-                                                                                if ((_e2373 & 2147483648u) == 0u) {
-                                                                                    phi_3206_ = true;
+                                                                            let _e2456 = phi_3092_;
+                                                                            if _e2456 {
+                                                                                let _e2458 = triangles.member[(0u + _e1976)].i0_;
+                                                                                if ((_e2458 & 2147483648u) == 0u) {
+                                                                                    phi_3303_ = true;
                                                                                 } else {
                                                                                     if (_e1976 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2382 = triangles.member[(0u + _e1976)].i0_;
-                                                                                    let _e2383 = (_e2382 & 2147483647u);
-                                                                                    let _e2385 = triangles.member[(0u + _e1976)].i1_;
-                                                                                    let _e2387 = triangles.member[(0u + _e1976)].i2_;
-                                                                                    if (_e2383 < _e84) {
+                                                                                    let _e2467 = triangles.member[(0u + _e1976)].i0_;
+                                                                                    let _e2468 = (_e2467 & 2147483647u);
+                                                                                    let _e2470 = triangles.member[(0u + _e1976)].i1_;
+                                                                                    let _e2472 = triangles.member[(0u + _e1976)].i2_;
+                                                                                    if (_e2468 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2391 = vertices.member[(0u + _e2383)];
-                                                                                    if (_e2385 < _e84) {
+                                                                                    let _e2476 = vertices.member[(0u + _e2468)];
+                                                                                    if (_e2470 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2395 = vertices.member[(0u + _e2385)];
-                                                                                    if (_e2387 < _e84) {
+                                                                                    let _e2480 = vertices.member[(0u + _e2470)];
+                                                                                    if (_e2472 < _e84) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2399 = vertices.member[(0u + _e2387)];
-                                                                                    let _e2400 = array<abi_Vertex, 3>(_e2391, _e2395, _e2399);
-                                                                                    if (_e2400[0].material < _e87) {
+                                                                                    let _e2484 = vertices.member[(0u + _e2472)];
+                                                                                    let _e2485 = array<abi_Vertex, 3>(_e2476, _e2480, _e2484);
+                                                                                    if (_e2485[0].material < _e87) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2406 = materials.member[(0u + _e2400[0].material)];
-                                                                                    if ((_e2406.flags & 0u) == 0u) {
-                                                                                        let _e2411 = ((1f - _e2339.u) - _e2339.v);
-                                                                                        if (_e2406.cutoff <= 0f) {
-                                                                                            phi_3201_ = true;
+                                                                                    let _e2491 = materials.member[(0u + _e2485[0].material)];
+                                                                                    if ((_e2491.flags & 0u) == 0u) {
+                                                                                        let _e2496 = ((1f - _e2424.u) - _e2424.v);
+                                                                                        if (_e2491.cutoff <= 0f) {
+                                                                                            phi_3298_ = true;
                                                                                         } else {
-                                                                                            let _e2438 = (_e2406.base_color.w * ((((f32((_e2400[0].color >> bitcast<u32>(24i))) * _e2411) + (f32((_e2400[1].color >> bitcast<u32>(24i))) * _e2339.u)) + (f32((_e2400[2].color >> bitcast<u32>(24i))) * _e2339.v)) * (1f / 255f)));
-                                                                                            if (_e2406.alpha_size == 0u) {
-                                                                                                phi_3198_ = _e2438;
+                                                                                            let _e2523 = (_e2491.base_color.w * ((((f32((_e2485[0].color >> bitcast<u32>(24i))) * _e2496) + (f32((_e2485[1].color >> bitcast<u32>(24i))) * _e2424.u)) + (f32((_e2485[2].color >> bitcast<u32>(24i))) * _e2424.v)) * (1f / 255f)));
+                                                                                            if (_e2491.alpha_size == 0u) {
+                                                                                                phi_3295_ = _e2523;
                                                                                             } else {
-                                                                                                local.offset = _e2406.alpha_offset;
-                                                                                                local.size = _e2406.alpha_size;
-                                                                                                local.flags = _e2406.flags;
-                                                                                                let _e2469 = _lt_shaders_texture_TextureView_quad((&local), (((_e2400[0].u * _e2411) + (_e2400[1].u * _e2339.u)) + (_e2400[2].u * _e2339.v)), (((_e2400[0].v * _e2411) + (_e2400[1].v * _e2339.u)) + (_e2400[2].v * _e2339.v)));
-                                                                                                let _e2473 = (_e2469.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2473 < _e96) {
+                                                                                                local.offset = _e2491.alpha_offset;
+                                                                                                local.size = _e2491.alpha_size;
+                                                                                                local.flags = _e2491.flags;
+                                                                                                let _e2554 = _lt_shaders_texture_TextureView_quad((&local), (((_e2485[0].u * _e2496) + (_e2485[1].u * _e2424.u)) + (_e2485[2].u * _e2424.v)), (((_e2485[0].v * _e2496) + (_e2485[1].v * _e2424.u)) + (_e2485[2].v * _e2424.v)));
+                                                                                                let _e2558 = (_e2554.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2558 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2477 = alpha_texels.member[(0u + _e2473)];
-                                                                                                let _e2493 = (_e2469.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2493 < _e96) {
+                                                                                                let _e2562 = alpha_texels.member[(0u + _e2558)];
+                                                                                                let _e2578 = (_e2554.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2578 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2497 = alpha_texels.member[(0u + _e2493)];
-                                                                                                let _e2514 = (_e2469.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2514 < _e96) {
+                                                                                                let _e2582 = alpha_texels.member[(0u + _e2578)];
+                                                                                                let _e2599 = (_e2554.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2599 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2518 = alpha_texels.member[(0u + _e2514)];
-                                                                                                let _e2535 = (_e2469.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2535 < _e96) {
+                                                                                                let _e2603 = alpha_texels.member[(0u + _e2599)];
+                                                                                                let _e2620 = (_e2554.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2620 < _e96) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2539 = alpha_texels.member[(0u + _e2535)];
-                                                                                                phi_3198_ = (_e2438 * (((((f32(((_e2477 >> bitcast<u32>((((_e2469.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.x) + ((f32(((_e2497 >> bitcast<u32>((((_e2469.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.y)) + ((f32(((_e2518 >> bitcast<u32>((((_e2469.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.z)) + ((f32(((_e2539 >> bitcast<u32>((((_e2469.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2469.weights.w)));
+                                                                                                let _e2624 = alpha_texels.member[(0u + _e2620)];
+                                                                                                phi_3295_ = (_e2523 * (((((f32(((_e2562 >> bitcast<u32>((((_e2554.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.x) + ((f32(((_e2582 >> bitcast<u32>((((_e2554.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.y)) + ((f32(((_e2603 >> bitcast<u32>((((_e2554.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.z)) + ((f32(((_e2624 >> bitcast<u32>((((_e2554.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2554.weights.w)));
                                                                                             }
-                                                                                            let _e2555 = phi_3198_;
-                                                                                            phi_3201_ = (_e2555 >= _e2406.cutoff);
+                                                                                            let _e2640 = phi_3295_;
+                                                                                            phi_3298_ = (_e2640 >= _e2491.cutoff);
                                                                                         }
-                                                                                        let _e2559 = phi_3201_;
-                                                                                        phi_3202_ = _e2559;
+                                                                                        let _e2644 = phi_3298_;
+                                                                                        phi_3299_ = _e2644;
                                                                                     } else {
-                                                                                        phi_3202_ = false;
+                                                                                        phi_3299_ = false;
                                                                                     }
-                                                                                    let _e2561 = phi_3202_;
-                                                                                    if _e2561 {
+                                                                                    let _e2646 = phi_3299_;
+                                                                                    if _e2646 {
                                                                                     }
-                                                                                    phi_3206_ = _e2561;
+                                                                                    phi_3303_ = _e2646;
                                                                                 }
-                                                                                let _e2563 = phi_3206_;
-                                                                                if _e2563 {
-                                                                                    phi_3214_ = lt_bvh_Hit(_e2339.t, _e2339.u, _e2339.v, _e1976, _e991);
+                                                                                let _e2648 = phi_3303_;
+                                                                                if _e2648 {
+                                                                                    phi_3311_ = lt_bvh_Hit(_e2424.t, _e2424.u, _e2424.v, _e1976, _e991);
                                                                                 } else {
-                                                                                    phi_3214_ = _e1965;
+                                                                                    phi_3311_ = _e1965;
                                                                                 }
-                                                                                let _e2569 = phi_3214_;
-                                                                                phi_3215_ = _e2569;
+                                                                                let _e2654 = phi_3311_;
+                                                                                phi_3312_ = _e2654;
                                                                             } else {
-                                                                                phi_3215_ = _e1965;
+                                                                                phi_3312_ = _e1965;
                                                                             }
-                                                                            let _e2571 = phi_3215_;
-                                                                            phi_3216_ = _e2571;
+                                                                            let _e2656 = phi_3312_;
+                                                                            phi_3313_ = _e2656;
                                                                         } else {
-                                                                            phi_3216_ = _e1965;
+                                                                            phi_3313_ = _e1965;
                                                                         }
-                                                                        let _e2573 = phi_3216_;
-                                                                        phi_3217_ = _e2573;
+                                                                        let _e2658 = phi_3313_;
+                                                                        phi_3314_ = _e2658;
                                                                     } else {
-                                                                        phi_3217_ = _e1965;
+                                                                        phi_3314_ = _e1965;
                                                                     }
-                                                                    let _e2575 = phi_3217_;
-                                                                    phi_2474_ = _e2575;
+                                                                    let _e2660 = phi_3314_;
+                                                                    phi_2474_ = _e2660;
                                                                     phi_2477_ = (_e1967 & (_e1967 - 1u));
-                                                                    phi_3218_ = true;
+                                                                    phi_3315_ = true;
                                                                 }
-                                                                let _e2577 = phi_2474_;
-                                                                let _e2579 = phi_2477_;
-                                                                let _e2581 = phi_3218_;
+                                                                let _e2662 = phi_2474_;
+                                                                let _e2664 = phi_2477_;
+                                                                let _e2666 = phi_3315_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2473_ = _e2577;
-                                                                    phi_2476_ = _e2579;
-                                                                    break if !(_e2581);
+                                                                    phi_2473_ = _e2662;
+                                                                    phi_2476_ = _e2664;
+                                                                    break if !(_e2666);
                                                                 }
                                                             }
-                                                            let _e2584 = local_1.group_mask;
-                                                            if ((_e2584 & 4278190080u) == 0u) {
-                                                                let _e2588 = local_1.len;
-                                                                if (_e2588 == 0u) {
-                                                                    phi_3257_ = false;
+                                                            let _e2669 = local_1.group_mask;
+                                                            if ((_e2669 & 4278190080u) == 0u) {
+                                                                let _e2673 = local_1.len;
+                                                                if (_e2673 == 0u) {
+                                                                    phi_3354_ = false;
                                                                 } else {
-                                                                    let _e2592 = local_1.len;
-                                                                    local_1.len = (_e2592 - 1u);
-                                                                    let _e2595 = local_1.len;
-                                                                    if (_e2595 < 32u) {
+                                                                    let _e2677 = local_1.len;
+                                                                    local_1.len = (_e2677 - 1u);
+                                                                    let _e2680 = local_1.len;
+                                                                    if (_e2680 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2600 = local_1.first[(0u + _e2595)];
-                                                                    local_1.group = _e2600;
-                                                                    let _e2603 = local_1.len;
-                                                                    if (_e2603 < 32u) {
+                                                                    let _e2685 = local_1.first[(0u + _e2680)];
+                                                                    local_1.group = _e2685;
+                                                                    let _e2688 = local_1.len;
+                                                                    if (_e2688 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2608 = local_1.mask[(0u + _e2603)];
-                                                                    local_1.group_mask = _e2608;
-                                                                    phi_3257_ = true;
+                                                                    let _e2693 = local_1.mask[(0u + _e2688)];
+                                                                    local_1.group_mask = _e2693;
+                                                                    phi_3354_ = true;
                                                                 }
-                                                                let _e2611 = phi_3257_;
-                                                                phi_3258_ = _e2611;
+                                                                let _e2696 = phi_3354_;
+                                                                phi_3355_ = _e2696;
                                                             } else {
-                                                                phi_3258_ = true;
+                                                                phi_3355_ = true;
                                                             }
-                                                            let _e2613 = phi_3258_;
-                                                            if _e2613 {
-                                                                let _e2615 = local_1.group_mask;
-                                                                let _e2621 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2615)), 32u, (_e2615 == 0u)));
-                                                                let _e2625 = local_1.group_mask;
-                                                                let _e2639 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2639 & ~((1u << bitcast<u32>((_e2621 & 31u)))));
-                                                                let _e2642 = local_1.group;
-                                                                phi_3289_ = (_e2642 + countOneBits(((_e2625 & ~((4294967295u << bitcast<u32>((((_e2621 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            let _e2698 = phi_3355_;
+                                                            if _e2698 {
+                                                                let _e2700 = local_1.group_mask;
+                                                                let _e2706 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2700)), 32u, (_e2700 == 0u)));
+                                                                let _e2710 = local_1.group_mask;
+                                                                let _e2724 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2724 & ~((1u << bitcast<u32>((_e2706 & 31u)))));
+                                                                let _e2727 = local_1.group;
+                                                                phi_3386_ = (_e2727 + countOneBits(((_e2710 & ~((4294967295u << bitcast<u32>((((_e2706 - 24u) ^ _e1388) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3289_ = 4294967295u;
+                                                                phi_3386_ = 4294967295u;
                                                             }
-                                                            let _e2645 = phi_3289_;
-                                                            let _e3820 = local_9;
-                                                            phi_2141_ = _e3820;
-                                                            phi_2144_ = _e2645;
+                                                            let _e2730 = phi_3386_;
+                                                            let _e3911 = local_9;
+                                                            phi_2141_ = _e3911;
+                                                            phi_2144_ = _e2730;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
                                                             phi_2144_ = u32();
                                                         }
-                                                        let _e2647 = phi_2141_;
-                                                        let _e2649 = phi_2144_;
+                                                        let _e2732 = phi_2141_;
+                                                        let _e2734 = phi_2144_;
                                                         continue;
                                                         continuing {
-                                                            phi_2140_ = _e2647;
-                                                            phi_2143_ = _e2649;
+                                                            phi_2140_ = _e2732;
+                                                            phi_2143_ = _e2734;
                                                             break if !(_e1529);
                                                         }
                                                     }
-                                                    let _e3824 = local_10;
-                                                    phi_3290_ = _e3824;
+                                                    let _e3915 = local_10;
+                                                    phi_3387_ = _e3915;
                                                 }
-                                                let _e2652 = phi_3290_;
-                                                phi_3291_ = _e2652;
-                                                phi_3292_ = _e1214;
+                                                let _e2737 = phi_3387_;
+                                                phi_3388_ = _e2737;
+                                                phi_3389_ = _e1214;
                                             } else {
-                                                phi_3291_ = lt_bvh_Hit();
-                                                phi_3292_ = true;
+                                                phi_3388_ = lt_bvh_Hit();
+                                                phi_3389_ = true;
                                             }
-                                            let _e2654 = phi_3291_;
-                                            let _e2656 = phi_3292_;
-                                            if _e2656 {
-                                                phi_3296_ = _e983;
+                                            let _e2739 = phi_3388_;
+                                            let _e2741 = phi_3389_;
+                                            if _e2741 {
+                                                phi_3393_ = _e983;
                                             } else {
-                                                phi_3296_ = _e2654;
+                                                phi_3393_ = _e2739;
                                             }
-                                            let _e2658 = phi_3296_;
-                                            phi_3297_ = _e2658;
+                                            let _e2743 = phi_3393_;
+                                            phi_3394_ = _e2743;
                                         } else {
-                                            phi_3297_ = _e983;
+                                            phi_3394_ = _e983;
                                         }
-                                        let _e2660 = phi_3297_;
-                                        phi_3298_ = _e2660;
+                                        let _e2745 = phi_3394_;
+                                        phi_3395_ = _e2745;
                                     } else {
-                                        phi_3298_ = _e983;
+                                        phi_3395_ = _e983;
                                     }
-                                    let _e2662 = phi_3298_;
-                                    phi_3299_ = _e2662;
+                                    let _e2747 = phi_3395_;
+                                    phi_3396_ = _e2747;
                                 } else {
-                                    phi_3299_ = _e983;
+                                    phi_3396_ = _e983;
                                 }
-                                let _e2664 = phi_3299_;
+                                let _e2749 = phi_3396_;
                                 phi_1515_ = (_e981 & (_e981 - 1u));
-                                phi_1518_ = _e2664;
-                                phi_3300_ = true;
+                                phi_1518_ = _e2749;
+                                phi_3397_ = true;
                             }
-                            let _e2666 = phi_1515_;
-                            let _e2668 = phi_1518_;
-                            let _e2670 = phi_3300_;
+                            let _e2751 = phi_1515_;
+                            let _e2753 = phi_1518_;
+                            let _e2755 = phi_3397_;
                             continue;
                             continuing {
-                                phi_1514_ = _e2666;
-                                phi_1517_ = _e2668;
-                                break if !(_e2670);
+                                phi_1514_ = _e2751;
+                                phi_1517_ = _e2753;
+                                break if !(_e2755);
                             }
                         }
-                        let _e2673 = local_2.group_mask;
-                        if ((_e2673 & 4278190080u) == 0u) {
-                            let _e2677 = local_2.len;
-                            if (_e2677 == 0u) {
-                                phi_3339_ = false;
+                        let _e2758 = local_2.group_mask;
+                        if ((_e2758 & 4278190080u) == 0u) {
+                            let _e2762 = local_2.len;
+                            if (_e2762 == 0u) {
+                                phi_3436_ = false;
                             } else {
-                                let _e2681 = local_2.len;
-                                local_2.len = (_e2681 - 1u);
-                                let _e2684 = local_2.len;
-                                if (_e2684 < 32u) {
+                                let _e2766 = local_2.len;
+                                local_2.len = (_e2766 - 1u);
+                                let _e2769 = local_2.len;
+                                if (_e2769 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2689 = local_2.first[(0u + _e2684)];
-                                local_2.group = _e2689;
-                                let _e2692 = local_2.len;
-                                if (_e2692 < 32u) {
+                                let _e2774 = local_2.first[(0u + _e2769)];
+                                local_2.group = _e2774;
+                                let _e2777 = local_2.len;
+                                if (_e2777 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2697 = local_2.mask[(0u + _e2692)];
-                                local_2.group_mask = _e2697;
-                                phi_3339_ = true;
+                                let _e2782 = local_2.mask[(0u + _e2777)];
+                                local_2.group_mask = _e2782;
+                                phi_3436_ = true;
                             }
-                            let _e2700 = phi_3339_;
-                            phi_3340_ = _e2700;
+                            let _e2785 = phi_3436_;
+                            phi_3437_ = _e2785;
                         } else {
-                            phi_3340_ = true;
+                            phi_3437_ = true;
                         }
-                        let _e2702 = phi_3340_;
-                        if _e2702 {
-                            let _e2704 = local_2.group_mask;
-                            let _e2710 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2704)), 32u, (_e2704 == 0u)));
-                            let _e2714 = local_2.group_mask;
-                            let _e2728 = local_2.group_mask;
-                            local_2.group_mask = (_e2728 & ~((1u << bitcast<u32>((_e2710 & 31u)))));
-                            let _e2731 = local_2.group;
-                            phi_3371_ = (_e2731 + countOneBits(((_e2714 & ~((4294967295u << bitcast<u32>((((_e2710 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        let _e2787 = phi_3437_;
+                        if _e2787 {
+                            let _e2789 = local_2.group_mask;
+                            let _e2795 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2789)), 32u, (_e2789 == 0u)));
+                            let _e2799 = local_2.group_mask;
+                            let _e2813 = local_2.group_mask;
+                            local_2.group_mask = (_e2813 & ~((1u << bitcast<u32>((_e2795 & 31u)))));
+                            let _e2816 = local_2.group;
+                            phi_3468_ = (_e2816 + countOneBits(((_e2799 & ~((4294967295u << bitcast<u32>((((_e2795 - 24u) ^ _e400) & 31u))))) & 255u)));
                         } else {
-                            phi_3371_ = 4294967295u;
+                            phi_3468_ = 4294967295u;
                         }
-                        let _e2734 = phi_3371_;
-                        phi_1178_ = _e2734;
-                        let _e3840 = local_11;
-                        phi_1181_ = _e3840;
+                        let _e2819 = phi_3468_;
+                        phi_1178_ = _e2819;
+                        let _e3931 = local_11;
+                        phi_1181_ = _e3931;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
                     }
-                    let _e2736 = phi_1178_;
-                    let _e2738 = phi_1181_;
+                    let _e2821 = phi_1178_;
+                    let _e2823 = phi_1181_;
                     continue;
                     continuing {
-                        phi_1177_ = _e2736;
-                        phi_1180_ = _e2738;
+                        phi_1177_ = _e2821;
+                        phi_1180_ = _e2823;
                         break if !(_e541);
                     }
                 }
-                let _e3843 = local_12;
-                phi_3372_ = _e3843;
+                let _e3934 = local_12;
+                phi_3469_ = _e3934;
             }
-            let _e2741 = phi_3372_;
-            phi_3373_ = _e2741;
-            phi_3374_ = _e237;
+            let _e2826 = phi_3469_;
+            phi_3470_ = _e2826;
+            phi_3471_ = _e237;
         } else {
-            phi_3373_ = lt_bvh_Hit();
-            phi_3374_ = true;
+            phi_3470_ = lt_bvh_Hit();
+            phi_3471_ = true;
         }
-        let _e2743 = phi_3373_;
-        let _e2745 = phi_3374_;
-        if _e2745 {
-            phi_3378_ = _e167;
+        let _e2828 = phi_3470_;
+        let _e2830 = phi_3471_;
+        if _e2830 {
+            phi_3475_ = _e167;
         } else {
-            phi_3378_ = _e2743;
+            phi_3475_ = _e2828;
         }
-        let _e2747 = phi_3378_;
-        if (_e2747.triangle != 4294967295u) {
-            let _e2753 = ((1f - _e2747.u) - _e2747.v);
-            if (_e2747.triangle < _e81) {
+        let _e2832 = phi_3475_;
+        if (_e2832.triangle != 4294967295u) {
+            let _e2838 = ((1f - _e2832.u) - _e2832.v);
+            if (_e2832.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2759 = triangles.member[(0u + _e2747.triangle)];
-            if (_e2747.instance < _e93) {
+            let _e2844 = triangles.member[(0u + _e2832.triangle)];
+            if (_e2832.instance < _e93) {
             } else {
                 return;
             }
-            let _e2770 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e2781 = ((((_e2770.x * _e2759.v0_.x) + (_e2770.y * _e2759.v0_.y)) + (_e2770.z * _e2759.v0_.z)) + (_e2770.w * 1f));
-            let _e2783 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e2794 = ((((_e2783.x * _e2759.v0_.x) + (_e2783.y * _e2759.v0_.y)) + (_e2783.z * _e2759.v0_.z)) + (_e2783.w * 1f));
-            let _e2796 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
-            let _e2807 = ((((_e2796.x * _e2759.v0_.x) + (_e2796.y * _e2759.v0_.y)) + (_e2796.z * _e2759.v0_.z)) + (_e2796.w * 1f));
-            let _e2814 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e2825 = ((((_e2814.x * _e2759.v1_.x) + (_e2814.y * _e2759.v1_.y)) + (_e2814.z * _e2759.v1_.z)) + (_e2814.w * 1f));
-            let _e2827 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e2838 = ((((_e2827.x * _e2759.v1_.x) + (_e2827.y * _e2759.v1_.y)) + (_e2827.z * _e2759.v1_.z)) + (_e2827.w * 1f));
-            let _e2840 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
-            let _e2851 = ((((_e2840.x * _e2759.v1_.x) + (_e2840.y * _e2759.v1_.y)) + (_e2840.z * _e2759.v1_.z)) + (_e2840.w * 1f));
-            let _e2858 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e2869 = ((((_e2858.x * _e2759.v2_.x) + (_e2858.y * _e2759.v2_.y)) + (_e2858.z * _e2759.v2_.z)) + (_e2858.w * 1f));
-            let _e2871 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e2882 = ((((_e2871.x * _e2759.v2_.x) + (_e2871.y * _e2759.v2_.y)) + (_e2871.z * _e2759.v2_.z)) + (_e2871.w * 1f));
-            let _e2884 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
-            let _e2895 = ((((_e2884.x * _e2759.v2_.x) + (_e2884.y * _e2759.v2_.y)) + (_e2884.z * _e2759.v2_.z)) + (_e2884.w * 1f));
-            let _e2908 = (((_e2781 * _e2753) + (_e2825 * _e2747.u)) + (_e2869 * _e2747.v));
-            let _e2909 = (((_e2794 * _e2753) + (_e2838 * _e2747.u)) + (_e2882 * _e2747.v));
-            let _e2910 = (((_e2807 * _e2753) + (_e2851 * _e2747.u)) + (_e2895 * _e2747.v));
-            let _e2912 = abs(_e2781);
-            let _e2913 = abs(_e2794);
-            let _e2914 = abs(_e2807);
-            let _e2915 = abs(_e2825);
-            let _e2916 = abs(_e2838);
-            let _e2917 = abs(_e2851);
-            if (_e2912 > _e2915) {
-                phi_3566_ = _e2912;
+            let _e2855 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e2866 = ((((_e2855.x * _e2844.v0_.x) + (_e2855.y * _e2844.v0_.y)) + (_e2855.z * _e2844.v0_.z)) + (_e2855.w * 1f));
+            let _e2868 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e2879 = ((((_e2868.x * _e2844.v0_.x) + (_e2868.y * _e2844.v0_.y)) + (_e2868.z * _e2844.v0_.z)) + (_e2868.w * 1f));
+            let _e2881 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            let _e2892 = ((((_e2881.x * _e2844.v0_.x) + (_e2881.y * _e2844.v0_.y)) + (_e2881.z * _e2844.v0_.z)) + (_e2881.w * 1f));
+            let _e2899 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e2910 = ((((_e2899.x * _e2844.v1_.x) + (_e2899.y * _e2844.v1_.y)) + (_e2899.z * _e2844.v1_.z)) + (_e2899.w * 1f));
+            let _e2912 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e2923 = ((((_e2912.x * _e2844.v1_.x) + (_e2912.y * _e2844.v1_.y)) + (_e2912.z * _e2844.v1_.z)) + (_e2912.w * 1f));
+            let _e2925 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            let _e2936 = ((((_e2925.x * _e2844.v1_.x) + (_e2925.y * _e2844.v1_.y)) + (_e2925.z * _e2844.v1_.z)) + (_e2925.w * 1f));
+            let _e2943 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e2954 = ((((_e2943.x * _e2844.v2_.x) + (_e2943.y * _e2844.v2_.y)) + (_e2943.z * _e2844.v2_.z)) + (_e2943.w * 1f));
+            let _e2956 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e2967 = ((((_e2956.x * _e2844.v2_.x) + (_e2956.y * _e2844.v2_.y)) + (_e2956.z * _e2844.v2_.z)) + (_e2956.w * 1f));
+            let _e2969 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            let _e2980 = ((((_e2969.x * _e2844.v2_.x) + (_e2969.y * _e2844.v2_.y)) + (_e2969.z * _e2844.v2_.z)) + (_e2969.w * 1f));
+            let _e2993 = (((_e2866 * _e2838) + (_e2910 * _e2832.u)) + (_e2954 * _e2832.v));
+            let _e2994 = (((_e2879 * _e2838) + (_e2923 * _e2832.u)) + (_e2967 * _e2832.v));
+            let _e2995 = (((_e2892 * _e2838) + (_e2936 * _e2832.u)) + (_e2980 * _e2832.v));
+            let _e2997 = abs(_e2866);
+            let _e2998 = abs(_e2879);
+            let _e2999 = abs(_e2892);
+            let _e3000 = abs(_e2910);
+            let _e3001 = abs(_e2923);
+            let _e3002 = abs(_e2936);
+            if (_e2997 > _e3000) {
+                phi_3663_ = _e2997;
             } else {
-                phi_3566_ = _e2915;
+                phi_3663_ = _e3000;
             }
-            let _e2920 = phi_3566_;
-            if (_e2913 > _e2916) {
-                phi_3571_ = _e2913;
+            let _e3005 = phi_3663_;
+            if (_e2998 > _e3001) {
+                phi_3668_ = _e2998;
             } else {
-                phi_3571_ = _e2916;
+                phi_3668_ = _e3001;
             }
-            let _e2923 = phi_3571_;
-            if (_e2914 > _e2917) {
-                phi_3576_ = _e2914;
+            let _e3008 = phi_3668_;
+            if (_e2999 > _e3002) {
+                phi_3673_ = _e2999;
             } else {
-                phi_3576_ = _e2917;
+                phi_3673_ = _e3002;
             }
-            let _e2926 = phi_3576_;
-            let _e2927 = abs(_e2869);
-            let _e2928 = abs(_e2882);
-            let _e2929 = abs(_e2895);
-            if (_e2920 > _e2927) {
-                phi_3584_ = _e2920;
+            let _e3011 = phi_3673_;
+            let _e3012 = abs(_e2954);
+            let _e3013 = abs(_e2967);
+            let _e3014 = abs(_e2980);
+            if (_e3005 > _e3012) {
+                phi_3681_ = _e3005;
             } else {
-                phi_3584_ = _e2927;
+                phi_3681_ = _e3012;
             }
-            let _e2932 = phi_3584_;
-            if (_e2923 > _e2928) {
-                phi_3589_ = _e2923;
+            let _e3017 = phi_3681_;
+            if (_e3008 > _e3013) {
+                phi_3686_ = _e3008;
             } else {
-                phi_3589_ = _e2928;
+                phi_3686_ = _e3013;
             }
-            let _e2935 = phi_3589_;
-            if (_e2926 > _e2929) {
-                phi_3594_ = _e2926;
+            let _e3020 = phi_3686_;
+            if (_e3011 > _e3014) {
+                phi_3691_ = _e3011;
             } else {
-                phi_3594_ = _e2929;
+                phi_3691_ = _e3014;
             }
-            let _e2938 = phi_3594_;
-            let _e2939 = (_e2825 - _e2781);
-            let _e2940 = (_e2838 - _e2794);
-            let _e2941 = (_e2851 - _e2807);
-            let _e2942 = (_e2869 - _e2781);
-            let _e2943 = (_e2882 - _e2794);
-            let _e2944 = (_e2895 - _e2807);
-            let _e2948 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2940), abs(_e2941));
-            let _e2949 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2939), _e2948);
-            let _e2950 = (_e2939 / _e2949);
-            let _e2951 = (_e2940 / _e2949);
-            let _e2952 = (_e2941 / _e2949);
-            let _e2956 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2943), abs(_e2944));
-            let _e2957 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2942), _e2956);
-            let _e2958 = (_e2942 / _e2957);
-            let _e2959 = (_e2943 / _e2957);
-            let _e2960 = (_e2944 / _e2957);
-            let _e2963 = ((_e2951 * _e2960) - (_e2959 * _e2952));
-            let _e2966 = ((_e2952 * _e2958) - (_e2960 * _e2950));
-            let _e2969 = ((_e2950 * _e2959) - (_e2958 * _e2951));
-            let _e2971 = p.member.eye;
-            let _e2984 = (1f / sqrt((((_e2963 * _e2963) + (_e2966 * _e2966)) + (_e2969 * _e2969))));
-            let _e2985 = (_e2963 * _e2984);
-            let _e2986 = (_e2966 * _e2984);
-            let _e2987 = (_e2969 * _e2984);
-            if ((((_e2985 * (_e2971.x - _e2908)) + (_e2986 * (_e2971.y - _e2909))) + (_e2987 * (_e2971.z - _e2910))) < 0f) {
-                phi_3658_ = vec3<f32>(-(_e2985), -(_e2986), -(_e2987));
+            let _e3023 = phi_3691_;
+            let _e3024 = (_e2910 - _e2866);
+            let _e3025 = (_e2923 - _e2879);
+            let _e3026 = (_e2936 - _e2892);
+            let _e3027 = (_e2954 - _e2866);
+            let _e3028 = (_e2967 - _e2879);
+            let _e3029 = (_e2980 - _e2892);
+            let _e3033 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3025), abs(_e3026));
+            let _e3034 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3024), _e3033);
+            let _e3035 = (_e3024 / _e3034);
+            let _e3036 = (_e3025 / _e3034);
+            let _e3037 = (_e3026 / _e3034);
+            let _e3041 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3028), abs(_e3029));
+            let _e3042 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e3027), _e3041);
+            let _e3043 = (_e3027 / _e3042);
+            let _e3044 = (_e3028 / _e3042);
+            let _e3045 = (_e3029 / _e3042);
+            let _e3048 = ((_e3036 * _e3045) - (_e3044 * _e3037));
+            let _e3051 = ((_e3037 * _e3043) - (_e3045 * _e3035));
+            let _e3054 = ((_e3035 * _e3044) - (_e3043 * _e3036));
+            let _e3056 = p.member.eye;
+            let _e3069 = (1f / sqrt((((_e3048 * _e3048) + (_e3051 * _e3051)) + (_e3054 * _e3054))));
+            let _e3070 = (_e3048 * _e3069);
+            let _e3071 = (_e3051 * _e3069);
+            let _e3072 = (_e3054 * _e3069);
+            if ((((_e3070 * (_e3056.x - _e2993)) + (_e3071 * (_e3056.y - _e2994))) + (_e3072 * (_e3056.z - _e2995))) < 0f) {
+                phi_3755_ = vec3<f32>(-(_e3070), -(_e3071), -(_e3072));
             } else {
-                phi_3658_ = vec3<f32>(_e2985, _e2986, _e2987);
+                phi_3755_ = vec3<f32>(_e3070, _e3071, _e3072);
             }
-            let _e3000 = phi_3658_;
-            if (_e2747.triangle < _e81) {
+            let _e3085 = phi_3755_;
+            if (_e2832.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3005 = triangles.member[(0u + _e2747.triangle)];
-            let _e3007 = (_e3005.i0_ & 2147483647u);
-            if (_e3007 < _e84) {
+            let _e3090 = triangles.member[(0u + _e2832.triangle)];
+            let _e3092 = (_e3090.i0_ & 2147483647u);
+            if (_e3092 < _e84) {
             } else {
                 return;
             }
-            let _e3013 = vertices.member[(0u + _e3007)];
-            if (_e3005.i1_ < _e84) {
+            let _e3098 = vertices.member[(0u + _e3092)];
+            if (_e3090.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e3017 = vertices.member[(0u + _e3005.i1_)];
-            if (_e3005.i2_ < _e84) {
+            let _e3102 = vertices.member[(0u + _e3090.i1_)];
+            if (_e3090.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e3021 = vertices.member[(0u + _e3005.i2_)];
-            let _e3022 = array<abi_Vertex, 3>(_e3013, _e3017, _e3021);
-            if (_e3022[0].material < _e87) {
+            let _e3106 = vertices.member[(0u + _e3090.i2_)];
+            let _e3107 = array<abi_Vertex, 3>(_e3098, _e3102, _e3106);
+            if (_e3107[0].material < _e87) {
             } else {
                 return;
             }
-            let _e3028 = materials.member[(0u + _e3022[0].material)];
-            let _e3045 = (1f / 255f);
-            let _e3064 = (1f / 255f);
-            let _e3086 = (1f / 255f);
-            let _e3099 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2753, _e2747.u, _e2747.v));
-            let _e3101 = ((_e3028.base_color.x * ((((f32((_e3022[0].color & 255u)) * _e3045) * _e2753) + ((f32((_e3022[1].color & 255u)) * _e3064) * _e2747.u)) + ((f32((_e3022[2].color & 255u)) * _e3086) * _e2747.v))) * _e3099.x);
-            let _e3103 = ((_e3028.base_color.y * ((((f32(((_e3022[0].color >> bitcast<u32>(8i)) & 255u)) * _e3045) * _e2753) + ((f32(((_e3022[1].color >> bitcast<u32>(8i)) & 255u)) * _e3064) * _e2747.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(8i)) & 255u)) * _e3086) * _e2747.v))) * _e3099.y);
-            let _e3105 = ((_e3028.base_color.z * ((((f32(((_e3022[0].color >> bitcast<u32>(16i)) & 255u)) * _e3045) * _e2753) + ((f32(((_e3022[1].color >> bitcast<u32>(16i)) & 255u)) * _e3064) * _e2747.u)) + ((f32(((_e3022[2].color >> bitcast<u32>(16i)) & 255u)) * _e3086) * _e2747.v))) * _e3099.z);
-            let _e3106 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2935, _e2938);
-            let _e3107 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2932, _e3106);
-            if ((_e3028.flags & 2u) == 0u) {
-                phi_3779_ = 0u;
+            let _e3113 = materials.member[(0u + _e3107[0].material)];
+            let _e3130 = (1f / 255f);
+            let _e3149 = (1f / 255f);
+            let _e3171 = (1f / 255f);
+            let _e3184 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2838, _e2832.u, _e2832.v));
+            let _e3186 = ((_e3113.base_color.x * ((((f32((_e3107[0].color & 255u)) * _e3130) * _e2838) + ((f32((_e3107[1].color & 255u)) * _e3149) * _e2832.u)) + ((f32((_e3107[2].color & 255u)) * _e3171) * _e2832.v))) * _e3184.x);
+            let _e3188 = ((_e3113.base_color.y * ((((f32(((_e3107[0].color >> bitcast<u32>(8i)) & 255u)) * _e3130) * _e2838) + ((f32(((_e3107[1].color >> bitcast<u32>(8i)) & 255u)) * _e3149) * _e2832.u)) + ((f32(((_e3107[2].color >> bitcast<u32>(8i)) & 255u)) * _e3171) * _e2832.v))) * _e3184.y);
+            let _e3190 = ((_e3113.base_color.z * ((((f32(((_e3107[0].color >> bitcast<u32>(16i)) & 255u)) * _e3130) * _e2838) + ((f32(((_e3107[1].color >> bitcast<u32>(16i)) & 255u)) * _e3149) * _e2832.u)) + ((f32(((_e3107[2].color >> bitcast<u32>(16i)) & 255u)) * _e3171) * _e2832.v))) * _e3184.z);
+            let _e3191 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3020, _e3023);
+            let _e3192 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e3017, _e3191);
+            if ((_e3113.flags & 2u) == 0u) {
+                phi_3876_ = 0u;
             } else {
-                phi_3779_ = 1u;
+                phi_3876_ = 1u;
             }
-            let _e3112 = phi_3779_;
-            if (_e3022[0].normal == 2147516416u) {
-                phi_4009_ = _e3000;
+            let _e3197 = phi_3876_;
+            if (_e3107[0].normal == 2147516416u) {
+                phi_4106_ = _e3085;
             } else {
-                let _e3125 = (f32((bitcast<i32>((_e3022[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3131 = (f32((bitcast<i32>(_e3022[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3135 = ((1f - abs(_e3125)) - abs(_e3131));
-                if (_e3135 < 0f) {
-                    phi_3806_ = -(_e3135);
+                let _e3210 = (f32((bitcast<i32>((_e3107[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3216 = (f32((bitcast<i32>(_e3107[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3220 = ((1f - abs(_e3210)) - abs(_e3216));
+                if (_e3220 < 0f) {
+                    phi_3903_ = -(_e3220);
                 } else {
-                    phi_3806_ = 0f;
+                    phi_3903_ = 0f;
                 }
-                let _e3139 = phi_3806_;
-                if (_e3125 < 0f) {
-                    phi_3813_ = (_e3125 + _e3139);
+                let _e3224 = phi_3903_;
+                if (_e3210 < 0f) {
+                    phi_3910_ = (_e3210 + _e3224);
                 } else {
-                    phi_3813_ = (_e3125 - _e3139);
+                    phi_3910_ = (_e3210 - _e3224);
                 }
-                let _e3144 = phi_3813_;
-                if (_e3131 < 0f) {
-                    phi_3820_ = (_e3131 + _e3139);
+                let _e3229 = phi_3910_;
+                if (_e3216 < 0f) {
+                    phi_3917_ = (_e3216 + _e3224);
                 } else {
-                    phi_3820_ = (_e3131 - _e3139);
+                    phi_3917_ = (_e3216 - _e3224);
                 }
-                let _e3149 = phi_3820_;
-                let _e3156 = (1f / sqrt((((_e3144 * _e3144) + (_e3149 * _e3149)) + (_e3135 * _e3135))));
-                let _e3172 = (f32((bitcast<i32>((_e3022[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3178 = (f32((bitcast<i32>(_e3022[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3182 = ((1f - abs(_e3172)) - abs(_e3178));
-                if (_e3182 < 0f) {
-                    phi_3855_ = -(_e3182);
+                let _e3234 = phi_3917_;
+                let _e3241 = (1f / sqrt((((_e3229 * _e3229) + (_e3234 * _e3234)) + (_e3220 * _e3220))));
+                let _e3257 = (f32((bitcast<i32>((_e3107[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3263 = (f32((bitcast<i32>(_e3107[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3267 = ((1f - abs(_e3257)) - abs(_e3263));
+                if (_e3267 < 0f) {
+                    phi_3952_ = -(_e3267);
                 } else {
-                    phi_3855_ = 0f;
+                    phi_3952_ = 0f;
                 }
-                let _e3186 = phi_3855_;
-                if (_e3172 < 0f) {
-                    phi_3862_ = (_e3172 + _e3186);
+                let _e3271 = phi_3952_;
+                if (_e3257 < 0f) {
+                    phi_3959_ = (_e3257 + _e3271);
                 } else {
-                    phi_3862_ = (_e3172 - _e3186);
+                    phi_3959_ = (_e3257 - _e3271);
                 }
-                let _e3191 = phi_3862_;
-                if (_e3178 < 0f) {
-                    phi_3869_ = (_e3178 + _e3186);
+                let _e3276 = phi_3959_;
+                if (_e3263 < 0f) {
+                    phi_3966_ = (_e3263 + _e3271);
                 } else {
-                    phi_3869_ = (_e3178 - _e3186);
+                    phi_3966_ = (_e3263 - _e3271);
                 }
-                let _e3196 = phi_3869_;
-                let _e3203 = (1f / sqrt((((_e3191 * _e3191) + (_e3196 * _e3196)) + (_e3182 * _e3182))));
-                let _e3222 = (f32((bitcast<i32>((_e3022[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3228 = (f32((bitcast<i32>(_e3022[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3232 = ((1f - abs(_e3222)) - abs(_e3228));
-                if (_e3232 < 0f) {
-                    phi_3907_ = -(_e3232);
+                let _e3281 = phi_3966_;
+                let _e3288 = (1f / sqrt((((_e3276 * _e3276) + (_e3281 * _e3281)) + (_e3267 * _e3267))));
+                let _e3307 = (f32((bitcast<i32>((_e3107[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3313 = (f32((bitcast<i32>(_e3107[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3317 = ((1f - abs(_e3307)) - abs(_e3313));
+                if (_e3317 < 0f) {
+                    phi_4004_ = -(_e3317);
                 } else {
-                    phi_3907_ = 0f;
+                    phi_4004_ = 0f;
                 }
-                let _e3236 = phi_3907_;
-                if (_e3222 < 0f) {
-                    phi_3914_ = (_e3222 + _e3236);
+                let _e3321 = phi_4004_;
+                if (_e3307 < 0f) {
+                    phi_4011_ = (_e3307 + _e3321);
                 } else {
-                    phi_3914_ = (_e3222 - _e3236);
+                    phi_4011_ = (_e3307 - _e3321);
                 }
-                let _e3241 = phi_3914_;
-                if (_e3228 < 0f) {
-                    phi_3921_ = (_e3228 + _e3236);
+                let _e3326 = phi_4011_;
+                if (_e3313 < 0f) {
+                    phi_4018_ = (_e3313 + _e3321);
                 } else {
-                    phi_3921_ = (_e3228 - _e3236);
+                    phi_4018_ = (_e3313 - _e3321);
                 }
-                let _e3246 = phi_3921_;
-                let _e3253 = (1f / sqrt((((_e3241 * _e3241) + (_e3246 * _e3246)) + (_e3232 * _e3232))));
-                let _e3260 = ((((_e3144 * _e3156) * _e2753) + ((_e3191 * _e3203) * _e2747.u)) + ((_e3241 * _e3253) * _e2747.v));
-                let _e3261 = ((((_e3149 * _e3156) * _e2753) + ((_e3196 * _e3203) * _e2747.u)) + ((_e3246 * _e3253) * _e2747.v));
-                let _e3262 = ((((_e3135 * _e3156) * _e2753) + ((_e3182 * _e3203) * _e2747.u)) + ((_e3232 * _e3253) * _e2747.v));
-                if (_e2747.instance < _e93) {
+                let _e3331 = phi_4018_;
+                let _e3338 = (1f / sqrt((((_e3326 * _e3326) + (_e3331 * _e3331)) + (_e3317 * _e3317))));
+                let _e3345 = ((((_e3229 * _e3241) * _e2838) + ((_e3276 * _e3288) * _e2832.u)) + ((_e3326 * _e3338) * _e2832.v));
+                let _e3346 = ((((_e3234 * _e3241) * _e2838) + ((_e3281 * _e3288) * _e2832.u)) + ((_e3331 * _e3338) * _e2832.v));
+                let _e3347 = ((((_e3220 * _e3241) * _e2838) + ((_e3267 * _e3288) * _e2832.u)) + ((_e3317 * _e3338) * _e2832.v));
+                if (_e2832.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3269 = instances.member[(0u + _e2747.instance)].world_to_object[0u];
-                let _e3278 = instances.member[(0u + _e2747.instance)].world_to_object[1u];
-                let _e3290 = instances.member[(0u + _e2747.instance)].world_to_object[2u];
-                let _e3297 = (((_e3269.x * _e3260) + (_e3278.x * _e3261)) + (_e3290.x * _e3262));
-                let _e3298 = (((_e3269.y * _e3260) + (_e3278.y * _e3261)) + (_e3290.y * _e3262));
-                let _e3299 = (((_e3269.z * _e3260) + (_e3278.z * _e3261)) + (_e3290.z * _e3262));
-                let _e3305 = sqrt((((_e3297 * _e3297) + (_e3298 * _e3298)) + (_e3299 * _e3299)));
-                if (_e3305 > 0f) {
-                    let _e3307 = (_e3297 / _e3305);
-                    let _e3308 = (_e3298 / _e3305);
-                    let _e3309 = (_e3299 / _e3305);
-                    if ((((_e3307 * _e3000.x) + (_e3308 * _e3000.y)) + (_e3309 * _e3000.z)) < 0f) {
-                        phi_4007_ = vec3<f32>(-(_e3307), -(_e3308), -(_e3309));
+                let _e3354 = instances.member[(0u + _e2832.instance)].world_to_object[0u];
+                let _e3363 = instances.member[(0u + _e2832.instance)].world_to_object[1u];
+                let _e3375 = instances.member[(0u + _e2832.instance)].world_to_object[2u];
+                let _e3382 = (((_e3354.x * _e3345) + (_e3363.x * _e3346)) + (_e3375.x * _e3347));
+                let _e3383 = (((_e3354.y * _e3345) + (_e3363.y * _e3346)) + (_e3375.y * _e3347));
+                let _e3384 = (((_e3354.z * _e3345) + (_e3363.z * _e3346)) + (_e3375.z * _e3347));
+                let _e3390 = sqrt((((_e3382 * _e3382) + (_e3383 * _e3383)) + (_e3384 * _e3384)));
+                if (_e3390 > 0f) {
+                    let _e3392 = (_e3382 / _e3390);
+                    let _e3393 = (_e3383 / _e3390);
+                    let _e3394 = (_e3384 / _e3390);
+                    if ((((_e3392 * _e3085.x) + (_e3393 * _e3085.y)) + (_e3394 * _e3085.z)) < 0f) {
+                        phi_4104_ = vec3<f32>(-(_e3392), -(_e3393), -(_e3394));
                     } else {
-                        phi_4007_ = vec3<f32>(_e3307, _e3308, _e3309);
+                        phi_4104_ = vec3<f32>(_e3392, _e3393, _e3394);
                     }
-                    let _e3325 = phi_4007_;
-                    phi_4008_ = _e3325;
+                    let _e3410 = phi_4104_;
+                    phi_4105_ = _e3410;
                 } else {
-                    phi_4008_ = _e3000;
+                    phi_4105_ = _e3085;
                 }
-                let _e3327 = phi_4008_;
-                phi_4009_ = _e3327;
+                let _e3412 = phi_4105_;
+                phi_4106_ = _e3412;
             }
-            let _e3329 = phi_4009_;
-            if (_e3101 > 0f) {
-                if (_e3101 < 1f) {
-                    phi_4018_ = _e3101;
+            let _e3414 = phi_4106_;
+            if (_e3186 > 0f) {
+                if (_e3186 < 1f) {
+                    phi_4115_ = _e3186;
                 } else {
-                    phi_4018_ = 1f;
+                    phi_4115_ = 1f;
                 }
-                let _e3333 = phi_4018_;
-                phi_4019_ = _e3333;
+                let _e3418 = phi_4115_;
+                phi_4116_ = _e3418;
             } else {
-                phi_4019_ = 0f;
+                phi_4116_ = 0f;
             }
-            let _e3335 = phi_4019_;
-            if (_e3103 > 0f) {
-                if (_e3103 < 1f) {
-                    phi_4029_ = _e3103;
+            let _e3420 = phi_4116_;
+            if (_e3188 > 0f) {
+                if (_e3188 < 1f) {
+                    phi_4126_ = _e3188;
                 } else {
-                    phi_4029_ = 1f;
+                    phi_4126_ = 1f;
                 }
-                let _e3340 = phi_4029_;
-                phi_4030_ = _e3340;
+                let _e3425 = phi_4126_;
+                phi_4127_ = _e3425;
             } else {
-                phi_4030_ = 0f;
+                phi_4127_ = 0f;
             }
-            let _e3342 = phi_4030_;
-            if (_e3105 > 0f) {
-                if (_e3105 < 1f) {
-                    phi_4040_ = _e3105;
+            let _e3427 = phi_4127_;
+            if (_e3190 > 0f) {
+                if (_e3190 < 1f) {
+                    phi_4137_ = _e3190;
                 } else {
-                    phi_4040_ = 1f;
+                    phi_4137_ = 1f;
                 }
-                let _e3347 = phi_4040_;
-                phi_4041_ = _e3347;
+                let _e3432 = phi_4137_;
+                phi_4138_ = _e3432;
             } else {
-                phi_4041_ = 0f;
+                phi_4138_ = 0f;
             }
-            let _e3349 = phi_4041_;
-            let _e3352 = ((sqrt(_e3335) * 255f) + 0.5f);
-            let _e3361 = ((sqrt(_e3342) * 255f) + 0.5f);
-            let _e3373 = ((sqrt(_e3349) * 255f) + 0.5f);
-            phi_4076_ = abi_Sample(vec3<f32>(_e2908, _e2909, _e2910), _e3107, _e3000, _e3112, _e3329, ((select(select(u32(_e3352), 0u, (_e3352 < bitcast<f32>(0u))), 4294967295u, (_e3352 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3361), 0u, (_e3361 < bitcast<f32>(0u))), 4294967295u, (_e3361 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3373), 0u, (_e3373 < bitcast<f32>(0u))), 4294967295u, (_e3373 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3434 = phi_4138_;
+            let _e3437 = ((sqrt(_e3420) * 255f) + 0.5f);
+            let _e3446 = ((sqrt(_e3427) * 255f) + 0.5f);
+            let _e3458 = ((sqrt(_e3434) * 255f) + 0.5f);
+            phi_4173_ = abi_Sample(vec3<f32>(_e2993, _e2994, _e2995), _e3192, _e3085, _e3197, _e3414, ((select(select(u32(_e3437), 0u, (_e3437 < bitcast<f32>(0u))), 4294967295u, (_e3437 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3446), 0u, (_e3446 < bitcast<f32>(0u))), 4294967295u, (_e3446 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3458), 0u, (_e3458 < bitcast<f32>(0u))), 4294967295u, (_e3458 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_4076_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4173_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3387 = phi_4076_;
+        let _e3472 = phi_4173_;
         if (_e108.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e108.first_primitive)] = _e3387;
-        if (_e2747.triangle != 4294967295u) {
-            let _e3396 = ((1f - _e2747.u) - _e2747.v);
-            if (_e2747.triangle < _e81) {
+        samples.member[(0u + _e108.first_primitive)] = _e3472;
+        if (_e2832.triangle != 4294967295u) {
+            let _e3481 = ((1f - _e2832.u) - _e2832.v);
+            if (_e2832.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3401 = triangles.member[(0u + _e2747.triangle)];
-            if (_e3401.i0_ < _e99) {
+            let _e3486 = triangles.member[(0u + _e2832.triangle)];
+            if (_e3486.i0_ < _e99) {
             } else {
                 return;
             }
-            let _e3406 = before.member[(0u + _e3401.i0_)];
-            if (_e3401.i1_ < _e99) {
+            let _e3491 = before.member[(0u + _e3486.i0_)];
+            if (_e3486.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3411 = before.member[(0u + _e3401.i1_)];
-            if (_e3401.i2_ < _e99) {
+            let _e3496 = before.member[(0u + _e3486.i1_)];
+            if (_e3486.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3416 = before.member[(0u + _e3401.i2_)];
-            if (_e2747.instance < _e93) {
+            let _e3501 = before.member[(0u + _e3486.i2_)];
+            if (_e2832.instance < _e93) {
             } else {
                 return;
             }
-            let _e3426 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e3439 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e3452 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
-            if (_e2747.instance < _e93) {
+            let _e3511 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e3524 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e3537 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            if (_e2832.instance < _e93) {
             } else {
                 return;
             }
-            let _e3476 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e3489 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e3502 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
-            if (_e2747.instance < _e93) {
+            let _e3561 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e3574 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e3587 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            if (_e2832.instance < _e93) {
             } else {
                 return;
             }
-            let _e3529 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e3542 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e3555 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
-            phi_4298_ = vec3<f32>((((((((_e3426.x * _e3406.x) + (_e3426.y * _e3406.y)) + (_e3426.z * _e3406.z)) + (_e3426.w * 1f)) * _e3396) + (((((_e3476.x * _e3411.x) + (_e3476.y * _e3411.y)) + (_e3476.z * _e3411.z)) + (_e3476.w * 1f)) * _e2747.u)) + (((((_e3529.x * _e3416.x) + (_e3529.y * _e3416.y)) + (_e3529.z * _e3416.z)) + (_e3529.w * 1f)) * _e2747.v)), (((((((_e3439.x * _e3406.x) + (_e3439.y * _e3406.y)) + (_e3439.z * _e3406.z)) + (_e3439.w * 1f)) * _e3396) + (((((_e3489.x * _e3411.x) + (_e3489.y * _e3411.y)) + (_e3489.z * _e3411.z)) + (_e3489.w * 1f)) * _e2747.u)) + (((((_e3542.x * _e3416.x) + (_e3542.y * _e3416.y)) + (_e3542.z * _e3416.z)) + (_e3542.w * 1f)) * _e2747.v)), (((((((_e3452.x * _e3406.x) + (_e3452.y * _e3406.y)) + (_e3452.z * _e3406.z)) + (_e3452.w * 1f)) * _e3396) + (((((_e3502.x * _e3411.x) + (_e3502.y * _e3411.y)) + (_e3502.z * _e3411.z)) + (_e3502.w * 1f)) * _e2747.u)) + (((((_e3555.x * _e3416.x) + (_e3555.y * _e3416.y)) + (_e3555.z * _e3416.z)) + (_e3555.w * 1f)) * _e2747.v)));
+            let _e3614 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e3627 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e3640 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            phi_4395_ = vec3<f32>((((((((_e3511.x * _e3491.x) + (_e3511.y * _e3491.y)) + (_e3511.z * _e3491.z)) + (_e3511.w * 1f)) * _e3481) + (((((_e3561.x * _e3496.x) + (_e3561.y * _e3496.y)) + (_e3561.z * _e3496.z)) + (_e3561.w * 1f)) * _e2832.u)) + (((((_e3614.x * _e3501.x) + (_e3614.y * _e3501.y)) + (_e3614.z * _e3501.z)) + (_e3614.w * 1f)) * _e2832.v)), (((((((_e3524.x * _e3491.x) + (_e3524.y * _e3491.y)) + (_e3524.z * _e3491.z)) + (_e3524.w * 1f)) * _e3481) + (((((_e3574.x * _e3496.x) + (_e3574.y * _e3496.y)) + (_e3574.z * _e3496.z)) + (_e3574.w * 1f)) * _e2832.u)) + (((((_e3627.x * _e3501.x) + (_e3627.y * _e3501.y)) + (_e3627.z * _e3501.z)) + (_e3627.w * 1f)) * _e2832.v)), (((((((_e3537.x * _e3491.x) + (_e3537.y * _e3491.y)) + (_e3537.z * _e3491.z)) + (_e3537.w * 1f)) * _e3481) + (((((_e3587.x * _e3496.x) + (_e3587.y * _e3496.y)) + (_e3587.z * _e3496.z)) + (_e3587.w * 1f)) * _e2832.u)) + (((((_e3640.x * _e3501.x) + (_e3640.y * _e3501.y)) + (_e3640.z * _e3501.z)) + (_e3640.w * 1f)) * _e2832.v)));
         } else {
-            phi_4298_ = vec3<f32>(0f, 0f, 0f);
+            phi_4395_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3575 = phi_4298_;
+        let _e3660 = phi_4395_;
         if (_e108.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3575.x, _e3575.y, _e3575.z, 1f);
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3660.x, _e3660.y, _e3660.z, 1f);
     }
     return;
 }

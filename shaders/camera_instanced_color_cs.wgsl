@@ -761,147 +761,153 @@ fn function_() {
     var phi_2448_: u32;
     var phi_2492_: vec3<f32>;
     var phi_2493_: vec3<f32>;
-    var phi_2524_: vec3<f32>;
-    var phi_2525_: vec3<f32>;
-    var phi_2556_: vec3<f32>;
-    var phi_2557_: vec3<f32>;
-    var phi_2577_: bool;
-    var phi_2578_: bool;
-    var phi_2582_: f32;
-    var phi_2583_: f32;
-    var phi_2584_: f32;
-    var phi_2585_: f32;
-    var phi_2593_: f32;
-    var phi_2603_: bool;
-    var phi_2604_: bool;
-    var phi_2608_: f32;
-    var phi_2609_: f32;
-    var phi_2610_: f32;
-    var phi_2611_: f32;
-    var phi_2619_: f32;
-    var phi_2629_: bool;
-    var phi_2630_: bool;
-    var phi_2634_: f32;
-    var phi_2635_: f32;
-    var phi_2636_: f32;
-    var phi_2637_: f32;
-    var phi_2645_: f32;
-    var phi_2660_: f32;
-    var phi_2661_: bool;
-    var phi_2662_: f32;
-    var phi_2663_: bool;
-    var phi_2664_: f32;
-    var phi_2665_: bool;
-    var phi_2683_: f32;
-    var phi_2684_: bool;
-    var phi_2685_: bool;
-    var phi_2686_: f32;
-    var phi_2687_: bool;
+    var phi_2522_: vec3<f32>;
+    var phi_2523_: vec3<f32>;
+    var phi_2552_: vec3<f32>;
+    var phi_2553_: vec3<f32>;
+    var phi_2571_: bool;
+    var phi_2572_: bool;
+    var phi_2576_: f32;
+    var phi_2577_: f32;
+    var phi_2578_: f32;
+    var phi_2579_: f32;
+    var phi_2587_: f32;
+    var phi_2597_: bool;
+    var phi_2598_: bool;
+    var phi_2602_: f32;
+    var phi_2603_: f32;
+    var phi_2604_: f32;
+    var phi_2605_: f32;
+    var phi_2613_: f32;
+    var phi_2623_: bool;
+    var phi_2624_: bool;
+    var phi_2628_: f32;
+    var phi_2629_: f32;
+    var phi_2630_: f32;
+    var phi_2631_: f32;
+    var phi_2639_: f32;
+    var phi_2654_: f32;
+    var phi_2655_: bool;
+    var phi_2656_: f32;
+    var phi_2657_: bool;
+    var phi_2658_: f32;
+    var phi_2659_: bool;
+    var phi_2677_: f32;
+    var phi_2678_: bool;
+    var phi_2679_: bool;
+    var phi_2680_: f32;
+    var phi_2681_: bool;
+    var phi_2682_: bool;
+    var phi_2686_: bool;
+    var phi_2687_: f32;
     var phi_2688_: bool;
-    var phi_2692_: bool;
-    var phi_2693_: f32;
-    var phi_2694_: bool;
-    var phi_2728_: f32;
-    var phi_2737_: f32;
-    var phi_2746_: f32;
-    var phi_2755_: f32;
-    var phi_2762_: f32;
-    var phi_2769_: f32;
-    var phi_2782_: f32;
-    var phi_2791_: f32;
-    var phi_2800_: f32;
-    var phi_2809_: f32;
-    var phi_2816_: f32;
-    var phi_2823_: f32;
-    var phi_2840_: f32;
-    var phi_2845_: f32;
-    var phi_2850_: f32;
-    var phi_2858_: f32;
-    var phi_2863_: f32;
-    var phi_2868_: f32;
-    var phi_2880_: f32;
-    var phi_2885_: f32;
-    var phi_2890_: f32;
-    var phi_2895_: f32;
-    var phi_2900_: lt_bvh_triangle_Intersection;
-    var phi_2901_: bool;
-    var phi_2902_: lt_bvh_triangle_Intersection;
-    var phi_2903_: bool;
-    var phi_2907_: lt_bvh_triangle_Intersection;
-    var phi_2908_: bool;
-    var phi_2909_: lt_bvh_triangle_Intersection;
-    var phi_2910_: bool;
-    var phi_2911_: bool;
-    var phi_2915_: bool;
-    var phi_2919_: lt_bvh_triangle_Intersection;
-    var phi_2957_: bool;
-    var phi_2958_: bool;
-    var phi_2959_: bool;
-    var phi_2960_: bool;
-    var phi_2961_: bool;
-    var phi_2962_: bool;
-    var phi_2966_: bool;
-    var phi_2967_: bool;
-    var phi_2981_: bool;
-    var phi_2989_: lt_bvh_Hit;
-    var phi_2990_: lt_bvh_Hit;
-    var phi_2991_: lt_bvh_Hit;
-    var phi_2992_: lt_bvh_Hit;
+    var phi_2716_: vec3<f32>;
+    var phi_2717_: vec3<f32>;
+    var phi_2742_: vec3<f32>;
+    var phi_2743_: vec3<f32>;
+    var phi_2768_: vec3<f32>;
+    var phi_2769_: vec3<f32>;
+    var phi_2825_: f32;
+    var phi_2834_: f32;
+    var phi_2843_: f32;
+    var phi_2852_: f32;
+    var phi_2859_: f32;
+    var phi_2866_: f32;
+    var phi_2879_: f32;
+    var phi_2888_: f32;
+    var phi_2897_: f32;
+    var phi_2906_: f32;
+    var phi_2913_: f32;
+    var phi_2920_: f32;
+    var phi_2937_: f32;
+    var phi_2942_: f32;
+    var phi_2947_: f32;
+    var phi_2955_: f32;
+    var phi_2960_: f32;
+    var phi_2965_: f32;
+    var phi_2977_: f32;
+    var phi_2982_: f32;
+    var phi_2987_: f32;
+    var phi_2992_: f32;
+    var phi_2997_: lt_bvh_triangle_Intersection;
+    var phi_2998_: bool;
+    var phi_2999_: lt_bvh_triangle_Intersection;
+    var phi_3000_: bool;
+    var phi_3004_: lt_bvh_triangle_Intersection;
+    var phi_3005_: bool;
+    var phi_3006_: lt_bvh_triangle_Intersection;
+    var phi_3007_: bool;
+    var phi_3008_: bool;
+    var phi_3012_: bool;
+    var phi_3016_: lt_bvh_triangle_Intersection;
+    var phi_3054_: bool;
+    var phi_3055_: bool;
+    var phi_3056_: bool;
+    var phi_3057_: bool;
+    var phi_3058_: bool;
+    var phi_3059_: bool;
+    var phi_3063_: bool;
+    var phi_3064_: bool;
+    var phi_3078_: bool;
+    var phi_3086_: lt_bvh_Hit;
+    var phi_3087_: lt_bvh_Hit;
+    var phi_3088_: lt_bvh_Hit;
+    var phi_3089_: lt_bvh_Hit;
     var phi_2446_: lt_bvh_Hit;
     var phi_2449_: u32;
-    var phi_2993_: bool;
-    var phi_3032_: bool;
-    var phi_3033_: bool;
-    var phi_3064_: u32;
+    var phi_3090_: bool;
+    var phi_3129_: bool;
+    var phi_3130_: bool;
+    var phi_3161_: u32;
     var phi_2113_: lt_bvh_Hit;
     var phi_2116_: u32;
-    var phi_3065_: lt_bvh_Hit;
-    var phi_3066_: lt_bvh_Hit;
-    var phi_3067_: bool;
-    var phi_3071_: lt_bvh_Hit;
-    var phi_3072_: lt_bvh_Hit;
-    var phi_3073_: lt_bvh_Hit;
-    var phi_3074_: lt_bvh_Hit;
+    var phi_3162_: lt_bvh_Hit;
+    var phi_3163_: lt_bvh_Hit;
+    var phi_3164_: bool;
+    var phi_3168_: lt_bvh_Hit;
+    var phi_3169_: lt_bvh_Hit;
+    var phi_3170_: lt_bvh_Hit;
+    var phi_3171_: lt_bvh_Hit;
     var phi_1487_: u32;
     var phi_1490_: lt_bvh_Hit;
-    var phi_3075_: bool;
-    var phi_3114_: bool;
-    var phi_3115_: bool;
-    var phi_3146_: u32;
+    var phi_3172_: bool;
+    var phi_3211_: bool;
+    var phi_3212_: bool;
+    var phi_3243_: u32;
     var phi_1150_: u32;
     var phi_1153_: lt_bvh_Hit;
-    var phi_3147_: lt_bvh_Hit;
-    var phi_3148_: lt_bvh_Hit;
-    var phi_3149_: bool;
-    var phi_3153_: lt_bvh_Hit;
-    var phi_3340_: f32;
-    var phi_3345_: f32;
-    var phi_3350_: f32;
-    var phi_3358_: f32;
-    var phi_3363_: f32;
-    var phi_3368_: f32;
-    var phi_3432_: vec3<f32>;
-    var phi_3675_: vec3<f32>;
-    var phi_3690_: u32;
-    var phi_3717_: f32;
-    var phi_3724_: f32;
-    var phi_3731_: f32;
-    var phi_3766_: f32;
-    var phi_3773_: f32;
-    var phi_3780_: f32;
-    var phi_3818_: f32;
-    var phi_3825_: f32;
-    var phi_3832_: f32;
-    var phi_3918_: vec3<f32>;
-    var phi_3919_: vec3<f32>;
-    var phi_3920_: vec3<f32>;
+    var phi_3244_: lt_bvh_Hit;
+    var phi_3245_: lt_bvh_Hit;
+    var phi_3246_: bool;
+    var phi_3250_: lt_bvh_Hit;
+    var phi_3437_: f32;
+    var phi_3442_: f32;
+    var phi_3447_: f32;
+    var phi_3455_: f32;
+    var phi_3460_: f32;
+    var phi_3465_: f32;
+    var phi_3529_: vec3<f32>;
+    var phi_3772_: vec3<f32>;
+    var phi_3787_: u32;
+    var phi_3814_: f32;
+    var phi_3821_: f32;
+    var phi_3828_: f32;
+    var phi_3863_: f32;
+    var phi_3870_: f32;
+    var phi_3877_: f32;
+    var phi_3915_: f32;
+    var phi_3922_: f32;
     var phi_3929_: f32;
-    var phi_3930_: f32;
-    var phi_3940_: f32;
-    var phi_3941_: f32;
-    var phi_3951_: f32;
-    var phi_3952_: f32;
-    var phi_3987_: abi_Sample;
+    var phi_4015_: vec3<f32>;
+    var phi_4016_: vec3<f32>;
+    var phi_4017_: vec3<f32>;
+    var phi_4026_: f32;
+    var phi_4027_: f32;
+    var phi_4037_: f32;
+    var phi_4038_: f32;
+    var phi_4048_: f32;
+    var phi_4049_: f32;
+    var phi_4084_: abi_Sample;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -1037,7 +1043,7 @@ fn function_() {
         if _e228 {
             let _e229 = (_e106 >= _e76);
             if _e229 {
-                phi_3147_ = lt_bvh_Hit();
+                phi_3244_ = lt_bvh_Hit();
             } else {
                 if (_e106 < _e76) {
                 } else {
@@ -1390,7 +1396,7 @@ fn function_() {
                             if (_e973 == 0u) {
                                 phi_1487_ = u32();
                                 phi_1490_ = lt_bvh_Hit();
-                                phi_3075_ = false;
+                                phi_3172_ = false;
                             } else {
                                 let _e979 = nodes.member[(0u + _e530)].links[1u];
                                 let _e983 = (_e979 + select(firstTrailingBit(_e973), 32u, (_e973 == 0u)));
@@ -1572,7 +1578,7 @@ fn function_() {
                                             if _e1205 {
                                                 let _e1206 = (_e1142 >= _e76);
                                                 if _e1206 {
-                                                    phi_3065_ = lt_bvh_Hit();
+                                                    phi_3162_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1142 < _e76) {
                                                     } else {
@@ -1699,7 +1705,6 @@ fn function_() {
                                                     let _e1361 = phi_1941_;
                                                     let _e1364 = (_e1361.x / _e1361.z);
                                                     let _e1367 = (_e1361.y / _e1361.z);
-                                                    let _e1369 = (1f / _e1361.z);
                                                     if (_e1282 < 0f) {
                                                         phi_1954_ = 0u;
                                                     } else {
@@ -1967,7 +1972,7 @@ fn function_() {
                                                                 if (_e1959 == 0u) {
                                                                     phi_2446_ = lt_bvh_Hit();
                                                                     phi_2449_ = u32();
-                                                                    phi_2993_ = false;
+                                                                    phi_3090_ = false;
                                                                 } else {
                                                                     let _e1963 = nodes.member[(0u + _e1520)].links[1u];
                                                                     let _e1968 = ((_e1144 + _e1963) + select(firstTrailingBit(_e1959), 32u, (_e1959 == 0u)));
@@ -1993,1021 +1998,1074 @@ fn function_() {
                                                                     let _e1991 = phi_2493_;
                                                                     let _e1995 = (_e1991.x - (_e1364 * _e1991.z));
                                                                     let _e1999 = (_e1991.y - (_e1367 * _e1991.z));
-                                                                    let _e2003 = triangles.member[(0u + _e1968)].v1_;
-                                                                    let _e2005 = (_e2003.x - _e1067);
-                                                                    let _e2007 = (_e2003.y - _e1080);
-                                                                    let _e2009 = (_e2003.z - _e1093);
+                                                                    let _e2001 = triangles.member[(0u + _e1968)].v1_;
+                                                                    let _e2003 = (_e2001.x - _e1067);
+                                                                    let _e2005 = (_e2001.y - _e1080);
+                                                                    let _e2007 = (_e2001.z - _e1093);
                                                                     if (_e1353 == 0u) {
-                                                                        phi_2525_ = vec3<f32>(_e2007, _e2009, _e2005);
+                                                                        phi_2523_ = vec3<f32>(_e2005, _e2007, _e2003);
                                                                     } else {
                                                                         if (_e1353 == 1u) {
-                                                                            phi_2524_ = vec3<f32>(_e2009, _e2005, _e2007);
+                                                                            phi_2522_ = vec3<f32>(_e2007, _e2003, _e2005);
                                                                         } else {
-                                                                            phi_2524_ = (_e2003 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2522_ = (_e2001 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2017 = phi_2524_;
-                                                                        phi_2525_ = _e2017;
+                                                                        let _e2015 = phi_2522_;
+                                                                        phi_2523_ = _e2015;
                                                                     }
-                                                                    let _e2019 = phi_2525_;
-                                                                    let _e2023 = (_e2019.x - (_e1364 * _e2019.z));
-                                                                    let _e2027 = (_e2019.y - (_e1367 * _e2019.z));
-                                                                    let _e2031 = triangles.member[(0u + _e1968)].v2_;
-                                                                    let _e2033 = (_e2031.x - _e1067);
-                                                                    let _e2035 = (_e2031.y - _e1080);
-                                                                    let _e2037 = (_e2031.z - _e1093);
+                                                                    let _e2017 = phi_2523_;
+                                                                    let _e2021 = (_e2017.x - (_e1364 * _e2017.z));
+                                                                    let _e2025 = (_e2017.y - (_e1367 * _e2017.z));
+                                                                    let _e2027 = triangles.member[(0u + _e1968)].v2_;
+                                                                    let _e2029 = (_e2027.x - _e1067);
+                                                                    let _e2031 = (_e2027.y - _e1080);
+                                                                    let _e2033 = (_e2027.z - _e1093);
                                                                     if (_e1353 == 0u) {
-                                                                        phi_2557_ = vec3<f32>(_e2035, _e2037, _e2033);
+                                                                        phi_2553_ = vec3<f32>(_e2031, _e2033, _e2029);
                                                                     } else {
                                                                         if (_e1353 == 1u) {
-                                                                            phi_2556_ = vec3<f32>(_e2037, _e2033, _e2035);
+                                                                            phi_2552_ = vec3<f32>(_e2033, _e2029, _e2031);
                                                                         } else {
-                                                                            phi_2556_ = (_e2031 - vec3<f32>(_e1067, _e1080, _e1093));
+                                                                            phi_2552_ = (_e2027 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                         }
-                                                                        let _e2045 = phi_2556_;
-                                                                        phi_2557_ = _e2045;
+                                                                        let _e2041 = phi_2552_;
+                                                                        phi_2553_ = _e2041;
                                                                     }
-                                                                    let _e2047 = phi_2557_;
-                                                                    let _e2051 = (_e2047.x - (_e1364 * _e2047.z));
-                                                                    let _e2055 = (_e2047.y - (_e1367 * _e2047.z));
-                                                                    if (_e2023 < _e2051) {
-                                                                        phi_2578_ = true;
+                                                                    let _e2043 = phi_2553_;
+                                                                    let _e2047 = (_e2043.x - (_e1364 * _e2043.z));
+                                                                    let _e2051 = (_e2043.y - (_e1367 * _e2043.z));
+                                                                    if (_e2021 < _e2047) {
+                                                                        phi_2572_ = true;
                                                                     } else {
-                                                                        if (_e2023 == _e2051) {
-                                                                            phi_2577_ = (_e2027 < _e2055);
+                                                                        if (_e2021 == _e2047) {
+                                                                            phi_2571_ = (_e2025 < _e2051);
                                                                         } else {
-                                                                            phi_2577_ = false;
+                                                                            phi_2571_ = false;
                                                                         }
-                                                                        let _e2062 = phi_2577_;
-                                                                        phi_2578_ = _e2062;
+                                                                        let _e2056 = phi_2571_;
+                                                                        phi_2572_ = _e2056;
                                                                     }
+                                                                    let _e2058 = phi_2572_;
+                                                                    if _e2058 {
+                                                                        phi_2576_ = _e2051;
+                                                                        phi_2577_ = _e2047;
+                                                                        phi_2578_ = _e2025;
+                                                                        phi_2579_ = _e2021;
+                                                                    } else {
+                                                                        phi_2576_ = _e2025;
+                                                                        phi_2577_ = _e2021;
+                                                                        phi_2578_ = _e2051;
+                                                                        phi_2579_ = _e2047;
+                                                                    }
+                                                                    let _e2060 = phi_2576_;
+                                                                    let _e2062 = phi_2577_;
                                                                     let _e2064 = phi_2578_;
-                                                                    if _e2064 {
-                                                                        phi_2582_ = _e2055;
-                                                                        phi_2583_ = _e2051;
-                                                                        phi_2584_ = _e2027;
-                                                                        phi_2585_ = _e2023;
+                                                                    let _e2066 = phi_2579_;
+                                                                    let _e2069 = ((_e2066 * _e2060) - (_e2064 * _e2062));
+                                                                    if _e2058 {
+                                                                        phi_2587_ = -(_e2069);
                                                                     } else {
-                                                                        phi_2582_ = _e2027;
-                                                                        phi_2583_ = _e2023;
-                                                                        phi_2584_ = _e2055;
-                                                                        phi_2585_ = _e2051;
+                                                                        phi_2587_ = _e2069;
                                                                     }
-                                                                    let _e2066 = phi_2582_;
-                                                                    let _e2068 = phi_2583_;
-                                                                    let _e2070 = phi_2584_;
-                                                                    let _e2072 = phi_2585_;
-                                                                    let _e2075 = ((_e2072 * _e2066) - (_e2070 * _e2068));
-                                                                    if _e2064 {
-                                                                        phi_2593_ = -(_e2075);
+                                                                    let _e2072 = phi_2587_;
+                                                                    if (_e2047 < _e1995) {
+                                                                        phi_2598_ = true;
                                                                     } else {
-                                                                        phi_2593_ = _e2075;
-                                                                    }
-                                                                    let _e2078 = phi_2593_;
-                                                                    if (_e2051 < _e1995) {
-                                                                        phi_2604_ = true;
-                                                                    } else {
-                                                                        if (_e2051 == _e1995) {
-                                                                            phi_2603_ = (_e2055 < _e1999);
+                                                                        if (_e2047 == _e1995) {
+                                                                            phi_2597_ = (_e2051 < _e1999);
                                                                         } else {
-                                                                            phi_2603_ = false;
+                                                                            phi_2597_ = false;
                                                                         }
-                                                                        let _e2083 = phi_2603_;
-                                                                        phi_2604_ = _e2083;
+                                                                        let _e2077 = phi_2597_;
+                                                                        phi_2598_ = _e2077;
                                                                     }
+                                                                    let _e2079 = phi_2598_;
+                                                                    if _e2079 {
+                                                                        phi_2602_ = _e1999;
+                                                                        phi_2603_ = _e1995;
+                                                                        phi_2604_ = _e2051;
+                                                                        phi_2605_ = _e2047;
+                                                                    } else {
+                                                                        phi_2602_ = _e2051;
+                                                                        phi_2603_ = _e2047;
+                                                                        phi_2604_ = _e1999;
+                                                                        phi_2605_ = _e1995;
+                                                                    }
+                                                                    let _e2081 = phi_2602_;
+                                                                    let _e2083 = phi_2603_;
                                                                     let _e2085 = phi_2604_;
-                                                                    if _e2085 {
-                                                                        phi_2608_ = _e1999;
-                                                                        phi_2609_ = _e1995;
-                                                                        phi_2610_ = _e2055;
-                                                                        phi_2611_ = _e2051;
+                                                                    let _e2087 = phi_2605_;
+                                                                    let _e2090 = ((_e2087 * _e2081) - (_e2085 * _e2083));
+                                                                    if _e2079 {
+                                                                        phi_2613_ = -(_e2090);
                                                                     } else {
-                                                                        phi_2608_ = _e2055;
-                                                                        phi_2609_ = _e2051;
-                                                                        phi_2610_ = _e1999;
-                                                                        phi_2611_ = _e1995;
+                                                                        phi_2613_ = _e2090;
                                                                     }
-                                                                    let _e2087 = phi_2608_;
-                                                                    let _e2089 = phi_2609_;
-                                                                    let _e2091 = phi_2610_;
-                                                                    let _e2093 = phi_2611_;
-                                                                    let _e2096 = ((_e2093 * _e2087) - (_e2091 * _e2089));
-                                                                    if _e2085 {
-                                                                        phi_2619_ = -(_e2096);
+                                                                    let _e2093 = phi_2613_;
+                                                                    if (_e1995 < _e2021) {
+                                                                        phi_2624_ = true;
                                                                     } else {
-                                                                        phi_2619_ = _e2096;
-                                                                    }
-                                                                    let _e2099 = phi_2619_;
-                                                                    if (_e1995 < _e2023) {
-                                                                        phi_2630_ = true;
-                                                                    } else {
-                                                                        if (_e1995 == _e2023) {
-                                                                            phi_2629_ = (_e1999 < _e2027);
+                                                                        if (_e1995 == _e2021) {
+                                                                            phi_2623_ = (_e1999 < _e2025);
                                                                         } else {
-                                                                            phi_2629_ = false;
+                                                                            phi_2623_ = false;
                                                                         }
-                                                                        let _e2104 = phi_2629_;
-                                                                        phi_2630_ = _e2104;
+                                                                        let _e2098 = phi_2623_;
+                                                                        phi_2624_ = _e2098;
                                                                     }
+                                                                    let _e2100 = phi_2624_;
+                                                                    if _e2100 {
+                                                                        phi_2628_ = _e2025;
+                                                                        phi_2629_ = _e2021;
+                                                                        phi_2630_ = _e1999;
+                                                                        phi_2631_ = _e1995;
+                                                                    } else {
+                                                                        phi_2628_ = _e1999;
+                                                                        phi_2629_ = _e1995;
+                                                                        phi_2630_ = _e2025;
+                                                                        phi_2631_ = _e2021;
+                                                                    }
+                                                                    let _e2102 = phi_2628_;
+                                                                    let _e2104 = phi_2629_;
                                                                     let _e2106 = phi_2630_;
-                                                                    if _e2106 {
-                                                                        phi_2634_ = _e2027;
-                                                                        phi_2635_ = _e2023;
-                                                                        phi_2636_ = _e1999;
-                                                                        phi_2637_ = _e1995;
+                                                                    let _e2108 = phi_2631_;
+                                                                    let _e2111 = ((_e2108 * _e2102) - (_e2106 * _e2104));
+                                                                    if _e2100 {
+                                                                        phi_2639_ = -(_e2111);
                                                                     } else {
-                                                                        phi_2634_ = _e1999;
-                                                                        phi_2635_ = _e1995;
-                                                                        phi_2636_ = _e2027;
-                                                                        phi_2637_ = _e2023;
+                                                                        phi_2639_ = _e2111;
                                                                     }
-                                                                    let _e2108 = phi_2634_;
-                                                                    let _e2110 = phi_2635_;
-                                                                    let _e2112 = phi_2636_;
-                                                                    let _e2114 = phi_2637_;
-                                                                    let _e2117 = ((_e2114 * _e2108) - (_e2112 * _e2110));
-                                                                    if _e2106 {
-                                                                        phi_2645_ = -(_e2117);
-                                                                    } else {
-                                                                        phi_2645_ = _e2117;
-                                                                    }
-                                                                    let _e2120 = phi_2645_;
-                                                                    if (_e2078 >= 0f) {
-                                                                        if (_e2099 >= 0f) {
-                                                                            if (_e2120 >= 0f) {
-                                                                                phi_2660_ = ((_e2078 + _e2099) + _e2120);
-                                                                                phi_2661_ = false;
+                                                                    let _e2114 = phi_2639_;
+                                                                    if (_e2072 >= 0f) {
+                                                                        if (_e2093 >= 0f) {
+                                                                            if (_e2114 >= 0f) {
+                                                                                phi_2654_ = ((_e2072 + _e2093) + _e2114);
+                                                                                phi_2655_ = false;
                                                                             } else {
-                                                                                phi_2660_ = f32();
-                                                                                phi_2661_ = true;
+                                                                                phi_2654_ = f32();
+                                                                                phi_2655_ = true;
                                                                             }
-                                                                            let _e2127 = phi_2660_;
-                                                                            let _e2129 = phi_2661_;
-                                                                            phi_2662_ = _e2127;
-                                                                            phi_2663_ = _e2129;
+                                                                            let _e2121 = phi_2654_;
+                                                                            let _e2123 = phi_2655_;
+                                                                            phi_2656_ = _e2121;
+                                                                            phi_2657_ = _e2123;
                                                                         } else {
-                                                                            phi_2662_ = f32();
-                                                                            phi_2663_ = true;
+                                                                            phi_2656_ = f32();
+                                                                            phi_2657_ = true;
                                                                         }
-                                                                        let _e2131 = phi_2662_;
-                                                                        let _e2133 = phi_2663_;
-                                                                        phi_2664_ = _e2131;
-                                                                        phi_2665_ = _e2133;
+                                                                        let _e2125 = phi_2656_;
+                                                                        let _e2127 = phi_2657_;
+                                                                        phi_2658_ = _e2125;
+                                                                        phi_2659_ = _e2127;
                                                                     } else {
-                                                                        phi_2664_ = f32();
-                                                                        phi_2665_ = true;
+                                                                        phi_2658_ = f32();
+                                                                        phi_2659_ = true;
                                                                     }
-                                                                    let _e2135 = phi_2664_;
-                                                                    let _e2137 = phi_2665_;
-                                                                    if _e2137 {
-                                                                        if (_e2078 <= 0f) {
-                                                                            if (_e2099 <= 0f) {
-                                                                                let _e2140 = (_e2120 <= 0f);
-                                                                                if _e2140 {
+                                                                    let _e2129 = phi_2658_;
+                                                                    let _e2131 = phi_2659_;
+                                                                    if _e2131 {
+                                                                        if (_e2072 <= 0f) {
+                                                                            if (_e2093 <= 0f) {
+                                                                                let _e2134 = (_e2114 <= 0f);
+                                                                                if _e2134 {
                                                                                 }
-                                                                                phi_2683_ = ((_e2078 + _e2099) + _e2120);
-                                                                                phi_2684_ = false;
-                                                                                phi_2685_ = _e2140;
+                                                                                phi_2677_ = ((_e2072 + _e2093) + _e2114);
+                                                                                phi_2678_ = false;
+                                                                                phi_2679_ = _e2134;
                                                                             } else {
-                                                                                phi_2683_ = f32();
-                                                                                phi_2684_ = true;
-                                                                                phi_2685_ = false;
+                                                                                phi_2677_ = f32();
+                                                                                phi_2678_ = true;
+                                                                                phi_2679_ = false;
                                                                             }
-                                                                            let _e2144 = phi_2683_;
-                                                                            let _e2146 = phi_2684_;
-                                                                            let _e2148 = phi_2685_;
-                                                                            phi_2686_ = _e2144;
-                                                                            phi_2687_ = _e2146;
-                                                                            phi_2688_ = _e2148;
+                                                                            let _e2138 = phi_2677_;
+                                                                            let _e2140 = phi_2678_;
+                                                                            let _e2142 = phi_2679_;
+                                                                            phi_2680_ = _e2138;
+                                                                            phi_2681_ = _e2140;
+                                                                            phi_2682_ = _e2142;
                                                                         } else {
-                                                                            phi_2686_ = f32();
-                                                                            phi_2687_ = true;
-                                                                            phi_2688_ = false;
+                                                                            phi_2680_ = f32();
+                                                                            phi_2681_ = true;
+                                                                            phi_2682_ = false;
+                                                                        }
+                                                                        let _e2144 = phi_2680_;
+                                                                        let _e2146 = phi_2681_;
+                                                                        let _e2148 = phi_2682_;
+                                                                        if _e2146 {
+                                                                            phi_2686_ = false;
+                                                                        } else {
+                                                                            phi_2686_ = _e2148;
                                                                         }
                                                                         let _e2150 = phi_2686_;
-                                                                        let _e2152 = phi_2687_;
-                                                                        let _e2154 = phi_2688_;
-                                                                        if _e2152 {
-                                                                            phi_2692_ = false;
-                                                                        } else {
-                                                                            phi_2692_ = _e2154;
-                                                                        }
-                                                                        let _e2156 = phi_2692_;
-                                                                        phi_2693_ = _e2150;
-                                                                        phi_2694_ = _e2156;
+                                                                        phi_2687_ = _e2144;
+                                                                        phi_2688_ = _e2150;
                                                                     } else {
-                                                                        phi_2693_ = _e2135;
-                                                                        phi_2694_ = true;
+                                                                        phi_2687_ = _e2129;
+                                                                        phi_2688_ = true;
                                                                     }
-                                                                    let _e2158 = phi_2693_;
-                                                                    let _e2160 = phi_2694_;
-                                                                    if _e2160 {
-                                                                        let _e2161 = (_e2158 == 0f);
-                                                                        if _e2161 {
-                                                                            phi_2907_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2908_ = false;
+                                                                    let _e2152 = phi_2687_;
+                                                                    let _e2154 = phi_2688_;
+                                                                    if _e2154 {
+                                                                        let _e2155 = (_e2152 == 0f);
+                                                                        if _e2155 {
+                                                                            phi_3004_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3005_ = false;
                                                                         } else {
-                                                                            let _e2167 = ((((_e2078 * (_e1369 * _e1991.z)) + (_e2099 * (_e1369 * _e2019.z))) + (_e2120 * (_e1369 * _e2047.z))) / _e2158);
-                                                                            if (_e2167 > _e157.tmin) {
-                                                                                if (_e2167 < _e157.tmax) {
-                                                                                    let _e2171 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2173 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2171.x < _e2173.x) {
-                                                                                        phi_2728_ = _e2171.x;
-                                                                                    } else {
-                                                                                        phi_2728_ = _e2173.x;
-                                                                                    }
-                                                                                    let _e2180 = phi_2728_;
-                                                                                    if (_e2171.y < _e2173.y) {
-                                                                                        phi_2737_ = _e2171.y;
-                                                                                    } else {
-                                                                                        phi_2737_ = _e2173.y;
-                                                                                    }
-                                                                                    let _e2187 = phi_2737_;
-                                                                                    if (_e2171.z < _e2173.z) {
-                                                                                        phi_2746_ = _e2171.z;
-                                                                                    } else {
-                                                                                        phi_2746_ = _e2173.z;
-                                                                                    }
-                                                                                    let _e2194 = phi_2746_;
-                                                                                    let _e2196 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2180 < _e2196.x) {
-                                                                                        phi_2755_ = _e2180;
-                                                                                    } else {
-                                                                                        phi_2755_ = _e2196.x;
-                                                                                    }
-                                                                                    let _e2201 = phi_2755_;
-                                                                                    if (_e2187 < _e2196.y) {
-                                                                                        phi_2762_ = _e2187;
-                                                                                    } else {
-                                                                                        phi_2762_ = _e2196.y;
-                                                                                    }
-                                                                                    let _e2206 = phi_2762_;
-                                                                                    if (_e2194 < _e2196.z) {
-                                                                                        phi_2769_ = _e2194;
-                                                                                    } else {
-                                                                                        phi_2769_ = _e2196.z;
-                                                                                    }
-                                                                                    let _e2211 = phi_2769_;
-                                                                                    let _e2213 = triangles.member[(0u + _e1968)].v0_;
-                                                                                    let _e2215 = triangles.member[(0u + _e1968)].v1_;
-                                                                                    if (_e2213.x > _e2215.x) {
-                                                                                        phi_2782_ = _e2213.x;
-                                                                                    } else {
-                                                                                        phi_2782_ = _e2215.x;
-                                                                                    }
-                                                                                    let _e2222 = phi_2782_;
-                                                                                    if (_e2213.y > _e2215.y) {
-                                                                                        phi_2791_ = _e2213.y;
-                                                                                    } else {
-                                                                                        phi_2791_ = _e2215.y;
-                                                                                    }
-                                                                                    let _e2229 = phi_2791_;
-                                                                                    if (_e2213.z > _e2215.z) {
-                                                                                        phi_2800_ = _e2213.z;
-                                                                                    } else {
-                                                                                        phi_2800_ = _e2215.z;
-                                                                                    }
-                                                                                    let _e2236 = phi_2800_;
-                                                                                    let _e2238 = triangles.member[(0u + _e1968)].v2_;
-                                                                                    if (_e2222 > _e2238.x) {
-                                                                                        phi_2809_ = _e2222;
-                                                                                    } else {
-                                                                                        phi_2809_ = _e2238.x;
-                                                                                    }
-                                                                                    let _e2243 = phi_2809_;
-                                                                                    if (_e2229 > _e2238.y) {
-                                                                                        phi_2816_ = _e2229;
-                                                                                    } else {
-                                                                                        phi_2816_ = _e2238.y;
-                                                                                    }
-                                                                                    let _e2248 = phi_2816_;
-                                                                                    if (_e2236 > _e2238.z) {
-                                                                                        phi_2823_ = _e2236;
-                                                                                    } else {
-                                                                                        phi_2823_ = _e2238.z;
-                                                                                    }
-                                                                                    let _e2253 = phi_2823_;
-                                                                                    let _e2257 = ((_e2201 - _e1067) * _e1282);
-                                                                                    let _e2258 = ((_e2206 - _e1080) * _e1292);
-                                                                                    let _e2259 = ((_e2211 - _e1093) * _e1302);
-                                                                                    let _e2263 = ((_e2243 - _e1067) * _e1282);
-                                                                                    let _e2264 = ((_e2248 - _e1080) * _e1292);
-                                                                                    let _e2265 = ((_e2253 - _e1093) * _e1302);
-                                                                                    if (_e2257 < _e2263) {
-                                                                                        phi_2840_ = _e2257;
-                                                                                    } else {
-                                                                                        phi_2840_ = _e2263;
-                                                                                    }
-                                                                                    let _e2268 = phi_2840_;
-                                                                                    if (_e2258 < _e2264) {
-                                                                                        phi_2845_ = _e2258;
-                                                                                    } else {
-                                                                                        phi_2845_ = _e2264;
-                                                                                    }
-                                                                                    let _e2271 = phi_2845_;
-                                                                                    if (_e2259 < _e2265) {
-                                                                                        phi_2850_ = _e2259;
-                                                                                    } else {
-                                                                                        phi_2850_ = _e2265;
-                                                                                    }
-                                                                                    let _e2274 = phi_2850_;
-                                                                                    if (_e2257 > _e2263) {
-                                                                                        phi_2858_ = _e2257;
-                                                                                    } else {
-                                                                                        phi_2858_ = _e2263;
-                                                                                    }
-                                                                                    let _e2280 = phi_2858_;
-                                                                                    if (_e2258 > _e2264) {
-                                                                                        phi_2863_ = _e2258;
-                                                                                    } else {
-                                                                                        phi_2863_ = _e2264;
-                                                                                    }
-                                                                                    let _e2283 = phi_2863_;
-                                                                                    if (_e2259 > _e2265) {
-                                                                                        phi_2868_ = _e2259;
-                                                                                    } else {
-                                                                                        phi_2868_ = _e2265;
-                                                                                    }
-                                                                                    let _e2286 = phi_2868_;
-                                                                                    let _e2290 = core_intrinsics_maximum_number_nsz_f32_((_e2268 - _e1337), (_e2271 - _e1338));
-                                                                                    let _e2291 = core_intrinsics_maximum_number_nsz_f32_(_e2290, (_e2274 - _e1339));
-                                                                                    let _e2292 = core_intrinsics_minimum_number_nsz_f32_((_e2280 + _e1337), (_e2283 + _e1338));
-                                                                                    let _e2293 = core_intrinsics_minimum_number_nsz_f32_(_e2292, (_e2286 + _e1339));
-                                                                                    if (_e2291 > _e1042) {
-                                                                                        phi_2880_ = _e2291;
-                                                                                    } else {
-                                                                                        phi_2880_ = _e1042;
-                                                                                    }
-                                                                                    let _e2296 = phi_2880_;
-                                                                                    if (_e2293 < _e1044) {
-                                                                                        phi_2885_ = _e2293;
-                                                                                    } else {
-                                                                                        phi_2885_ = _e1044;
-                                                                                    }
-                                                                                    let _e2299 = phi_2885_;
-                                                                                    if (_e2167 < _e2296) {
-                                                                                        phi_2890_ = _e2296;
-                                                                                    } else {
-                                                                                        phi_2890_ = _e2167;
-                                                                                    }
-                                                                                    let _e2302 = phi_2890_;
-                                                                                    if (_e2302 > _e2299) {
-                                                                                        phi_2895_ = _e2299;
-                                                                                    } else {
-                                                                                        phi_2895_ = _e2302;
-                                                                                    }
-                                                                                    let _e2305 = phi_2895_;
-                                                                                    phi_2900_ = lt_bvh_triangle_Intersection(_e2305, (_e2099 / _e2158), (_e2120 / _e2158), (_e2296 <= _e2299));
-                                                                                    phi_2901_ = false;
+                                                                            let _e2157 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2159 = (_e2157.x - _e1067);
+                                                                            let _e2161 = (_e2157.y - _e1080);
+                                                                            let _e2163 = (_e2157.z - _e1093);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2717_ = vec3<f32>(_e2161, _e2163, _e2159);
+                                                                            } else {
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2716_ = vec3<f32>(_e2163, _e2159, _e2161);
                                                                                 } else {
-                                                                                    phi_2900_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2901_ = true;
+                                                                                    phi_2716_ = (_e2157 - vec3<f32>(_e1067, _e1080, _e1093));
                                                                                 }
-                                                                                let _e2311 = phi_2900_;
-                                                                                let _e2313 = phi_2901_;
-                                                                                phi_2902_ = _e2311;
-                                                                                phi_2903_ = _e2313;
+                                                                                let _e2171 = phi_2716_;
+                                                                                phi_2717_ = _e2171;
+                                                                            }
+                                                                            let _e2173 = phi_2717_;
+                                                                            let _e2175 = triangles.member[(0u + _e1968)].v1_;
+                                                                            let _e2177 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2180 = (_e2175.x - _e2177.x);
+                                                                            let _e2183 = (_e2175.y - _e2177.y);
+                                                                            let _e2186 = (_e2175.z - _e2177.z);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2743_ = vec3<f32>(_e2183, _e2186, _e2180);
                                                                             } else {
-                                                                                phi_2902_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2903_ = true;
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2742_ = vec3<f32>(_e2186, _e2180, _e2183);
+                                                                                } else {
+                                                                                    phi_2742_ = (_e2175 - _e2177);
+                                                                                }
+                                                                                let _e2193 = phi_2742_;
+                                                                                phi_2743_ = _e2193;
                                                                             }
-                                                                            let _e2315 = phi_2902_;
-                                                                            let _e2317 = phi_2903_;
-                                                                            if _e2317 {
+                                                                            let _e2195 = phi_2743_;
+                                                                            let _e2197 = triangles.member[(0u + _e1968)].v2_;
+                                                                            let _e2199 = triangles.member[(0u + _e1968)].v0_;
+                                                                            let _e2202 = (_e2197.x - _e2199.x);
+                                                                            let _e2205 = (_e2197.y - _e2199.y);
+                                                                            let _e2208 = (_e2197.z - _e2199.z);
+                                                                            if (_e1353 == 0u) {
+                                                                                phi_2769_ = vec3<f32>(_e2205, _e2208, _e2202);
+                                                                            } else {
+                                                                                if (_e1353 == 1u) {
+                                                                                    phi_2768_ = vec3<f32>(_e2208, _e2202, _e2205);
+                                                                                } else {
+                                                                                    phi_2768_ = (_e2197 - _e2199);
+                                                                                }
+                                                                                let _e2215 = phi_2768_;
+                                                                                phi_2769_ = _e2215;
                                                                             }
-                                                                            phi_2907_ = _e2315;
-                                                                            phi_2908_ = _e2317;
+                                                                            let _e2217 = phi_2769_;
+                                                                            let _e2224 = ((_e2195.y * _e2217.z) - (_e2195.z * _e2217.y));
+                                                                            let _e2231 = ((_e2195.z * _e2217.x) - (_e2195.x * _e2217.z));
+                                                                            let _e2238 = ((_e2195.x * _e2217.y) - (_e2195.y * _e2217.x));
+                                                                            let _e2252 = (((1f / _e1361.z) * (((_e2224 * _e2173.x) + (_e2231 * _e2173.y)) + (_e2238 * _e2173.z))) / (((_e2224 * _e1364) + (_e2231 * _e1367)) + _e2238));
+                                                                            if (_e2252 > _e157.tmin) {
+                                                                                if (_e2252 < _e157.tmax) {
+                                                                                    let _e2256 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2258 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2256.x < _e2258.x) {
+                                                                                        phi_2825_ = _e2256.x;
+                                                                                    } else {
+                                                                                        phi_2825_ = _e2258.x;
+                                                                                    }
+                                                                                    let _e2265 = phi_2825_;
+                                                                                    if (_e2256.y < _e2258.y) {
+                                                                                        phi_2834_ = _e2256.y;
+                                                                                    } else {
+                                                                                        phi_2834_ = _e2258.y;
+                                                                                    }
+                                                                                    let _e2272 = phi_2834_;
+                                                                                    if (_e2256.z < _e2258.z) {
+                                                                                        phi_2843_ = _e2256.z;
+                                                                                    } else {
+                                                                                        phi_2843_ = _e2258.z;
+                                                                                    }
+                                                                                    let _e2279 = phi_2843_;
+                                                                                    let _e2281 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2265 < _e2281.x) {
+                                                                                        phi_2852_ = _e2265;
+                                                                                    } else {
+                                                                                        phi_2852_ = _e2281.x;
+                                                                                    }
+                                                                                    let _e2286 = phi_2852_;
+                                                                                    if (_e2272 < _e2281.y) {
+                                                                                        phi_2859_ = _e2272;
+                                                                                    } else {
+                                                                                        phi_2859_ = _e2281.y;
+                                                                                    }
+                                                                                    let _e2291 = phi_2859_;
+                                                                                    if (_e2279 < _e2281.z) {
+                                                                                        phi_2866_ = _e2279;
+                                                                                    } else {
+                                                                                        phi_2866_ = _e2281.z;
+                                                                                    }
+                                                                                    let _e2296 = phi_2866_;
+                                                                                    let _e2298 = triangles.member[(0u + _e1968)].v0_;
+                                                                                    let _e2300 = triangles.member[(0u + _e1968)].v1_;
+                                                                                    if (_e2298.x > _e2300.x) {
+                                                                                        phi_2879_ = _e2298.x;
+                                                                                    } else {
+                                                                                        phi_2879_ = _e2300.x;
+                                                                                    }
+                                                                                    let _e2307 = phi_2879_;
+                                                                                    if (_e2298.y > _e2300.y) {
+                                                                                        phi_2888_ = _e2298.y;
+                                                                                    } else {
+                                                                                        phi_2888_ = _e2300.y;
+                                                                                    }
+                                                                                    let _e2314 = phi_2888_;
+                                                                                    if (_e2298.z > _e2300.z) {
+                                                                                        phi_2897_ = _e2298.z;
+                                                                                    } else {
+                                                                                        phi_2897_ = _e2300.z;
+                                                                                    }
+                                                                                    let _e2321 = phi_2897_;
+                                                                                    let _e2323 = triangles.member[(0u + _e1968)].v2_;
+                                                                                    if (_e2307 > _e2323.x) {
+                                                                                        phi_2906_ = _e2307;
+                                                                                    } else {
+                                                                                        phi_2906_ = _e2323.x;
+                                                                                    }
+                                                                                    let _e2328 = phi_2906_;
+                                                                                    if (_e2314 > _e2323.y) {
+                                                                                        phi_2913_ = _e2314;
+                                                                                    } else {
+                                                                                        phi_2913_ = _e2323.y;
+                                                                                    }
+                                                                                    let _e2333 = phi_2913_;
+                                                                                    if (_e2321 > _e2323.z) {
+                                                                                        phi_2920_ = _e2321;
+                                                                                    } else {
+                                                                                        phi_2920_ = _e2323.z;
+                                                                                    }
+                                                                                    let _e2338 = phi_2920_;
+                                                                                    let _e2342 = ((_e2286 - _e1067) * _e1282);
+                                                                                    let _e2343 = ((_e2291 - _e1080) * _e1292);
+                                                                                    let _e2344 = ((_e2296 - _e1093) * _e1302);
+                                                                                    let _e2348 = ((_e2328 - _e1067) * _e1282);
+                                                                                    let _e2349 = ((_e2333 - _e1080) * _e1292);
+                                                                                    let _e2350 = ((_e2338 - _e1093) * _e1302);
+                                                                                    if (_e2342 < _e2348) {
+                                                                                        phi_2937_ = _e2342;
+                                                                                    } else {
+                                                                                        phi_2937_ = _e2348;
+                                                                                    }
+                                                                                    let _e2353 = phi_2937_;
+                                                                                    if (_e2343 < _e2349) {
+                                                                                        phi_2942_ = _e2343;
+                                                                                    } else {
+                                                                                        phi_2942_ = _e2349;
+                                                                                    }
+                                                                                    let _e2356 = phi_2942_;
+                                                                                    if (_e2344 < _e2350) {
+                                                                                        phi_2947_ = _e2344;
+                                                                                    } else {
+                                                                                        phi_2947_ = _e2350;
+                                                                                    }
+                                                                                    let _e2359 = phi_2947_;
+                                                                                    if (_e2342 > _e2348) {
+                                                                                        phi_2955_ = _e2342;
+                                                                                    } else {
+                                                                                        phi_2955_ = _e2348;
+                                                                                    }
+                                                                                    let _e2365 = phi_2955_;
+                                                                                    if (_e2343 > _e2349) {
+                                                                                        phi_2960_ = _e2343;
+                                                                                    } else {
+                                                                                        phi_2960_ = _e2349;
+                                                                                    }
+                                                                                    let _e2368 = phi_2960_;
+                                                                                    if (_e2344 > _e2350) {
+                                                                                        phi_2965_ = _e2344;
+                                                                                    } else {
+                                                                                        phi_2965_ = _e2350;
+                                                                                    }
+                                                                                    let _e2371 = phi_2965_;
+                                                                                    let _e2375 = core_intrinsics_maximum_number_nsz_f32_((_e2353 - _e1337), (_e2356 - _e1338));
+                                                                                    let _e2376 = core_intrinsics_maximum_number_nsz_f32_(_e2375, (_e2359 - _e1339));
+                                                                                    let _e2377 = core_intrinsics_minimum_number_nsz_f32_((_e2365 + _e1337), (_e2368 + _e1338));
+                                                                                    let _e2378 = core_intrinsics_minimum_number_nsz_f32_(_e2377, (_e2371 + _e1339));
+                                                                                    if (_e2376 > _e1042) {
+                                                                                        phi_2977_ = _e2376;
+                                                                                    } else {
+                                                                                        phi_2977_ = _e1042;
+                                                                                    }
+                                                                                    let _e2381 = phi_2977_;
+                                                                                    if (_e2378 < _e1044) {
+                                                                                        phi_2982_ = _e2378;
+                                                                                    } else {
+                                                                                        phi_2982_ = _e1044;
+                                                                                    }
+                                                                                    let _e2384 = phi_2982_;
+                                                                                    if (_e2252 < _e2381) {
+                                                                                        phi_2987_ = _e2381;
+                                                                                    } else {
+                                                                                        phi_2987_ = _e2252;
+                                                                                    }
+                                                                                    let _e2387 = phi_2987_;
+                                                                                    if (_e2387 > _e2384) {
+                                                                                        phi_2992_ = _e2384;
+                                                                                    } else {
+                                                                                        phi_2992_ = _e2387;
+                                                                                    }
+                                                                                    let _e2390 = phi_2992_;
+                                                                                    phi_2997_ = lt_bvh_triangle_Intersection(_e2390, (_e2093 / _e2152), (_e2114 / _e2152), (_e2381 <= _e2384));
+                                                                                    phi_2998_ = false;
+                                                                                } else {
+                                                                                    phi_2997_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2998_ = true;
+                                                                                }
+                                                                                let _e2396 = phi_2997_;
+                                                                                let _e2398 = phi_2998_;
+                                                                                phi_2999_ = _e2396;
+                                                                                phi_3000_ = _e2398;
+                                                                            } else {
+                                                                                phi_2999_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3000_ = true;
+                                                                            }
+                                                                            let _e2400 = phi_2999_;
+                                                                            let _e2402 = phi_3000_;
+                                                                            if _e2402 {
+                                                                            }
+                                                                            phi_3004_ = _e2400;
+                                                                            phi_3005_ = _e2402;
                                                                         }
-                                                                        let _e2319 = phi_2907_;
-                                                                        let _e2321 = phi_2908_;
-                                                                        phi_2909_ = _e2319;
-                                                                        phi_2910_ = _e2161;
-                                                                        phi_2911_ = _e2321;
+                                                                        let _e2404 = phi_3004_;
+                                                                        let _e2406 = phi_3005_;
+                                                                        phi_3006_ = _e2404;
+                                                                        phi_3007_ = _e2155;
+                                                                        phi_3008_ = _e2406;
                                                                     } else {
-                                                                        phi_2909_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2910_ = true;
-                                                                        phi_2911_ = false;
+                                                                        phi_3006_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3007_ = true;
+                                                                        phi_3008_ = false;
                                                                     }
-                                                                    let _e2323 = phi_2909_;
-                                                                    let _e2325 = phi_2910_;
-                                                                    let _e2327 = phi_2911_;
-                                                                    if _e2325 {
-                                                                        phi_2915_ = true;
+                                                                    let _e2408 = phi_3006_;
+                                                                    let _e2410 = phi_3007_;
+                                                                    let _e2412 = phi_3008_;
+                                                                    if _e2410 {
+                                                                        phi_3012_ = true;
                                                                     } else {
-                                                                        phi_2915_ = _e2327;
+                                                                        phi_3012_ = _e2412;
                                                                     }
-                                                                    let _e2329 = phi_2915_;
-                                                                    if _e2329 {
-                                                                        phi_2919_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2414 = phi_3012_;
+                                                                    if _e2414 {
+                                                                        phi_3016_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2919_ = _e2323;
+                                                                        phi_3016_ = _e2408;
                                                                     }
-                                                                    let _e2331 = phi_2919_;
-                                                                    if _e2331.is_hit {
-                                                                        if (_e2331.t > _e157.tmin) {
-                                                                            if (_e2331.t < _e1957.t) {
-                                                                                phi_2967_ = true;
+                                                                    let _e2416 = phi_3016_;
+                                                                    if _e2416.is_hit {
+                                                                        if (_e2416.t > _e157.tmin) {
+                                                                            if (_e2416.t < _e1957.t) {
+                                                                                phi_3064_ = true;
                                                                             } else {
-                                                                                if (_e2331.t == _e1957.t) {
+                                                                                if (_e2416.t == _e1957.t) {
                                                                                     if (_e1957.triangle != 4294967295u) {
                                                                                         if (_e1968 < _e1957.triangle) {
-                                                                                            phi_2958_ = true;
+                                                                                            phi_3055_ = true;
                                                                                         } else {
                                                                                             if (_e1968 == _e1957.triangle) {
-                                                                                                phi_2957_ = (_e983 < _e1957.instance);
+                                                                                                phi_3054_ = (_e983 < _e1957.instance);
                                                                                             } else {
-                                                                                                phi_2957_ = false;
+                                                                                                phi_3054_ = false;
                                                                                             }
-                                                                                            let _e2349 = phi_2957_;
-                                                                                            phi_2958_ = _e2349;
+                                                                                            let _e2434 = phi_3054_;
+                                                                                            phi_3055_ = _e2434;
                                                                                         }
-                                                                                        let _e2351 = phi_2958_;
-                                                                                        phi_2959_ = _e2351;
-                                                                                        phi_2960_ = false;
+                                                                                        let _e2436 = phi_3055_;
+                                                                                        phi_3056_ = _e2436;
+                                                                                        phi_3057_ = false;
                                                                                     } else {
-                                                                                        phi_2959_ = bool();
-                                                                                        phi_2960_ = true;
+                                                                                        phi_3056_ = bool();
+                                                                                        phi_3057_ = true;
                                                                                     }
-                                                                                    let _e2353 = phi_2959_;
-                                                                                    let _e2355 = phi_2960_;
-                                                                                    phi_2961_ = _e2353;
-                                                                                    phi_2962_ = _e2355;
+                                                                                    let _e2438 = phi_3056_;
+                                                                                    let _e2440 = phi_3057_;
+                                                                                    phi_3058_ = _e2438;
+                                                                                    phi_3059_ = _e2440;
                                                                                 } else {
-                                                                                    phi_2961_ = bool();
-                                                                                    phi_2962_ = true;
+                                                                                    phi_3058_ = bool();
+                                                                                    phi_3059_ = true;
                                                                                 }
-                                                                                let _e2357 = phi_2961_;
-                                                                                let _e2359 = phi_2962_;
-                                                                                if _e2359 {
-                                                                                    phi_2966_ = false;
+                                                                                let _e2442 = phi_3058_;
+                                                                                let _e2444 = phi_3059_;
+                                                                                if _e2444 {
+                                                                                    phi_3063_ = false;
                                                                                 } else {
-                                                                                    phi_2966_ = _e2357;
+                                                                                    phi_3063_ = _e2442;
                                                                                 }
-                                                                                let _e2361 = phi_2966_;
-                                                                                phi_2967_ = _e2361;
+                                                                                let _e2446 = phi_3063_;
+                                                                                phi_3064_ = _e2446;
                                                                             }
-                                                                            let _e2363 = phi_2967_;
-                                                                            if _e2363 {
-                                                                                let _e2365 = triangles.member[(0u + _e1968)].i0_;
-                                                                                if ((_e2365 & 2147483648u) == 0u) {
-                                                                                    phi_2981_ = true;
+                                                                            let _e2448 = phi_3064_;
+                                                                            if _e2448 {
+                                                                                let _e2450 = triangles.member[(0u + _e1968)].i0_;
+                                                                                if ((_e2450 & 2147483648u) == 0u) {
+                                                                                    phi_3078_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2981_ = true;
+                                                                                    phi_3078_ = true;
                                                                                 }
-                                                                                let _e2369 = phi_2981_;
-                                                                                if _e2369 {
-                                                                                    phi_2989_ = lt_bvh_Hit(_e2331.t, _e2331.u, _e2331.v, _e1968, _e983);
+                                                                                let _e2454 = phi_3078_;
+                                                                                if _e2454 {
+                                                                                    phi_3086_ = lt_bvh_Hit(_e2416.t, _e2416.u, _e2416.v, _e1968, _e983);
                                                                                 } else {
-                                                                                    phi_2989_ = _e1957;
+                                                                                    phi_3086_ = _e1957;
                                                                                 }
-                                                                                let _e2375 = phi_2989_;
-                                                                                phi_2990_ = _e2375;
+                                                                                let _e2460 = phi_3086_;
+                                                                                phi_3087_ = _e2460;
                                                                             } else {
-                                                                                phi_2990_ = _e1957;
+                                                                                phi_3087_ = _e1957;
                                                                             }
-                                                                            let _e2377 = phi_2990_;
-                                                                            phi_2991_ = _e2377;
+                                                                            let _e2462 = phi_3087_;
+                                                                            phi_3088_ = _e2462;
                                                                         } else {
-                                                                            phi_2991_ = _e1957;
+                                                                            phi_3088_ = _e1957;
                                                                         }
-                                                                        let _e2379 = phi_2991_;
-                                                                        phi_2992_ = _e2379;
+                                                                        let _e2464 = phi_3088_;
+                                                                        phi_3089_ = _e2464;
                                                                     } else {
-                                                                        phi_2992_ = _e1957;
+                                                                        phi_3089_ = _e1957;
                                                                     }
-                                                                    let _e2381 = phi_2992_;
-                                                                    phi_2446_ = _e2381;
+                                                                    let _e2466 = phi_3089_;
+                                                                    phi_2446_ = _e2466;
                                                                     phi_2449_ = (_e1959 & (_e1959 - 1u));
-                                                                    phi_2993_ = true;
+                                                                    phi_3090_ = true;
                                                                 }
-                                                                let _e2383 = phi_2446_;
-                                                                let _e2385 = phi_2449_;
-                                                                let _e2387 = phi_2993_;
+                                                                let _e2468 = phi_2446_;
+                                                                let _e2470 = phi_2449_;
+                                                                let _e2472 = phi_3090_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2445_ = _e2383;
-                                                                    phi_2448_ = _e2385;
-                                                                    break if !(_e2387);
+                                                                    phi_2445_ = _e2468;
+                                                                    phi_2448_ = _e2470;
+                                                                    break if !(_e2472);
                                                                 }
                                                             }
-                                                            let _e2390 = local_1.group_mask;
-                                                            if ((_e2390 & 4278190080u) == 0u) {
-                                                                let _e2394 = local_1.len;
-                                                                if (_e2394 == 0u) {
-                                                                    phi_3032_ = false;
+                                                            let _e2475 = local_1.group_mask;
+                                                            if ((_e2475 & 4278190080u) == 0u) {
+                                                                let _e2479 = local_1.len;
+                                                                if (_e2479 == 0u) {
+                                                                    phi_3129_ = false;
                                                                 } else {
-                                                                    let _e2398 = local_1.len;
-                                                                    local_1.len = (_e2398 - 1u);
-                                                                    let _e2401 = local_1.len;
-                                                                    if (_e2401 < 32u) {
+                                                                    let _e2483 = local_1.len;
+                                                                    local_1.len = (_e2483 - 1u);
+                                                                    let _e2486 = local_1.len;
+                                                                    if (_e2486 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2406 = local_1.first[(0u + _e2401)];
-                                                                    local_1.group = _e2406;
-                                                                    let _e2409 = local_1.len;
-                                                                    if (_e2409 < 32u) {
+                                                                    let _e2491 = local_1.first[(0u + _e2486)];
+                                                                    local_1.group = _e2491;
+                                                                    let _e2494 = local_1.len;
+                                                                    if (_e2494 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2414 = local_1.mask[(0u + _e2409)];
-                                                                    local_1.group_mask = _e2414;
-                                                                    phi_3032_ = true;
+                                                                    let _e2499 = local_1.mask[(0u + _e2494)];
+                                                                    local_1.group_mask = _e2499;
+                                                                    phi_3129_ = true;
                                                                 }
-                                                                let _e2417 = phi_3032_;
-                                                                phi_3033_ = _e2417;
+                                                                let _e2502 = phi_3129_;
+                                                                phi_3130_ = _e2502;
                                                             } else {
-                                                                phi_3033_ = true;
+                                                                phi_3130_ = true;
                                                             }
-                                                            let _e2419 = phi_3033_;
-                                                            if _e2419 {
-                                                                let _e2421 = local_1.group_mask;
-                                                                let _e2427 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2421)), 32u, (_e2421 == 0u)));
-                                                                let _e2431 = local_1.group_mask;
-                                                                let _e2445 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2445 & ~((1u << bitcast<u32>((_e2427 & 31u)))));
-                                                                let _e2448 = local_1.group;
-                                                                phi_3064_ = (_e2448 + countOneBits(((_e2431 & ~((4294967295u << bitcast<u32>((((_e2427 - 24u) ^ _e1380) & 31u))))) & 255u)));
+                                                            let _e2504 = phi_3130_;
+                                                            if _e2504 {
+                                                                let _e2506 = local_1.group_mask;
+                                                                let _e2512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2506)), 32u, (_e2506 == 0u)));
+                                                                let _e2516 = local_1.group_mask;
+                                                                let _e2530 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2530 & ~((1u << bitcast<u32>((_e2512 & 31u)))));
+                                                                let _e2533 = local_1.group;
+                                                                phi_3161_ = (_e2533 + countOneBits(((_e2516 & ~((4294967295u << bitcast<u32>((((_e2512 - 24u) ^ _e1380) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3064_ = 4294967295u;
+                                                                phi_3161_ = 4294967295u;
                                                             }
-                                                            let _e2451 = phi_3064_;
-                                                            let _e3575 = local_9;
-                                                            phi_2113_ = _e3575;
-                                                            phi_2116_ = _e2451;
+                                                            let _e2536 = phi_3161_;
+                                                            let _e3666 = local_9;
+                                                            phi_2113_ = _e3666;
+                                                            phi_2116_ = _e2536;
                                                         } else {
                                                             phi_2113_ = lt_bvh_Hit();
                                                             phi_2116_ = u32();
                                                         }
-                                                        let _e2453 = phi_2113_;
-                                                        let _e2455 = phi_2116_;
+                                                        let _e2538 = phi_2113_;
+                                                        let _e2540 = phi_2116_;
                                                         continue;
                                                         continuing {
-                                                            phi_2112_ = _e2453;
-                                                            phi_2115_ = _e2455;
+                                                            phi_2112_ = _e2538;
+                                                            phi_2115_ = _e2540;
                                                             break if !(_e1521);
                                                         }
                                                     }
-                                                    let _e3579 = local_10;
-                                                    phi_3065_ = _e3579;
+                                                    let _e3670 = local_10;
+                                                    phi_3162_ = _e3670;
                                                 }
-                                                let _e2458 = phi_3065_;
-                                                phi_3066_ = _e2458;
-                                                phi_3067_ = _e1206;
+                                                let _e2543 = phi_3162_;
+                                                phi_3163_ = _e2543;
+                                                phi_3164_ = _e1206;
                                             } else {
-                                                phi_3066_ = lt_bvh_Hit();
-                                                phi_3067_ = true;
+                                                phi_3163_ = lt_bvh_Hit();
+                                                phi_3164_ = true;
                                             }
-                                            let _e2460 = phi_3066_;
-                                            let _e2462 = phi_3067_;
-                                            if _e2462 {
-                                                phi_3071_ = _e975;
+                                            let _e2545 = phi_3163_;
+                                            let _e2547 = phi_3164_;
+                                            if _e2547 {
+                                                phi_3168_ = _e975;
                                             } else {
-                                                phi_3071_ = _e2460;
+                                                phi_3168_ = _e2545;
                                             }
-                                            let _e2464 = phi_3071_;
-                                            phi_3072_ = _e2464;
+                                            let _e2549 = phi_3168_;
+                                            phi_3169_ = _e2549;
                                         } else {
-                                            phi_3072_ = _e975;
+                                            phi_3169_ = _e975;
                                         }
-                                        let _e2466 = phi_3072_;
-                                        phi_3073_ = _e2466;
+                                        let _e2551 = phi_3169_;
+                                        phi_3170_ = _e2551;
                                     } else {
-                                        phi_3073_ = _e975;
+                                        phi_3170_ = _e975;
                                     }
-                                    let _e2468 = phi_3073_;
-                                    phi_3074_ = _e2468;
+                                    let _e2553 = phi_3170_;
+                                    phi_3171_ = _e2553;
                                 } else {
-                                    phi_3074_ = _e975;
+                                    phi_3171_ = _e975;
                                 }
-                                let _e2470 = phi_3074_;
+                                let _e2555 = phi_3171_;
                                 phi_1487_ = (_e973 & (_e973 - 1u));
-                                phi_1490_ = _e2470;
-                                phi_3075_ = true;
+                                phi_1490_ = _e2555;
+                                phi_3172_ = true;
                             }
-                            let _e2472 = phi_1487_;
-                            let _e2474 = phi_1490_;
-                            let _e2476 = phi_3075_;
+                            let _e2557 = phi_1487_;
+                            let _e2559 = phi_1490_;
+                            let _e2561 = phi_3172_;
                             continue;
                             continuing {
-                                phi_1486_ = _e2472;
-                                phi_1489_ = _e2474;
-                                break if !(_e2476);
+                                phi_1486_ = _e2557;
+                                phi_1489_ = _e2559;
+                                break if !(_e2561);
                             }
                         }
-                        let _e2479 = local_2.group_mask;
-                        if ((_e2479 & 4278190080u) == 0u) {
-                            let _e2483 = local_2.len;
-                            if (_e2483 == 0u) {
-                                phi_3114_ = false;
+                        let _e2564 = local_2.group_mask;
+                        if ((_e2564 & 4278190080u) == 0u) {
+                            let _e2568 = local_2.len;
+                            if (_e2568 == 0u) {
+                                phi_3211_ = false;
                             } else {
-                                let _e2487 = local_2.len;
-                                local_2.len = (_e2487 - 1u);
-                                let _e2490 = local_2.len;
-                                if (_e2490 < 32u) {
+                                let _e2572 = local_2.len;
+                                local_2.len = (_e2572 - 1u);
+                                let _e2575 = local_2.len;
+                                if (_e2575 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2495 = local_2.first[(0u + _e2490)];
-                                local_2.group = _e2495;
-                                let _e2498 = local_2.len;
-                                if (_e2498 < 32u) {
+                                let _e2580 = local_2.first[(0u + _e2575)];
+                                local_2.group = _e2580;
+                                let _e2583 = local_2.len;
+                                if (_e2583 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2503 = local_2.mask[(0u + _e2498)];
-                                local_2.group_mask = _e2503;
-                                phi_3114_ = true;
+                                let _e2588 = local_2.mask[(0u + _e2583)];
+                                local_2.group_mask = _e2588;
+                                phi_3211_ = true;
                             }
-                            let _e2506 = phi_3114_;
-                            phi_3115_ = _e2506;
+                            let _e2591 = phi_3211_;
+                            phi_3212_ = _e2591;
                         } else {
-                            phi_3115_ = true;
+                            phi_3212_ = true;
                         }
-                        let _e2508 = phi_3115_;
-                        if _e2508 {
-                            let _e2510 = local_2.group_mask;
-                            let _e2516 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2510)), 32u, (_e2510 == 0u)));
-                            let _e2520 = local_2.group_mask;
-                            let _e2534 = local_2.group_mask;
-                            local_2.group_mask = (_e2534 & ~((1u << bitcast<u32>((_e2516 & 31u)))));
-                            let _e2537 = local_2.group;
-                            phi_3146_ = (_e2537 + countOneBits(((_e2520 & ~((4294967295u << bitcast<u32>((((_e2516 - 24u) ^ _e392) & 31u))))) & 255u)));
+                        let _e2593 = phi_3212_;
+                        if _e2593 {
+                            let _e2595 = local_2.group_mask;
+                            let _e2601 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2595)), 32u, (_e2595 == 0u)));
+                            let _e2605 = local_2.group_mask;
+                            let _e2619 = local_2.group_mask;
+                            local_2.group_mask = (_e2619 & ~((1u << bitcast<u32>((_e2601 & 31u)))));
+                            let _e2622 = local_2.group;
+                            phi_3243_ = (_e2622 + countOneBits(((_e2605 & ~((4294967295u << bitcast<u32>((((_e2601 - 24u) ^ _e392) & 31u))))) & 255u)));
                         } else {
-                            phi_3146_ = 4294967295u;
+                            phi_3243_ = 4294967295u;
                         }
-                        let _e2540 = phi_3146_;
-                        phi_1150_ = _e2540;
-                        let _e3595 = local_11;
-                        phi_1153_ = _e3595;
+                        let _e2625 = phi_3243_;
+                        phi_1150_ = _e2625;
+                        let _e3686 = local_11;
+                        phi_1153_ = _e3686;
                     } else {
                         phi_1150_ = u32();
                         phi_1153_ = lt_bvh_Hit();
                     }
-                    let _e2542 = phi_1150_;
-                    let _e2544 = phi_1153_;
+                    let _e2627 = phi_1150_;
+                    let _e2629 = phi_1153_;
                     continue;
                     continuing {
-                        phi_1149_ = _e2542;
-                        phi_1152_ = _e2544;
+                        phi_1149_ = _e2627;
+                        phi_1152_ = _e2629;
                         break if !(_e533);
                     }
                 }
-                let _e3598 = local_12;
-                phi_3147_ = _e3598;
+                let _e3689 = local_12;
+                phi_3244_ = _e3689;
             }
-            let _e2547 = phi_3147_;
-            phi_3148_ = _e2547;
-            phi_3149_ = _e229;
+            let _e2632 = phi_3244_;
+            phi_3245_ = _e2632;
+            phi_3246_ = _e229;
         } else {
-            phi_3148_ = lt_bvh_Hit();
-            phi_3149_ = true;
+            phi_3245_ = lt_bvh_Hit();
+            phi_3246_ = true;
         }
-        let _e2549 = phi_3148_;
-        let _e2551 = phi_3149_;
-        if _e2551 {
-            phi_3153_ = _e159;
+        let _e2634 = phi_3245_;
+        let _e2636 = phi_3246_;
+        if _e2636 {
+            phi_3250_ = _e159;
         } else {
-            phi_3153_ = _e2549;
+            phi_3250_ = _e2634;
         }
-        let _e2553 = phi_3153_;
-        if (_e2553.triangle != 4294967295u) {
-            let _e2559 = ((1f - _e2553.u) - _e2553.v);
-            if (_e2553.triangle < _e79) {
+        let _e2638 = phi_3250_;
+        if (_e2638.triangle != 4294967295u) {
+            let _e2644 = ((1f - _e2638.u) - _e2638.v);
+            if (_e2638.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2564 = triangles.member[(0u + _e2553.triangle)];
-            if (_e2553.instance < _e91) {
+            let _e2649 = triangles.member[(0u + _e2638.triangle)];
+            if (_e2638.instance < _e91) {
             } else {
                 return;
             }
-            let _e2575 = instances.member[(0u + _e2553.instance)].object_to_world[0u];
-            let _e2586 = ((((_e2575.x * _e2564.v0_.x) + (_e2575.y * _e2564.v0_.y)) + (_e2575.z * _e2564.v0_.z)) + (_e2575.w * 1f));
-            let _e2588 = instances.member[(0u + _e2553.instance)].object_to_world[1u];
-            let _e2599 = ((((_e2588.x * _e2564.v0_.x) + (_e2588.y * _e2564.v0_.y)) + (_e2588.z * _e2564.v0_.z)) + (_e2588.w * 1f));
-            let _e2601 = instances.member[(0u + _e2553.instance)].object_to_world[2u];
-            let _e2612 = ((((_e2601.x * _e2564.v0_.x) + (_e2601.y * _e2564.v0_.y)) + (_e2601.z * _e2564.v0_.z)) + (_e2601.w * 1f));
-            let _e2619 = instances.member[(0u + _e2553.instance)].object_to_world[0u];
-            let _e2630 = ((((_e2619.x * _e2564.v1_.x) + (_e2619.y * _e2564.v1_.y)) + (_e2619.z * _e2564.v1_.z)) + (_e2619.w * 1f));
-            let _e2632 = instances.member[(0u + _e2553.instance)].object_to_world[1u];
-            let _e2643 = ((((_e2632.x * _e2564.v1_.x) + (_e2632.y * _e2564.v1_.y)) + (_e2632.z * _e2564.v1_.z)) + (_e2632.w * 1f));
-            let _e2645 = instances.member[(0u + _e2553.instance)].object_to_world[2u];
-            let _e2656 = ((((_e2645.x * _e2564.v1_.x) + (_e2645.y * _e2564.v1_.y)) + (_e2645.z * _e2564.v1_.z)) + (_e2645.w * 1f));
-            let _e2663 = instances.member[(0u + _e2553.instance)].object_to_world[0u];
-            let _e2674 = ((((_e2663.x * _e2564.v2_.x) + (_e2663.y * _e2564.v2_.y)) + (_e2663.z * _e2564.v2_.z)) + (_e2663.w * 1f));
-            let _e2676 = instances.member[(0u + _e2553.instance)].object_to_world[1u];
-            let _e2687 = ((((_e2676.x * _e2564.v2_.x) + (_e2676.y * _e2564.v2_.y)) + (_e2676.z * _e2564.v2_.z)) + (_e2676.w * 1f));
-            let _e2689 = instances.member[(0u + _e2553.instance)].object_to_world[2u];
-            let _e2700 = ((((_e2689.x * _e2564.v2_.x) + (_e2689.y * _e2564.v2_.y)) + (_e2689.z * _e2564.v2_.z)) + (_e2689.w * 1f));
-            let _e2713 = (((_e2586 * _e2559) + (_e2630 * _e2553.u)) + (_e2674 * _e2553.v));
-            let _e2714 = (((_e2599 * _e2559) + (_e2643 * _e2553.u)) + (_e2687 * _e2553.v));
-            let _e2715 = (((_e2612 * _e2559) + (_e2656 * _e2553.u)) + (_e2700 * _e2553.v));
-            let _e2717 = abs(_e2586);
-            let _e2718 = abs(_e2599);
-            let _e2719 = abs(_e2612);
-            let _e2720 = abs(_e2630);
-            let _e2721 = abs(_e2643);
-            let _e2722 = abs(_e2656);
-            if (_e2717 > _e2720) {
-                phi_3340_ = _e2717;
+            let _e2660 = instances.member[(0u + _e2638.instance)].object_to_world[0u];
+            let _e2671 = ((((_e2660.x * _e2649.v0_.x) + (_e2660.y * _e2649.v0_.y)) + (_e2660.z * _e2649.v0_.z)) + (_e2660.w * 1f));
+            let _e2673 = instances.member[(0u + _e2638.instance)].object_to_world[1u];
+            let _e2684 = ((((_e2673.x * _e2649.v0_.x) + (_e2673.y * _e2649.v0_.y)) + (_e2673.z * _e2649.v0_.z)) + (_e2673.w * 1f));
+            let _e2686 = instances.member[(0u + _e2638.instance)].object_to_world[2u];
+            let _e2697 = ((((_e2686.x * _e2649.v0_.x) + (_e2686.y * _e2649.v0_.y)) + (_e2686.z * _e2649.v0_.z)) + (_e2686.w * 1f));
+            let _e2704 = instances.member[(0u + _e2638.instance)].object_to_world[0u];
+            let _e2715 = ((((_e2704.x * _e2649.v1_.x) + (_e2704.y * _e2649.v1_.y)) + (_e2704.z * _e2649.v1_.z)) + (_e2704.w * 1f));
+            let _e2717 = instances.member[(0u + _e2638.instance)].object_to_world[1u];
+            let _e2728 = ((((_e2717.x * _e2649.v1_.x) + (_e2717.y * _e2649.v1_.y)) + (_e2717.z * _e2649.v1_.z)) + (_e2717.w * 1f));
+            let _e2730 = instances.member[(0u + _e2638.instance)].object_to_world[2u];
+            let _e2741 = ((((_e2730.x * _e2649.v1_.x) + (_e2730.y * _e2649.v1_.y)) + (_e2730.z * _e2649.v1_.z)) + (_e2730.w * 1f));
+            let _e2748 = instances.member[(0u + _e2638.instance)].object_to_world[0u];
+            let _e2759 = ((((_e2748.x * _e2649.v2_.x) + (_e2748.y * _e2649.v2_.y)) + (_e2748.z * _e2649.v2_.z)) + (_e2748.w * 1f));
+            let _e2761 = instances.member[(0u + _e2638.instance)].object_to_world[1u];
+            let _e2772 = ((((_e2761.x * _e2649.v2_.x) + (_e2761.y * _e2649.v2_.y)) + (_e2761.z * _e2649.v2_.z)) + (_e2761.w * 1f));
+            let _e2774 = instances.member[(0u + _e2638.instance)].object_to_world[2u];
+            let _e2785 = ((((_e2774.x * _e2649.v2_.x) + (_e2774.y * _e2649.v2_.y)) + (_e2774.z * _e2649.v2_.z)) + (_e2774.w * 1f));
+            let _e2798 = (((_e2671 * _e2644) + (_e2715 * _e2638.u)) + (_e2759 * _e2638.v));
+            let _e2799 = (((_e2684 * _e2644) + (_e2728 * _e2638.u)) + (_e2772 * _e2638.v));
+            let _e2800 = (((_e2697 * _e2644) + (_e2741 * _e2638.u)) + (_e2785 * _e2638.v));
+            let _e2802 = abs(_e2671);
+            let _e2803 = abs(_e2684);
+            let _e2804 = abs(_e2697);
+            let _e2805 = abs(_e2715);
+            let _e2806 = abs(_e2728);
+            let _e2807 = abs(_e2741);
+            if (_e2802 > _e2805) {
+                phi_3437_ = _e2802;
             } else {
-                phi_3340_ = _e2720;
+                phi_3437_ = _e2805;
             }
-            let _e2725 = phi_3340_;
-            if (_e2718 > _e2721) {
-                phi_3345_ = _e2718;
+            let _e2810 = phi_3437_;
+            if (_e2803 > _e2806) {
+                phi_3442_ = _e2803;
             } else {
-                phi_3345_ = _e2721;
+                phi_3442_ = _e2806;
             }
-            let _e2728 = phi_3345_;
-            if (_e2719 > _e2722) {
-                phi_3350_ = _e2719;
+            let _e2813 = phi_3442_;
+            if (_e2804 > _e2807) {
+                phi_3447_ = _e2804;
             } else {
-                phi_3350_ = _e2722;
+                phi_3447_ = _e2807;
             }
-            let _e2731 = phi_3350_;
-            let _e2732 = abs(_e2674);
-            let _e2733 = abs(_e2687);
-            let _e2734 = abs(_e2700);
-            if (_e2725 > _e2732) {
-                phi_3358_ = _e2725;
+            let _e2816 = phi_3447_;
+            let _e2817 = abs(_e2759);
+            let _e2818 = abs(_e2772);
+            let _e2819 = abs(_e2785);
+            if (_e2810 > _e2817) {
+                phi_3455_ = _e2810;
             } else {
-                phi_3358_ = _e2732;
+                phi_3455_ = _e2817;
             }
-            let _e2737 = phi_3358_;
-            if (_e2728 > _e2733) {
-                phi_3363_ = _e2728;
+            let _e2822 = phi_3455_;
+            if (_e2813 > _e2818) {
+                phi_3460_ = _e2813;
             } else {
-                phi_3363_ = _e2733;
+                phi_3460_ = _e2818;
             }
-            let _e2740 = phi_3363_;
-            if (_e2731 > _e2734) {
-                phi_3368_ = _e2731;
+            let _e2825 = phi_3460_;
+            if (_e2816 > _e2819) {
+                phi_3465_ = _e2816;
             } else {
-                phi_3368_ = _e2734;
+                phi_3465_ = _e2819;
             }
-            let _e2743 = phi_3368_;
-            let _e2744 = (_e2630 - _e2586);
-            let _e2745 = (_e2643 - _e2599);
-            let _e2746 = (_e2656 - _e2612);
-            let _e2747 = (_e2674 - _e2586);
-            let _e2748 = (_e2687 - _e2599);
-            let _e2749 = (_e2700 - _e2612);
-            let _e2753 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2745), abs(_e2746));
-            let _e2754 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2744), _e2753);
-            let _e2755 = (_e2744 / _e2754);
-            let _e2756 = (_e2745 / _e2754);
-            let _e2757 = (_e2746 / _e2754);
-            let _e2761 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2748), abs(_e2749));
-            let _e2762 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2747), _e2761);
-            let _e2763 = (_e2747 / _e2762);
-            let _e2764 = (_e2748 / _e2762);
-            let _e2765 = (_e2749 / _e2762);
-            let _e2768 = ((_e2756 * _e2765) - (_e2764 * _e2757));
-            let _e2771 = ((_e2757 * _e2763) - (_e2765 * _e2755));
-            let _e2774 = ((_e2755 * _e2764) - (_e2763 * _e2756));
-            let _e2776 = p.member.eye;
-            let _e2789 = (1f / sqrt((((_e2768 * _e2768) + (_e2771 * _e2771)) + (_e2774 * _e2774))));
-            let _e2790 = (_e2768 * _e2789);
-            let _e2791 = (_e2771 * _e2789);
-            let _e2792 = (_e2774 * _e2789);
-            if ((((_e2790 * (_e2776.x - _e2713)) + (_e2791 * (_e2776.y - _e2714))) + (_e2792 * (_e2776.z - _e2715))) < 0f) {
-                phi_3432_ = vec3<f32>(-(_e2790), -(_e2791), -(_e2792));
+            let _e2828 = phi_3465_;
+            let _e2829 = (_e2715 - _e2671);
+            let _e2830 = (_e2728 - _e2684);
+            let _e2831 = (_e2741 - _e2697);
+            let _e2832 = (_e2759 - _e2671);
+            let _e2833 = (_e2772 - _e2684);
+            let _e2834 = (_e2785 - _e2697);
+            let _e2838 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2830), abs(_e2831));
+            let _e2839 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2829), _e2838);
+            let _e2840 = (_e2829 / _e2839);
+            let _e2841 = (_e2830 / _e2839);
+            let _e2842 = (_e2831 / _e2839);
+            let _e2846 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2833), abs(_e2834));
+            let _e2847 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2832), _e2846);
+            let _e2848 = (_e2832 / _e2847);
+            let _e2849 = (_e2833 / _e2847);
+            let _e2850 = (_e2834 / _e2847);
+            let _e2853 = ((_e2841 * _e2850) - (_e2849 * _e2842));
+            let _e2856 = ((_e2842 * _e2848) - (_e2850 * _e2840));
+            let _e2859 = ((_e2840 * _e2849) - (_e2848 * _e2841));
+            let _e2861 = p.member.eye;
+            let _e2874 = (1f / sqrt((((_e2853 * _e2853) + (_e2856 * _e2856)) + (_e2859 * _e2859))));
+            let _e2875 = (_e2853 * _e2874);
+            let _e2876 = (_e2856 * _e2874);
+            let _e2877 = (_e2859 * _e2874);
+            if ((((_e2875 * (_e2861.x - _e2798)) + (_e2876 * (_e2861.y - _e2799))) + (_e2877 * (_e2861.z - _e2800))) < 0f) {
+                phi_3529_ = vec3<f32>(-(_e2875), -(_e2876), -(_e2877));
             } else {
-                phi_3432_ = vec3<f32>(_e2790, _e2791, _e2792);
+                phi_3529_ = vec3<f32>(_e2875, _e2876, _e2877);
             }
-            let _e2805 = phi_3432_;
-            if (_e2553.triangle < _e79) {
+            let _e2890 = phi_3529_;
+            if (_e2638.triangle < _e79) {
             } else {
                 return;
             }
-            let _e2810 = triangles.member[(0u + _e2553.triangle)];
-            let _e2812 = (_e2810.i0_ & 2147483647u);
-            if (_e2812 < _e82) {
+            let _e2895 = triangles.member[(0u + _e2638.triangle)];
+            let _e2897 = (_e2895.i0_ & 2147483647u);
+            if (_e2897 < _e82) {
             } else {
                 return;
             }
-            let _e2818 = vertices.member[(0u + _e2812)];
-            if (_e2810.i1_ < _e82) {
+            let _e2903 = vertices.member[(0u + _e2897)];
+            if (_e2895.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2822 = vertices.member[(0u + _e2810.i1_)];
-            if (_e2810.i2_ < _e82) {
+            let _e2907 = vertices.member[(0u + _e2895.i1_)];
+            if (_e2895.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2826 = vertices.member[(0u + _e2810.i2_)];
-            let _e2827 = array<abi_Vertex, 3>(_e2818, _e2822, _e2826);
-            if (_e2827[0].material < arrayLength((&materials.member))) {
+            let _e2911 = vertices.member[(0u + _e2895.i2_)];
+            let _e2912 = array<abi_Vertex, 3>(_e2903, _e2907, _e2911);
+            if (_e2912[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2833 = materials.member[(0u + _e2827[0].material)];
-            let _e2850 = (1f / 255f);
-            let _e2869 = (1f / 255f);
-            let _e2891 = (1f / 255f);
-            if (_e2833.color_size == 0u) {
-                phi_3675_ = vec3<f32>(1f, 1f, 1f);
+            let _e2918 = materials.member[(0u + _e2912[0].material)];
+            let _e2935 = (1f / 255f);
+            let _e2954 = (1f / 255f);
+            let _e2976 = (1f / 255f);
+            if (_e2918.color_size == 0u) {
+                phi_3772_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e2833.color_offset;
-                local.size = _e2833.color_size;
-                local.flags = _e2833.flags;
-                let _e2934 = _lt_shaders_texture_TextureView_quad((&local), (((_e2827[0].u * _e2559) + (_e2827[1].u * _e2553.u)) + (_e2827[2].u * _e2553.v)), (((_e2827[0].v * _e2559) + (_e2827[1].v * _e2553.u)) + (_e2827[2].v * _e2553.v)));
-                if (_e2934.indices[0] < _e94) {
+                local.offset = _e2918.color_offset;
+                local.size = _e2918.color_size;
+                local.flags = _e2918.flags;
+                let _e3019 = _lt_shaders_texture_TextureView_quad((&local), (((_e2912[0].u * _e2644) + (_e2912[1].u * _e2638.u)) + (_e2912[2].u * _e2638.v)), (((_e2912[0].v * _e2644) + (_e2912[1].v * _e2638.u)) + (_e2912[2].v * _e2638.v)));
+                if (_e3019.indices[0] < _e94) {
                 } else {
                     return;
                 }
-                let _e2940 = color_texels.member[(0u + _e2934.indices[0])];
-                let _e2951 = (1f / 255f);
-                if (_e2934.indices[1] < _e94) {
+                let _e3025 = color_texels.member[(0u + _e3019.indices[0])];
+                let _e3036 = (1f / 255f);
+                if (_e3019.indices[1] < _e94) {
                 } else {
                     return;
                 }
-                let _e2965 = color_texels.member[(0u + _e2934.indices[1])];
-                let _e2976 = (1f / 255f);
-                if (_e2934.indices[2] < _e94) {
+                let _e3050 = color_texels.member[(0u + _e3019.indices[1])];
+                let _e3061 = (1f / 255f);
+                if (_e3019.indices[2] < _e94) {
                 } else {
                     return;
                 }
-                let _e2993 = color_texels.member[(0u + _e2934.indices[2])];
-                let _e3004 = (1f / 255f);
-                if (_e2934.indices[3] < _e94) {
+                let _e3078 = color_texels.member[(0u + _e3019.indices[2])];
+                let _e3089 = (1f / 255f);
+                if (_e3019.indices[3] < _e94) {
                 } else {
                     return;
                 }
-                let _e3021 = color_texels.member[(0u + _e2934.indices[3])];
-                let _e3032 = (1f / 255f);
-                let _e3041 = (((((f32((_e2940 & 255u)) * _e2951) * _e2934.weights.x) + ((f32((_e2965 & 255u)) * _e2976) * _e2934.weights.y)) + ((f32((_e2993 & 255u)) * _e3004) * _e2934.weights.z)) + ((f32((_e3021 & 255u)) * _e3032) * _e2934.weights.w));
-                let _e3042 = (((((f32(((_e2940 >> bitcast<u32>(8i)) & 255u)) * _e2951) * _e2934.weights.x) + ((f32(((_e2965 >> bitcast<u32>(8i)) & 255u)) * _e2976) * _e2934.weights.y)) + ((f32(((_e2993 >> bitcast<u32>(8i)) & 255u)) * _e3004) * _e2934.weights.z)) + ((f32(((_e3021 >> bitcast<u32>(8i)) & 255u)) * _e3032) * _e2934.weights.w));
-                let _e3043 = (((((f32(((_e2940 >> bitcast<u32>(16i)) & 255u)) * _e2951) * _e2934.weights.x) + ((f32(((_e2965 >> bitcast<u32>(16i)) & 255u)) * _e2976) * _e2934.weights.y)) + ((f32(((_e2993 >> bitcast<u32>(16i)) & 255u)) * _e3004) * _e2934.weights.z)) + ((f32(((_e3021 >> bitcast<u32>(16i)) & 255u)) * _e3032) * _e2934.weights.w));
-                phi_3675_ = vec3<f32>((_e3041 * _e3041), (_e3042 * _e3042), (_e3043 * _e3043));
+                let _e3106 = color_texels.member[(0u + _e3019.indices[3])];
+                let _e3117 = (1f / 255f);
+                let _e3126 = (((((f32((_e3025 & 255u)) * _e3036) * _e3019.weights.x) + ((f32((_e3050 & 255u)) * _e3061) * _e3019.weights.y)) + ((f32((_e3078 & 255u)) * _e3089) * _e3019.weights.z)) + ((f32((_e3106 & 255u)) * _e3117) * _e3019.weights.w));
+                let _e3127 = (((((f32(((_e3025 >> bitcast<u32>(8i)) & 255u)) * _e3036) * _e3019.weights.x) + ((f32(((_e3050 >> bitcast<u32>(8i)) & 255u)) * _e3061) * _e3019.weights.y)) + ((f32(((_e3078 >> bitcast<u32>(8i)) & 255u)) * _e3089) * _e3019.weights.z)) + ((f32(((_e3106 >> bitcast<u32>(8i)) & 255u)) * _e3117) * _e3019.weights.w));
+                let _e3128 = (((((f32(((_e3025 >> bitcast<u32>(16i)) & 255u)) * _e3036) * _e3019.weights.x) + ((f32(((_e3050 >> bitcast<u32>(16i)) & 255u)) * _e3061) * _e3019.weights.y)) + ((f32(((_e3078 >> bitcast<u32>(16i)) & 255u)) * _e3089) * _e3019.weights.z)) + ((f32(((_e3106 >> bitcast<u32>(16i)) & 255u)) * _e3117) * _e3019.weights.w));
+                phi_3772_ = vec3<f32>((_e3126 * _e3126), (_e3127 * _e3127), (_e3128 * _e3128));
             }
-            let _e3049 = phi_3675_;
-            let _e3051 = ((_e2833.base_color.x * ((((f32((_e2827[0].color & 255u)) * _e2850) * _e2559) + ((f32((_e2827[1].color & 255u)) * _e2869) * _e2553.u)) + ((f32((_e2827[2].color & 255u)) * _e2891) * _e2553.v))) * _e3049.x);
-            let _e3053 = ((_e2833.base_color.y * ((((f32(((_e2827[0].color >> bitcast<u32>(8i)) & 255u)) * _e2850) * _e2559) + ((f32(((_e2827[1].color >> bitcast<u32>(8i)) & 255u)) * _e2869) * _e2553.u)) + ((f32(((_e2827[2].color >> bitcast<u32>(8i)) & 255u)) * _e2891) * _e2553.v))) * _e3049.y);
-            let _e3055 = ((_e2833.base_color.z * ((((f32(((_e2827[0].color >> bitcast<u32>(16i)) & 255u)) * _e2850) * _e2559) + ((f32(((_e2827[1].color >> bitcast<u32>(16i)) & 255u)) * _e2869) * _e2553.u)) + ((f32(((_e2827[2].color >> bitcast<u32>(16i)) & 255u)) * _e2891) * _e2553.v))) * _e3049.z);
-            let _e3056 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2740, _e2743);
-            let _e3057 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2737, _e3056);
-            if ((_e2833.flags & 2u) == 0u) {
-                phi_3690_ = 0u;
+            let _e3134 = phi_3772_;
+            let _e3136 = ((_e2918.base_color.x * ((((f32((_e2912[0].color & 255u)) * _e2935) * _e2644) + ((f32((_e2912[1].color & 255u)) * _e2954) * _e2638.u)) + ((f32((_e2912[2].color & 255u)) * _e2976) * _e2638.v))) * _e3134.x);
+            let _e3138 = ((_e2918.base_color.y * ((((f32(((_e2912[0].color >> bitcast<u32>(8i)) & 255u)) * _e2935) * _e2644) + ((f32(((_e2912[1].color >> bitcast<u32>(8i)) & 255u)) * _e2954) * _e2638.u)) + ((f32(((_e2912[2].color >> bitcast<u32>(8i)) & 255u)) * _e2976) * _e2638.v))) * _e3134.y);
+            let _e3140 = ((_e2918.base_color.z * ((((f32(((_e2912[0].color >> bitcast<u32>(16i)) & 255u)) * _e2935) * _e2644) + ((f32(((_e2912[1].color >> bitcast<u32>(16i)) & 255u)) * _e2954) * _e2638.u)) + ((f32(((_e2912[2].color >> bitcast<u32>(16i)) & 255u)) * _e2976) * _e2638.v))) * _e3134.z);
+            let _e3141 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2825, _e2828);
+            let _e3142 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2822, _e3141);
+            if ((_e2918.flags & 2u) == 0u) {
+                phi_3787_ = 0u;
             } else {
-                phi_3690_ = 1u;
+                phi_3787_ = 1u;
             }
-            let _e3062 = phi_3690_;
-            if (_e2827[0].normal == 2147516416u) {
-                phi_3920_ = _e2805;
+            let _e3147 = phi_3787_;
+            if (_e2912[0].normal == 2147516416u) {
+                phi_4017_ = _e2890;
             } else {
-                let _e3075 = (f32((bitcast<i32>((_e2827[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3081 = (f32((bitcast<i32>(_e2827[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3085 = ((1f - abs(_e3075)) - abs(_e3081));
-                if (_e3085 < 0f) {
-                    phi_3717_ = -(_e3085);
+                let _e3160 = (f32((bitcast<i32>((_e2912[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3166 = (f32((bitcast<i32>(_e2912[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3170 = ((1f - abs(_e3160)) - abs(_e3166));
+                if (_e3170 < 0f) {
+                    phi_3814_ = -(_e3170);
                 } else {
-                    phi_3717_ = 0f;
+                    phi_3814_ = 0f;
                 }
-                let _e3089 = phi_3717_;
-                if (_e3075 < 0f) {
-                    phi_3724_ = (_e3075 + _e3089);
+                let _e3174 = phi_3814_;
+                if (_e3160 < 0f) {
+                    phi_3821_ = (_e3160 + _e3174);
                 } else {
-                    phi_3724_ = (_e3075 - _e3089);
+                    phi_3821_ = (_e3160 - _e3174);
                 }
-                let _e3094 = phi_3724_;
-                if (_e3081 < 0f) {
-                    phi_3731_ = (_e3081 + _e3089);
+                let _e3179 = phi_3821_;
+                if (_e3166 < 0f) {
+                    phi_3828_ = (_e3166 + _e3174);
                 } else {
-                    phi_3731_ = (_e3081 - _e3089);
+                    phi_3828_ = (_e3166 - _e3174);
                 }
-                let _e3099 = phi_3731_;
-                let _e3106 = (1f / sqrt((((_e3094 * _e3094) + (_e3099 * _e3099)) + (_e3085 * _e3085))));
-                let _e3122 = (f32((bitcast<i32>((_e2827[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3128 = (f32((bitcast<i32>(_e2827[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3132 = ((1f - abs(_e3122)) - abs(_e3128));
-                if (_e3132 < 0f) {
-                    phi_3766_ = -(_e3132);
+                let _e3184 = phi_3828_;
+                let _e3191 = (1f / sqrt((((_e3179 * _e3179) + (_e3184 * _e3184)) + (_e3170 * _e3170))));
+                let _e3207 = (f32((bitcast<i32>((_e2912[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3213 = (f32((bitcast<i32>(_e2912[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3217 = ((1f - abs(_e3207)) - abs(_e3213));
+                if (_e3217 < 0f) {
+                    phi_3863_ = -(_e3217);
                 } else {
-                    phi_3766_ = 0f;
+                    phi_3863_ = 0f;
                 }
-                let _e3136 = phi_3766_;
-                if (_e3122 < 0f) {
-                    phi_3773_ = (_e3122 + _e3136);
+                let _e3221 = phi_3863_;
+                if (_e3207 < 0f) {
+                    phi_3870_ = (_e3207 + _e3221);
                 } else {
-                    phi_3773_ = (_e3122 - _e3136);
+                    phi_3870_ = (_e3207 - _e3221);
                 }
-                let _e3141 = phi_3773_;
-                if (_e3128 < 0f) {
-                    phi_3780_ = (_e3128 + _e3136);
+                let _e3226 = phi_3870_;
+                if (_e3213 < 0f) {
+                    phi_3877_ = (_e3213 + _e3221);
                 } else {
-                    phi_3780_ = (_e3128 - _e3136);
+                    phi_3877_ = (_e3213 - _e3221);
                 }
-                let _e3146 = phi_3780_;
-                let _e3153 = (1f / sqrt((((_e3141 * _e3141) + (_e3146 * _e3146)) + (_e3132 * _e3132))));
-                let _e3172 = (f32((bitcast<i32>((_e2827[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3178 = (f32((bitcast<i32>(_e2827[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3182 = ((1f - abs(_e3172)) - abs(_e3178));
-                if (_e3182 < 0f) {
-                    phi_3818_ = -(_e3182);
+                let _e3231 = phi_3877_;
+                let _e3238 = (1f / sqrt((((_e3226 * _e3226) + (_e3231 * _e3231)) + (_e3217 * _e3217))));
+                let _e3257 = (f32((bitcast<i32>((_e2912[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3263 = (f32((bitcast<i32>(_e2912[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3267 = ((1f - abs(_e3257)) - abs(_e3263));
+                if (_e3267 < 0f) {
+                    phi_3915_ = -(_e3267);
                 } else {
-                    phi_3818_ = 0f;
+                    phi_3915_ = 0f;
                 }
-                let _e3186 = phi_3818_;
-                if (_e3172 < 0f) {
-                    phi_3825_ = (_e3172 + _e3186);
+                let _e3271 = phi_3915_;
+                if (_e3257 < 0f) {
+                    phi_3922_ = (_e3257 + _e3271);
                 } else {
-                    phi_3825_ = (_e3172 - _e3186);
+                    phi_3922_ = (_e3257 - _e3271);
                 }
-                let _e3191 = phi_3825_;
-                if (_e3178 < 0f) {
-                    phi_3832_ = (_e3178 + _e3186);
+                let _e3276 = phi_3922_;
+                if (_e3263 < 0f) {
+                    phi_3929_ = (_e3263 + _e3271);
                 } else {
-                    phi_3832_ = (_e3178 - _e3186);
+                    phi_3929_ = (_e3263 - _e3271);
                 }
-                let _e3196 = phi_3832_;
-                let _e3203 = (1f / sqrt((((_e3191 * _e3191) + (_e3196 * _e3196)) + (_e3182 * _e3182))));
-                let _e3210 = ((((_e3094 * _e3106) * _e2559) + ((_e3141 * _e3153) * _e2553.u)) + ((_e3191 * _e3203) * _e2553.v));
-                let _e3211 = ((((_e3099 * _e3106) * _e2559) + ((_e3146 * _e3153) * _e2553.u)) + ((_e3196 * _e3203) * _e2553.v));
-                let _e3212 = ((((_e3085 * _e3106) * _e2559) + ((_e3132 * _e3153) * _e2553.u)) + ((_e3182 * _e3203) * _e2553.v));
-                if (_e2553.instance < _e91) {
+                let _e3281 = phi_3929_;
+                let _e3288 = (1f / sqrt((((_e3276 * _e3276) + (_e3281 * _e3281)) + (_e3267 * _e3267))));
+                let _e3295 = ((((_e3179 * _e3191) * _e2644) + ((_e3226 * _e3238) * _e2638.u)) + ((_e3276 * _e3288) * _e2638.v));
+                let _e3296 = ((((_e3184 * _e3191) * _e2644) + ((_e3231 * _e3238) * _e2638.u)) + ((_e3281 * _e3288) * _e2638.v));
+                let _e3297 = ((((_e3170 * _e3191) * _e2644) + ((_e3217 * _e3238) * _e2638.u)) + ((_e3267 * _e3288) * _e2638.v));
+                if (_e2638.instance < _e91) {
                 } else {
                     return;
                 }
-                let _e3219 = instances.member[(0u + _e2553.instance)].world_to_object[0u];
-                let _e3228 = instances.member[(0u + _e2553.instance)].world_to_object[1u];
-                let _e3240 = instances.member[(0u + _e2553.instance)].world_to_object[2u];
-                let _e3247 = (((_e3219.x * _e3210) + (_e3228.x * _e3211)) + (_e3240.x * _e3212));
-                let _e3248 = (((_e3219.y * _e3210) + (_e3228.y * _e3211)) + (_e3240.y * _e3212));
-                let _e3249 = (((_e3219.z * _e3210) + (_e3228.z * _e3211)) + (_e3240.z * _e3212));
-                let _e3255 = sqrt((((_e3247 * _e3247) + (_e3248 * _e3248)) + (_e3249 * _e3249)));
-                if (_e3255 > 0f) {
-                    let _e3257 = (_e3247 / _e3255);
-                    let _e3258 = (_e3248 / _e3255);
-                    let _e3259 = (_e3249 / _e3255);
-                    if ((((_e3257 * _e2805.x) + (_e3258 * _e2805.y)) + (_e3259 * _e2805.z)) < 0f) {
-                        phi_3918_ = vec3<f32>(-(_e3257), -(_e3258), -(_e3259));
+                let _e3304 = instances.member[(0u + _e2638.instance)].world_to_object[0u];
+                let _e3313 = instances.member[(0u + _e2638.instance)].world_to_object[1u];
+                let _e3325 = instances.member[(0u + _e2638.instance)].world_to_object[2u];
+                let _e3332 = (((_e3304.x * _e3295) + (_e3313.x * _e3296)) + (_e3325.x * _e3297));
+                let _e3333 = (((_e3304.y * _e3295) + (_e3313.y * _e3296)) + (_e3325.y * _e3297));
+                let _e3334 = (((_e3304.z * _e3295) + (_e3313.z * _e3296)) + (_e3325.z * _e3297));
+                let _e3340 = sqrt((((_e3332 * _e3332) + (_e3333 * _e3333)) + (_e3334 * _e3334)));
+                if (_e3340 > 0f) {
+                    let _e3342 = (_e3332 / _e3340);
+                    let _e3343 = (_e3333 / _e3340);
+                    let _e3344 = (_e3334 / _e3340);
+                    if ((((_e3342 * _e2890.x) + (_e3343 * _e2890.y)) + (_e3344 * _e2890.z)) < 0f) {
+                        phi_4015_ = vec3<f32>(-(_e3342), -(_e3343), -(_e3344));
                     } else {
-                        phi_3918_ = vec3<f32>(_e3257, _e3258, _e3259);
+                        phi_4015_ = vec3<f32>(_e3342, _e3343, _e3344);
                     }
-                    let _e3275 = phi_3918_;
-                    phi_3919_ = _e3275;
+                    let _e3360 = phi_4015_;
+                    phi_4016_ = _e3360;
                 } else {
-                    phi_3919_ = _e2805;
+                    phi_4016_ = _e2890;
                 }
-                let _e3277 = phi_3919_;
-                phi_3920_ = _e3277;
+                let _e3362 = phi_4016_;
+                phi_4017_ = _e3362;
             }
-            let _e3279 = phi_3920_;
-            if (_e3051 > 0f) {
-                if (_e3051 < 1f) {
-                    phi_3929_ = _e3051;
+            let _e3364 = phi_4017_;
+            if (_e3136 > 0f) {
+                if (_e3136 < 1f) {
+                    phi_4026_ = _e3136;
                 } else {
-                    phi_3929_ = 1f;
+                    phi_4026_ = 1f;
                 }
-                let _e3283 = phi_3929_;
-                phi_3930_ = _e3283;
+                let _e3368 = phi_4026_;
+                phi_4027_ = _e3368;
             } else {
-                phi_3930_ = 0f;
+                phi_4027_ = 0f;
             }
-            let _e3285 = phi_3930_;
-            if (_e3053 > 0f) {
-                if (_e3053 < 1f) {
-                    phi_3940_ = _e3053;
+            let _e3370 = phi_4027_;
+            if (_e3138 > 0f) {
+                if (_e3138 < 1f) {
+                    phi_4037_ = _e3138;
                 } else {
-                    phi_3940_ = 1f;
+                    phi_4037_ = 1f;
                 }
-                let _e3290 = phi_3940_;
-                phi_3941_ = _e3290;
+                let _e3375 = phi_4037_;
+                phi_4038_ = _e3375;
             } else {
-                phi_3941_ = 0f;
+                phi_4038_ = 0f;
             }
-            let _e3292 = phi_3941_;
-            if (_e3055 > 0f) {
-                if (_e3055 < 1f) {
-                    phi_3951_ = _e3055;
+            let _e3377 = phi_4038_;
+            if (_e3140 > 0f) {
+                if (_e3140 < 1f) {
+                    phi_4048_ = _e3140;
                 } else {
-                    phi_3951_ = 1f;
+                    phi_4048_ = 1f;
                 }
-                let _e3297 = phi_3951_;
-                phi_3952_ = _e3297;
+                let _e3382 = phi_4048_;
+                phi_4049_ = _e3382;
             } else {
-                phi_3952_ = 0f;
+                phi_4049_ = 0f;
             }
-            let _e3299 = phi_3952_;
-            let _e3302 = ((sqrt(_e3285) * 255f) + 0.5f);
-            let _e3311 = ((sqrt(_e3292) * 255f) + 0.5f);
-            let _e3323 = ((sqrt(_e3299) * 255f) + 0.5f);
-            phi_3987_ = abi_Sample(vec3<f32>(_e2713, _e2714, _e2715), _e3057, _e2805, _e3062, _e3279, ((select(select(u32(_e3302), 0u, (_e3302 < bitcast<f32>(0u))), 4294967295u, (_e3302 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3311), 0u, (_e3311 < bitcast<f32>(0u))), 4294967295u, (_e3311 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3323), 0u, (_e3323 < bitcast<f32>(0u))), 4294967295u, (_e3323 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3384 = phi_4049_;
+            let _e3387 = ((sqrt(_e3370) * 255f) + 0.5f);
+            let _e3396 = ((sqrt(_e3377) * 255f) + 0.5f);
+            let _e3408 = ((sqrt(_e3384) * 255f) + 0.5f);
+            phi_4084_ = abi_Sample(vec3<f32>(_e2798, _e2799, _e2800), _e3142, _e2890, _e3147, _e3364, ((select(select(u32(_e3387), 0u, (_e3387 < bitcast<f32>(0u))), 4294967295u, (_e3387 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3396), 0u, (_e3396 < bitcast<f32>(0u))), 4294967295u, (_e3396 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3408), 0u, (_e3408 < bitcast<f32>(0u))), 4294967295u, (_e3408 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3987_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4084_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3337 = phi_3987_;
+        let _e3422 = phi_4084_;
         if (_e100.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e100.first_primitive)] = _e3337;
+        samples.member[(0u + _e100.first_primitive)] = _e3422;
     }
     return;
 }

@@ -769,148 +769,154 @@ fn function_() {
     var phi_2458_: u32;
     var phi_2502_: vec3<f32>;
     var phi_2503_: vec3<f32>;
-    var phi_2534_: vec3<f32>;
-    var phi_2535_: vec3<f32>;
-    var phi_2566_: vec3<f32>;
-    var phi_2567_: vec3<f32>;
-    var phi_2587_: bool;
-    var phi_2588_: bool;
-    var phi_2592_: f32;
-    var phi_2593_: f32;
-    var phi_2594_: f32;
-    var phi_2595_: f32;
-    var phi_2603_: f32;
-    var phi_2613_: bool;
-    var phi_2614_: bool;
-    var phi_2618_: f32;
-    var phi_2619_: f32;
-    var phi_2620_: f32;
-    var phi_2621_: f32;
-    var phi_2629_: f32;
-    var phi_2639_: bool;
-    var phi_2640_: bool;
-    var phi_2644_: f32;
-    var phi_2645_: f32;
-    var phi_2646_: f32;
-    var phi_2647_: f32;
-    var phi_2655_: f32;
-    var phi_2670_: f32;
-    var phi_2671_: bool;
-    var phi_2672_: f32;
-    var phi_2673_: bool;
-    var phi_2674_: f32;
-    var phi_2675_: bool;
-    var phi_2693_: f32;
-    var phi_2694_: bool;
-    var phi_2695_: bool;
-    var phi_2696_: f32;
-    var phi_2697_: bool;
+    var phi_2532_: vec3<f32>;
+    var phi_2533_: vec3<f32>;
+    var phi_2562_: vec3<f32>;
+    var phi_2563_: vec3<f32>;
+    var phi_2581_: bool;
+    var phi_2582_: bool;
+    var phi_2586_: f32;
+    var phi_2587_: f32;
+    var phi_2588_: f32;
+    var phi_2589_: f32;
+    var phi_2597_: f32;
+    var phi_2607_: bool;
+    var phi_2608_: bool;
+    var phi_2612_: f32;
+    var phi_2613_: f32;
+    var phi_2614_: f32;
+    var phi_2615_: f32;
+    var phi_2623_: f32;
+    var phi_2633_: bool;
+    var phi_2634_: bool;
+    var phi_2638_: f32;
+    var phi_2639_: f32;
+    var phi_2640_: f32;
+    var phi_2641_: f32;
+    var phi_2649_: f32;
+    var phi_2664_: f32;
+    var phi_2665_: bool;
+    var phi_2666_: f32;
+    var phi_2667_: bool;
+    var phi_2668_: f32;
+    var phi_2669_: bool;
+    var phi_2687_: f32;
+    var phi_2688_: bool;
+    var phi_2689_: bool;
+    var phi_2690_: f32;
+    var phi_2691_: bool;
+    var phi_2692_: bool;
+    var phi_2696_: bool;
+    var phi_2697_: f32;
     var phi_2698_: bool;
-    var phi_2702_: bool;
-    var phi_2703_: f32;
-    var phi_2704_: bool;
-    var phi_2738_: f32;
-    var phi_2747_: f32;
-    var phi_2756_: f32;
-    var phi_2765_: f32;
-    var phi_2772_: f32;
-    var phi_2779_: f32;
-    var phi_2792_: f32;
-    var phi_2801_: f32;
-    var phi_2810_: f32;
-    var phi_2819_: f32;
-    var phi_2826_: f32;
-    var phi_2833_: f32;
-    var phi_2850_: f32;
-    var phi_2855_: f32;
-    var phi_2860_: f32;
-    var phi_2868_: f32;
-    var phi_2873_: f32;
-    var phi_2878_: f32;
-    var phi_2890_: f32;
-    var phi_2895_: f32;
-    var phi_2900_: f32;
-    var phi_2905_: f32;
-    var phi_2910_: lt_bvh_triangle_Intersection;
-    var phi_2911_: bool;
-    var phi_2912_: lt_bvh_triangle_Intersection;
-    var phi_2913_: bool;
-    var phi_2917_: lt_bvh_triangle_Intersection;
-    var phi_2918_: bool;
-    var phi_2919_: lt_bvh_triangle_Intersection;
-    var phi_2920_: bool;
-    var phi_2921_: bool;
-    var phi_2925_: bool;
-    var phi_2929_: lt_bvh_triangle_Intersection;
-    var phi_2967_: bool;
-    var phi_2968_: bool;
-    var phi_2969_: bool;
-    var phi_2970_: bool;
-    var phi_2971_: bool;
-    var phi_2972_: bool;
-    var phi_2976_: bool;
-    var phi_2977_: bool;
-    var phi_2991_: bool;
-    var phi_2999_: lt_bvh_Hit;
-    var phi_3000_: lt_bvh_Hit;
-    var phi_3001_: lt_bvh_Hit;
-    var phi_3002_: lt_bvh_Hit;
+    var phi_2726_: vec3<f32>;
+    var phi_2727_: vec3<f32>;
+    var phi_2752_: vec3<f32>;
+    var phi_2753_: vec3<f32>;
+    var phi_2778_: vec3<f32>;
+    var phi_2779_: vec3<f32>;
+    var phi_2835_: f32;
+    var phi_2844_: f32;
+    var phi_2853_: f32;
+    var phi_2862_: f32;
+    var phi_2869_: f32;
+    var phi_2876_: f32;
+    var phi_2889_: f32;
+    var phi_2898_: f32;
+    var phi_2907_: f32;
+    var phi_2916_: f32;
+    var phi_2923_: f32;
+    var phi_2930_: f32;
+    var phi_2947_: f32;
+    var phi_2952_: f32;
+    var phi_2957_: f32;
+    var phi_2965_: f32;
+    var phi_2970_: f32;
+    var phi_2975_: f32;
+    var phi_2987_: f32;
+    var phi_2992_: f32;
+    var phi_2997_: f32;
+    var phi_3002_: f32;
+    var phi_3007_: lt_bvh_triangle_Intersection;
+    var phi_3008_: bool;
+    var phi_3009_: lt_bvh_triangle_Intersection;
+    var phi_3010_: bool;
+    var phi_3014_: lt_bvh_triangle_Intersection;
+    var phi_3015_: bool;
+    var phi_3016_: lt_bvh_triangle_Intersection;
+    var phi_3017_: bool;
+    var phi_3018_: bool;
+    var phi_3022_: bool;
+    var phi_3026_: lt_bvh_triangle_Intersection;
+    var phi_3064_: bool;
+    var phi_3065_: bool;
+    var phi_3066_: bool;
+    var phi_3067_: bool;
+    var phi_3068_: bool;
+    var phi_3069_: bool;
+    var phi_3073_: bool;
+    var phi_3074_: bool;
+    var phi_3088_: bool;
+    var phi_3096_: lt_bvh_Hit;
+    var phi_3097_: lt_bvh_Hit;
+    var phi_3098_: lt_bvh_Hit;
+    var phi_3099_: lt_bvh_Hit;
     var phi_2456_: lt_bvh_Hit;
     var phi_2459_: u32;
-    var phi_3003_: bool;
-    var phi_3042_: bool;
-    var phi_3043_: bool;
-    var phi_3074_: u32;
+    var phi_3100_: bool;
+    var phi_3139_: bool;
+    var phi_3140_: bool;
+    var phi_3171_: u32;
     var phi_2123_: lt_bvh_Hit;
     var phi_2126_: u32;
-    var phi_3075_: lt_bvh_Hit;
-    var phi_3076_: lt_bvh_Hit;
-    var phi_3077_: bool;
-    var phi_3081_: lt_bvh_Hit;
-    var phi_3082_: lt_bvh_Hit;
-    var phi_3083_: lt_bvh_Hit;
-    var phi_3084_: lt_bvh_Hit;
+    var phi_3172_: lt_bvh_Hit;
+    var phi_3173_: lt_bvh_Hit;
+    var phi_3174_: bool;
+    var phi_3178_: lt_bvh_Hit;
+    var phi_3179_: lt_bvh_Hit;
+    var phi_3180_: lt_bvh_Hit;
+    var phi_3181_: lt_bvh_Hit;
     var phi_1497_: u32;
     var phi_1500_: lt_bvh_Hit;
-    var phi_3085_: bool;
-    var phi_3124_: bool;
-    var phi_3125_: bool;
-    var phi_3156_: u32;
+    var phi_3182_: bool;
+    var phi_3221_: bool;
+    var phi_3222_: bool;
+    var phi_3253_: u32;
     var phi_1160_: u32;
     var phi_1163_: lt_bvh_Hit;
-    var phi_3157_: lt_bvh_Hit;
-    var phi_3158_: lt_bvh_Hit;
-    var phi_3159_: bool;
-    var phi_3163_: lt_bvh_Hit;
-    var phi_3350_: f32;
-    var phi_3355_: f32;
-    var phi_3360_: f32;
-    var phi_3368_: f32;
-    var phi_3373_: f32;
-    var phi_3378_: f32;
-    var phi_3442_: vec3<f32>;
-    var phi_3685_: vec3<f32>;
-    var phi_3700_: u32;
-    var phi_3727_: f32;
-    var phi_3734_: f32;
-    var phi_3741_: f32;
-    var phi_3776_: f32;
-    var phi_3783_: f32;
-    var phi_3790_: f32;
-    var phi_3828_: f32;
-    var phi_3835_: f32;
-    var phi_3842_: f32;
-    var phi_3928_: vec3<f32>;
-    var phi_3929_: vec3<f32>;
-    var phi_3930_: vec3<f32>;
+    var phi_3254_: lt_bvh_Hit;
+    var phi_3255_: lt_bvh_Hit;
+    var phi_3256_: bool;
+    var phi_3260_: lt_bvh_Hit;
+    var phi_3447_: f32;
+    var phi_3452_: f32;
+    var phi_3457_: f32;
+    var phi_3465_: f32;
+    var phi_3470_: f32;
+    var phi_3475_: f32;
+    var phi_3539_: vec3<f32>;
+    var phi_3782_: vec3<f32>;
+    var phi_3797_: u32;
+    var phi_3824_: f32;
+    var phi_3831_: f32;
+    var phi_3838_: f32;
+    var phi_3873_: f32;
+    var phi_3880_: f32;
+    var phi_3887_: f32;
+    var phi_3925_: f32;
+    var phi_3932_: f32;
     var phi_3939_: f32;
-    var phi_3940_: f32;
-    var phi_3950_: f32;
-    var phi_3951_: f32;
-    var phi_3961_: f32;
-    var phi_3962_: f32;
-    var phi_3997_: abi_Sample;
-    var phi_4219_: vec3<f32>;
+    var phi_4025_: vec3<f32>;
+    var phi_4026_: vec3<f32>;
+    var phi_4027_: vec3<f32>;
+    var phi_4036_: f32;
+    var phi_4037_: f32;
+    var phi_4047_: f32;
+    var phi_4048_: f32;
+    var phi_4058_: f32;
+    var phi_4059_: f32;
+    var phi_4094_: abi_Sample;
+    var phi_4316_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -1047,7 +1053,7 @@ fn function_() {
         if _e236 {
             let _e237 = (_e114 >= _e78);
             if _e237 {
-                phi_3157_ = lt_bvh_Hit();
+                phi_3254_ = lt_bvh_Hit();
             } else {
                 if (_e114 < _e78) {
                 } else {
@@ -1400,7 +1406,7 @@ fn function_() {
                             if (_e981 == 0u) {
                                 phi_1497_ = u32();
                                 phi_1500_ = lt_bvh_Hit();
-                                phi_3085_ = false;
+                                phi_3182_ = false;
                             } else {
                                 let _e987 = nodes.member[(0u + _e538)].links[1u];
                                 let _e991 = (_e987 + select(firstTrailingBit(_e981), 32u, (_e981 == 0u)));
@@ -1582,7 +1588,7 @@ fn function_() {
                                             if _e1213 {
                                                 let _e1214 = (_e1150 >= _e78);
                                                 if _e1214 {
-                                                    phi_3075_ = lt_bvh_Hit();
+                                                    phi_3172_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1150 < _e78) {
                                                     } else {
@@ -1709,7 +1715,6 @@ fn function_() {
                                                     let _e1369 = phi_1951_;
                                                     let _e1372 = (_e1369.x / _e1369.z);
                                                     let _e1375 = (_e1369.y / _e1369.z);
-                                                    let _e1377 = (1f / _e1369.z);
                                                     if (_e1290 < 0f) {
                                                         phi_1964_ = 0u;
                                                     } else {
@@ -1977,7 +1982,7 @@ fn function_() {
                                                                 if (_e1967 == 0u) {
                                                                     phi_2456_ = lt_bvh_Hit();
                                                                     phi_2459_ = u32();
-                                                                    phi_3003_ = false;
+                                                                    phi_3100_ = false;
                                                                 } else {
                                                                     let _e1971 = nodes.member[(0u + _e1528)].links[1u];
                                                                     let _e1976 = ((_e1152 + _e1971) + select(firstTrailingBit(_e1967), 32u, (_e1967 == 0u)));
@@ -2003,1074 +2008,1127 @@ fn function_() {
                                                                     let _e1999 = phi_2503_;
                                                                     let _e2003 = (_e1999.x - (_e1372 * _e1999.z));
                                                                     let _e2007 = (_e1999.y - (_e1375 * _e1999.z));
-                                                                    let _e2011 = triangles.member[(0u + _e1976)].v1_;
-                                                                    let _e2013 = (_e2011.x - _e1075);
-                                                                    let _e2015 = (_e2011.y - _e1088);
-                                                                    let _e2017 = (_e2011.z - _e1101);
+                                                                    let _e2009 = triangles.member[(0u + _e1976)].v1_;
+                                                                    let _e2011 = (_e2009.x - _e1075);
+                                                                    let _e2013 = (_e2009.y - _e1088);
+                                                                    let _e2015 = (_e2009.z - _e1101);
                                                                     if (_e1361 == 0u) {
-                                                                        phi_2535_ = vec3<f32>(_e2015, _e2017, _e2013);
+                                                                        phi_2533_ = vec3<f32>(_e2013, _e2015, _e2011);
                                                                     } else {
                                                                         if (_e1361 == 1u) {
-                                                                            phi_2534_ = vec3<f32>(_e2017, _e2013, _e2015);
+                                                                            phi_2532_ = vec3<f32>(_e2015, _e2011, _e2013);
                                                                         } else {
-                                                                            phi_2534_ = (_e2011 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2532_ = (_e2009 - vec3<f32>(_e1075, _e1088, _e1101));
                                                                         }
-                                                                        let _e2025 = phi_2534_;
-                                                                        phi_2535_ = _e2025;
+                                                                        let _e2023 = phi_2532_;
+                                                                        phi_2533_ = _e2023;
                                                                     }
-                                                                    let _e2027 = phi_2535_;
-                                                                    let _e2031 = (_e2027.x - (_e1372 * _e2027.z));
-                                                                    let _e2035 = (_e2027.y - (_e1375 * _e2027.z));
-                                                                    let _e2039 = triangles.member[(0u + _e1976)].v2_;
-                                                                    let _e2041 = (_e2039.x - _e1075);
-                                                                    let _e2043 = (_e2039.y - _e1088);
-                                                                    let _e2045 = (_e2039.z - _e1101);
+                                                                    let _e2025 = phi_2533_;
+                                                                    let _e2029 = (_e2025.x - (_e1372 * _e2025.z));
+                                                                    let _e2033 = (_e2025.y - (_e1375 * _e2025.z));
+                                                                    let _e2035 = triangles.member[(0u + _e1976)].v2_;
+                                                                    let _e2037 = (_e2035.x - _e1075);
+                                                                    let _e2039 = (_e2035.y - _e1088);
+                                                                    let _e2041 = (_e2035.z - _e1101);
                                                                     if (_e1361 == 0u) {
-                                                                        phi_2567_ = vec3<f32>(_e2043, _e2045, _e2041);
+                                                                        phi_2563_ = vec3<f32>(_e2039, _e2041, _e2037);
                                                                     } else {
                                                                         if (_e1361 == 1u) {
-                                                                            phi_2566_ = vec3<f32>(_e2045, _e2041, _e2043);
+                                                                            phi_2562_ = vec3<f32>(_e2041, _e2037, _e2039);
                                                                         } else {
-                                                                            phi_2566_ = (_e2039 - vec3<f32>(_e1075, _e1088, _e1101));
+                                                                            phi_2562_ = (_e2035 - vec3<f32>(_e1075, _e1088, _e1101));
                                                                         }
-                                                                        let _e2053 = phi_2566_;
-                                                                        phi_2567_ = _e2053;
+                                                                        let _e2049 = phi_2562_;
+                                                                        phi_2563_ = _e2049;
                                                                     }
-                                                                    let _e2055 = phi_2567_;
-                                                                    let _e2059 = (_e2055.x - (_e1372 * _e2055.z));
-                                                                    let _e2063 = (_e2055.y - (_e1375 * _e2055.z));
-                                                                    if (_e2031 < _e2059) {
-                                                                        phi_2588_ = true;
+                                                                    let _e2051 = phi_2563_;
+                                                                    let _e2055 = (_e2051.x - (_e1372 * _e2051.z));
+                                                                    let _e2059 = (_e2051.y - (_e1375 * _e2051.z));
+                                                                    if (_e2029 < _e2055) {
+                                                                        phi_2582_ = true;
                                                                     } else {
-                                                                        if (_e2031 == _e2059) {
-                                                                            phi_2587_ = (_e2035 < _e2063);
+                                                                        if (_e2029 == _e2055) {
+                                                                            phi_2581_ = (_e2033 < _e2059);
                                                                         } else {
-                                                                            phi_2587_ = false;
+                                                                            phi_2581_ = false;
                                                                         }
-                                                                        let _e2070 = phi_2587_;
-                                                                        phi_2588_ = _e2070;
+                                                                        let _e2064 = phi_2581_;
+                                                                        phi_2582_ = _e2064;
                                                                     }
+                                                                    let _e2066 = phi_2582_;
+                                                                    if _e2066 {
+                                                                        phi_2586_ = _e2059;
+                                                                        phi_2587_ = _e2055;
+                                                                        phi_2588_ = _e2033;
+                                                                        phi_2589_ = _e2029;
+                                                                    } else {
+                                                                        phi_2586_ = _e2033;
+                                                                        phi_2587_ = _e2029;
+                                                                        phi_2588_ = _e2059;
+                                                                        phi_2589_ = _e2055;
+                                                                    }
+                                                                    let _e2068 = phi_2586_;
+                                                                    let _e2070 = phi_2587_;
                                                                     let _e2072 = phi_2588_;
-                                                                    if _e2072 {
-                                                                        phi_2592_ = _e2063;
-                                                                        phi_2593_ = _e2059;
-                                                                        phi_2594_ = _e2035;
-                                                                        phi_2595_ = _e2031;
+                                                                    let _e2074 = phi_2589_;
+                                                                    let _e2077 = ((_e2074 * _e2068) - (_e2072 * _e2070));
+                                                                    if _e2066 {
+                                                                        phi_2597_ = -(_e2077);
                                                                     } else {
-                                                                        phi_2592_ = _e2035;
-                                                                        phi_2593_ = _e2031;
-                                                                        phi_2594_ = _e2063;
-                                                                        phi_2595_ = _e2059;
+                                                                        phi_2597_ = _e2077;
                                                                     }
-                                                                    let _e2074 = phi_2592_;
-                                                                    let _e2076 = phi_2593_;
-                                                                    let _e2078 = phi_2594_;
-                                                                    let _e2080 = phi_2595_;
-                                                                    let _e2083 = ((_e2080 * _e2074) - (_e2078 * _e2076));
-                                                                    if _e2072 {
-                                                                        phi_2603_ = -(_e2083);
+                                                                    let _e2080 = phi_2597_;
+                                                                    if (_e2055 < _e2003) {
+                                                                        phi_2608_ = true;
                                                                     } else {
-                                                                        phi_2603_ = _e2083;
-                                                                    }
-                                                                    let _e2086 = phi_2603_;
-                                                                    if (_e2059 < _e2003) {
-                                                                        phi_2614_ = true;
-                                                                    } else {
-                                                                        if (_e2059 == _e2003) {
-                                                                            phi_2613_ = (_e2063 < _e2007);
+                                                                        if (_e2055 == _e2003) {
+                                                                            phi_2607_ = (_e2059 < _e2007);
                                                                         } else {
-                                                                            phi_2613_ = false;
+                                                                            phi_2607_ = false;
                                                                         }
-                                                                        let _e2091 = phi_2613_;
-                                                                        phi_2614_ = _e2091;
+                                                                        let _e2085 = phi_2607_;
+                                                                        phi_2608_ = _e2085;
                                                                     }
+                                                                    let _e2087 = phi_2608_;
+                                                                    if _e2087 {
+                                                                        phi_2612_ = _e2007;
+                                                                        phi_2613_ = _e2003;
+                                                                        phi_2614_ = _e2059;
+                                                                        phi_2615_ = _e2055;
+                                                                    } else {
+                                                                        phi_2612_ = _e2059;
+                                                                        phi_2613_ = _e2055;
+                                                                        phi_2614_ = _e2007;
+                                                                        phi_2615_ = _e2003;
+                                                                    }
+                                                                    let _e2089 = phi_2612_;
+                                                                    let _e2091 = phi_2613_;
                                                                     let _e2093 = phi_2614_;
-                                                                    if _e2093 {
-                                                                        phi_2618_ = _e2007;
-                                                                        phi_2619_ = _e2003;
-                                                                        phi_2620_ = _e2063;
-                                                                        phi_2621_ = _e2059;
+                                                                    let _e2095 = phi_2615_;
+                                                                    let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
+                                                                    if _e2087 {
+                                                                        phi_2623_ = -(_e2098);
                                                                     } else {
-                                                                        phi_2618_ = _e2063;
-                                                                        phi_2619_ = _e2059;
-                                                                        phi_2620_ = _e2007;
-                                                                        phi_2621_ = _e2003;
+                                                                        phi_2623_ = _e2098;
                                                                     }
-                                                                    let _e2095 = phi_2618_;
-                                                                    let _e2097 = phi_2619_;
-                                                                    let _e2099 = phi_2620_;
-                                                                    let _e2101 = phi_2621_;
-                                                                    let _e2104 = ((_e2101 * _e2095) - (_e2099 * _e2097));
-                                                                    if _e2093 {
-                                                                        phi_2629_ = -(_e2104);
+                                                                    let _e2101 = phi_2623_;
+                                                                    if (_e2003 < _e2029) {
+                                                                        phi_2634_ = true;
                                                                     } else {
-                                                                        phi_2629_ = _e2104;
-                                                                    }
-                                                                    let _e2107 = phi_2629_;
-                                                                    if (_e2003 < _e2031) {
-                                                                        phi_2640_ = true;
-                                                                    } else {
-                                                                        if (_e2003 == _e2031) {
-                                                                            phi_2639_ = (_e2007 < _e2035);
+                                                                        if (_e2003 == _e2029) {
+                                                                            phi_2633_ = (_e2007 < _e2033);
                                                                         } else {
-                                                                            phi_2639_ = false;
+                                                                            phi_2633_ = false;
                                                                         }
-                                                                        let _e2112 = phi_2639_;
-                                                                        phi_2640_ = _e2112;
+                                                                        let _e2106 = phi_2633_;
+                                                                        phi_2634_ = _e2106;
                                                                     }
+                                                                    let _e2108 = phi_2634_;
+                                                                    if _e2108 {
+                                                                        phi_2638_ = _e2033;
+                                                                        phi_2639_ = _e2029;
+                                                                        phi_2640_ = _e2007;
+                                                                        phi_2641_ = _e2003;
+                                                                    } else {
+                                                                        phi_2638_ = _e2007;
+                                                                        phi_2639_ = _e2003;
+                                                                        phi_2640_ = _e2033;
+                                                                        phi_2641_ = _e2029;
+                                                                    }
+                                                                    let _e2110 = phi_2638_;
+                                                                    let _e2112 = phi_2639_;
                                                                     let _e2114 = phi_2640_;
-                                                                    if _e2114 {
-                                                                        phi_2644_ = _e2035;
-                                                                        phi_2645_ = _e2031;
-                                                                        phi_2646_ = _e2007;
-                                                                        phi_2647_ = _e2003;
+                                                                    let _e2116 = phi_2641_;
+                                                                    let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
+                                                                    if _e2108 {
+                                                                        phi_2649_ = -(_e2119);
                                                                     } else {
-                                                                        phi_2644_ = _e2007;
-                                                                        phi_2645_ = _e2003;
-                                                                        phi_2646_ = _e2035;
-                                                                        phi_2647_ = _e2031;
+                                                                        phi_2649_ = _e2119;
                                                                     }
-                                                                    let _e2116 = phi_2644_;
-                                                                    let _e2118 = phi_2645_;
-                                                                    let _e2120 = phi_2646_;
-                                                                    let _e2122 = phi_2647_;
-                                                                    let _e2125 = ((_e2122 * _e2116) - (_e2120 * _e2118));
-                                                                    if _e2114 {
-                                                                        phi_2655_ = -(_e2125);
-                                                                    } else {
-                                                                        phi_2655_ = _e2125;
-                                                                    }
-                                                                    let _e2128 = phi_2655_;
-                                                                    if (_e2086 >= 0f) {
-                                                                        if (_e2107 >= 0f) {
-                                                                            if (_e2128 >= 0f) {
-                                                                                phi_2670_ = ((_e2086 + _e2107) + _e2128);
-                                                                                phi_2671_ = false;
+                                                                    let _e2122 = phi_2649_;
+                                                                    if (_e2080 >= 0f) {
+                                                                        if (_e2101 >= 0f) {
+                                                                            if (_e2122 >= 0f) {
+                                                                                phi_2664_ = ((_e2080 + _e2101) + _e2122);
+                                                                                phi_2665_ = false;
                                                                             } else {
-                                                                                phi_2670_ = f32();
-                                                                                phi_2671_ = true;
+                                                                                phi_2664_ = f32();
+                                                                                phi_2665_ = true;
                                                                             }
-                                                                            let _e2135 = phi_2670_;
-                                                                            let _e2137 = phi_2671_;
-                                                                            phi_2672_ = _e2135;
-                                                                            phi_2673_ = _e2137;
+                                                                            let _e2129 = phi_2664_;
+                                                                            let _e2131 = phi_2665_;
+                                                                            phi_2666_ = _e2129;
+                                                                            phi_2667_ = _e2131;
                                                                         } else {
-                                                                            phi_2672_ = f32();
-                                                                            phi_2673_ = true;
+                                                                            phi_2666_ = f32();
+                                                                            phi_2667_ = true;
                                                                         }
-                                                                        let _e2139 = phi_2672_;
-                                                                        let _e2141 = phi_2673_;
-                                                                        phi_2674_ = _e2139;
-                                                                        phi_2675_ = _e2141;
+                                                                        let _e2133 = phi_2666_;
+                                                                        let _e2135 = phi_2667_;
+                                                                        phi_2668_ = _e2133;
+                                                                        phi_2669_ = _e2135;
                                                                     } else {
-                                                                        phi_2674_ = f32();
-                                                                        phi_2675_ = true;
+                                                                        phi_2668_ = f32();
+                                                                        phi_2669_ = true;
                                                                     }
-                                                                    let _e2143 = phi_2674_;
-                                                                    let _e2145 = phi_2675_;
-                                                                    if _e2145 {
-                                                                        if (_e2086 <= 0f) {
-                                                                            if (_e2107 <= 0f) {
-                                                                                let _e2148 = (_e2128 <= 0f);
-                                                                                if _e2148 {
+                                                                    let _e2137 = phi_2668_;
+                                                                    let _e2139 = phi_2669_;
+                                                                    if _e2139 {
+                                                                        if (_e2080 <= 0f) {
+                                                                            if (_e2101 <= 0f) {
+                                                                                let _e2142 = (_e2122 <= 0f);
+                                                                                if _e2142 {
                                                                                 }
-                                                                                phi_2693_ = ((_e2086 + _e2107) + _e2128);
-                                                                                phi_2694_ = false;
-                                                                                phi_2695_ = _e2148;
+                                                                                phi_2687_ = ((_e2080 + _e2101) + _e2122);
+                                                                                phi_2688_ = false;
+                                                                                phi_2689_ = _e2142;
                                                                             } else {
-                                                                                phi_2693_ = f32();
-                                                                                phi_2694_ = true;
-                                                                                phi_2695_ = false;
+                                                                                phi_2687_ = f32();
+                                                                                phi_2688_ = true;
+                                                                                phi_2689_ = false;
                                                                             }
-                                                                            let _e2152 = phi_2693_;
-                                                                            let _e2154 = phi_2694_;
-                                                                            let _e2156 = phi_2695_;
-                                                                            phi_2696_ = _e2152;
-                                                                            phi_2697_ = _e2154;
-                                                                            phi_2698_ = _e2156;
+                                                                            let _e2146 = phi_2687_;
+                                                                            let _e2148 = phi_2688_;
+                                                                            let _e2150 = phi_2689_;
+                                                                            phi_2690_ = _e2146;
+                                                                            phi_2691_ = _e2148;
+                                                                            phi_2692_ = _e2150;
                                                                         } else {
-                                                                            phi_2696_ = f32();
-                                                                            phi_2697_ = true;
-                                                                            phi_2698_ = false;
+                                                                            phi_2690_ = f32();
+                                                                            phi_2691_ = true;
+                                                                            phi_2692_ = false;
+                                                                        }
+                                                                        let _e2152 = phi_2690_;
+                                                                        let _e2154 = phi_2691_;
+                                                                        let _e2156 = phi_2692_;
+                                                                        if _e2154 {
+                                                                            phi_2696_ = false;
+                                                                        } else {
+                                                                            phi_2696_ = _e2156;
                                                                         }
                                                                         let _e2158 = phi_2696_;
-                                                                        let _e2160 = phi_2697_;
-                                                                        let _e2162 = phi_2698_;
-                                                                        if _e2160 {
-                                                                            phi_2702_ = false;
-                                                                        } else {
-                                                                            phi_2702_ = _e2162;
-                                                                        }
-                                                                        let _e2164 = phi_2702_;
-                                                                        phi_2703_ = _e2158;
-                                                                        phi_2704_ = _e2164;
+                                                                        phi_2697_ = _e2152;
+                                                                        phi_2698_ = _e2158;
                                                                     } else {
-                                                                        phi_2703_ = _e2143;
-                                                                        phi_2704_ = true;
+                                                                        phi_2697_ = _e2137;
+                                                                        phi_2698_ = true;
                                                                     }
-                                                                    let _e2166 = phi_2703_;
-                                                                    let _e2168 = phi_2704_;
-                                                                    if _e2168 {
-                                                                        let _e2169 = (_e2166 == 0f);
-                                                                        if _e2169 {
-                                                                            phi_2917_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2918_ = false;
+                                                                    let _e2160 = phi_2697_;
+                                                                    let _e2162 = phi_2698_;
+                                                                    if _e2162 {
+                                                                        let _e2163 = (_e2160 == 0f);
+                                                                        if _e2163 {
+                                                                            phi_3014_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3015_ = false;
                                                                         } else {
-                                                                            let _e2175 = ((((_e2086 * (_e1377 * _e1999.z)) + (_e2107 * (_e1377 * _e2027.z))) + (_e2128 * (_e1377 * _e2055.z))) / _e2166);
-                                                                            if (_e2175 > _e165.tmin) {
-                                                                                if (_e2175 < _e165.tmax) {
-                                                                                    let _e2179 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2181 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2179.x < _e2181.x) {
-                                                                                        phi_2738_ = _e2179.x;
-                                                                                    } else {
-                                                                                        phi_2738_ = _e2181.x;
-                                                                                    }
-                                                                                    let _e2188 = phi_2738_;
-                                                                                    if (_e2179.y < _e2181.y) {
-                                                                                        phi_2747_ = _e2179.y;
-                                                                                    } else {
-                                                                                        phi_2747_ = _e2181.y;
-                                                                                    }
-                                                                                    let _e2195 = phi_2747_;
-                                                                                    if (_e2179.z < _e2181.z) {
-                                                                                        phi_2756_ = _e2179.z;
-                                                                                    } else {
-                                                                                        phi_2756_ = _e2181.z;
-                                                                                    }
-                                                                                    let _e2202 = phi_2756_;
-                                                                                    let _e2204 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2188 < _e2204.x) {
-                                                                                        phi_2765_ = _e2188;
-                                                                                    } else {
-                                                                                        phi_2765_ = _e2204.x;
-                                                                                    }
-                                                                                    let _e2209 = phi_2765_;
-                                                                                    if (_e2195 < _e2204.y) {
-                                                                                        phi_2772_ = _e2195;
-                                                                                    } else {
-                                                                                        phi_2772_ = _e2204.y;
-                                                                                    }
-                                                                                    let _e2214 = phi_2772_;
-                                                                                    if (_e2202 < _e2204.z) {
-                                                                                        phi_2779_ = _e2202;
-                                                                                    } else {
-                                                                                        phi_2779_ = _e2204.z;
-                                                                                    }
-                                                                                    let _e2219 = phi_2779_;
-                                                                                    let _e2221 = triangles.member[(0u + _e1976)].v0_;
-                                                                                    let _e2223 = triangles.member[(0u + _e1976)].v1_;
-                                                                                    if (_e2221.x > _e2223.x) {
-                                                                                        phi_2792_ = _e2221.x;
-                                                                                    } else {
-                                                                                        phi_2792_ = _e2223.x;
-                                                                                    }
-                                                                                    let _e2230 = phi_2792_;
-                                                                                    if (_e2221.y > _e2223.y) {
-                                                                                        phi_2801_ = _e2221.y;
-                                                                                    } else {
-                                                                                        phi_2801_ = _e2223.y;
-                                                                                    }
-                                                                                    let _e2237 = phi_2801_;
-                                                                                    if (_e2221.z > _e2223.z) {
-                                                                                        phi_2810_ = _e2221.z;
-                                                                                    } else {
-                                                                                        phi_2810_ = _e2223.z;
-                                                                                    }
-                                                                                    let _e2244 = phi_2810_;
-                                                                                    let _e2246 = triangles.member[(0u + _e1976)].v2_;
-                                                                                    if (_e2230 > _e2246.x) {
-                                                                                        phi_2819_ = _e2230;
-                                                                                    } else {
-                                                                                        phi_2819_ = _e2246.x;
-                                                                                    }
-                                                                                    let _e2251 = phi_2819_;
-                                                                                    if (_e2237 > _e2246.y) {
-                                                                                        phi_2826_ = _e2237;
-                                                                                    } else {
-                                                                                        phi_2826_ = _e2246.y;
-                                                                                    }
-                                                                                    let _e2256 = phi_2826_;
-                                                                                    if (_e2244 > _e2246.z) {
-                                                                                        phi_2833_ = _e2244;
-                                                                                    } else {
-                                                                                        phi_2833_ = _e2246.z;
-                                                                                    }
-                                                                                    let _e2261 = phi_2833_;
-                                                                                    let _e2265 = ((_e2209 - _e1075) * _e1290);
-                                                                                    let _e2266 = ((_e2214 - _e1088) * _e1300);
-                                                                                    let _e2267 = ((_e2219 - _e1101) * _e1310);
-                                                                                    let _e2271 = ((_e2251 - _e1075) * _e1290);
-                                                                                    let _e2272 = ((_e2256 - _e1088) * _e1300);
-                                                                                    let _e2273 = ((_e2261 - _e1101) * _e1310);
-                                                                                    if (_e2265 < _e2271) {
-                                                                                        phi_2850_ = _e2265;
-                                                                                    } else {
-                                                                                        phi_2850_ = _e2271;
-                                                                                    }
-                                                                                    let _e2276 = phi_2850_;
-                                                                                    if (_e2266 < _e2272) {
-                                                                                        phi_2855_ = _e2266;
-                                                                                    } else {
-                                                                                        phi_2855_ = _e2272;
-                                                                                    }
-                                                                                    let _e2279 = phi_2855_;
-                                                                                    if (_e2267 < _e2273) {
-                                                                                        phi_2860_ = _e2267;
-                                                                                    } else {
-                                                                                        phi_2860_ = _e2273;
-                                                                                    }
-                                                                                    let _e2282 = phi_2860_;
-                                                                                    if (_e2265 > _e2271) {
-                                                                                        phi_2868_ = _e2265;
-                                                                                    } else {
-                                                                                        phi_2868_ = _e2271;
-                                                                                    }
-                                                                                    let _e2288 = phi_2868_;
-                                                                                    if (_e2266 > _e2272) {
-                                                                                        phi_2873_ = _e2266;
-                                                                                    } else {
-                                                                                        phi_2873_ = _e2272;
-                                                                                    }
-                                                                                    let _e2291 = phi_2873_;
-                                                                                    if (_e2267 > _e2273) {
-                                                                                        phi_2878_ = _e2267;
-                                                                                    } else {
-                                                                                        phi_2878_ = _e2273;
-                                                                                    }
-                                                                                    let _e2294 = phi_2878_;
-                                                                                    let _e2298 = core_intrinsics_maximum_number_nsz_f32_((_e2276 - _e1345), (_e2279 - _e1346));
-                                                                                    let _e2299 = core_intrinsics_maximum_number_nsz_f32_(_e2298, (_e2282 - _e1347));
-                                                                                    let _e2300 = core_intrinsics_minimum_number_nsz_f32_((_e2288 + _e1345), (_e2291 + _e1346));
-                                                                                    let _e2301 = core_intrinsics_minimum_number_nsz_f32_(_e2300, (_e2294 + _e1347));
-                                                                                    if (_e2299 > _e1050) {
-                                                                                        phi_2890_ = _e2299;
-                                                                                    } else {
-                                                                                        phi_2890_ = _e1050;
-                                                                                    }
-                                                                                    let _e2304 = phi_2890_;
-                                                                                    if (_e2301 < _e1052) {
-                                                                                        phi_2895_ = _e2301;
-                                                                                    } else {
-                                                                                        phi_2895_ = _e1052;
-                                                                                    }
-                                                                                    let _e2307 = phi_2895_;
-                                                                                    if (_e2175 < _e2304) {
-                                                                                        phi_2900_ = _e2304;
-                                                                                    } else {
-                                                                                        phi_2900_ = _e2175;
-                                                                                    }
-                                                                                    let _e2310 = phi_2900_;
-                                                                                    if (_e2310 > _e2307) {
-                                                                                        phi_2905_ = _e2307;
-                                                                                    } else {
-                                                                                        phi_2905_ = _e2310;
-                                                                                    }
-                                                                                    let _e2313 = phi_2905_;
-                                                                                    phi_2910_ = lt_bvh_triangle_Intersection(_e2313, (_e2107 / _e2166), (_e2128 / _e2166), (_e2304 <= _e2307));
-                                                                                    phi_2911_ = false;
+                                                                            let _e2165 = triangles.member[(0u + _e1976)].v0_;
+                                                                            let _e2167 = (_e2165.x - _e1075);
+                                                                            let _e2169 = (_e2165.y - _e1088);
+                                                                            let _e2171 = (_e2165.z - _e1101);
+                                                                            if (_e1361 == 0u) {
+                                                                                phi_2727_ = vec3<f32>(_e2169, _e2171, _e2167);
+                                                                            } else {
+                                                                                if (_e1361 == 1u) {
+                                                                                    phi_2726_ = vec3<f32>(_e2171, _e2167, _e2169);
                                                                                 } else {
-                                                                                    phi_2910_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2911_ = true;
+                                                                                    phi_2726_ = (_e2165 - vec3<f32>(_e1075, _e1088, _e1101));
                                                                                 }
-                                                                                let _e2319 = phi_2910_;
-                                                                                let _e2321 = phi_2911_;
-                                                                                phi_2912_ = _e2319;
-                                                                                phi_2913_ = _e2321;
+                                                                                let _e2179 = phi_2726_;
+                                                                                phi_2727_ = _e2179;
+                                                                            }
+                                                                            let _e2181 = phi_2727_;
+                                                                            let _e2183 = triangles.member[(0u + _e1976)].v1_;
+                                                                            let _e2185 = triangles.member[(0u + _e1976)].v0_;
+                                                                            let _e2188 = (_e2183.x - _e2185.x);
+                                                                            let _e2191 = (_e2183.y - _e2185.y);
+                                                                            let _e2194 = (_e2183.z - _e2185.z);
+                                                                            if (_e1361 == 0u) {
+                                                                                phi_2753_ = vec3<f32>(_e2191, _e2194, _e2188);
                                                                             } else {
-                                                                                phi_2912_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2913_ = true;
+                                                                                if (_e1361 == 1u) {
+                                                                                    phi_2752_ = vec3<f32>(_e2194, _e2188, _e2191);
+                                                                                } else {
+                                                                                    phi_2752_ = (_e2183 - _e2185);
+                                                                                }
+                                                                                let _e2201 = phi_2752_;
+                                                                                phi_2753_ = _e2201;
                                                                             }
-                                                                            let _e2323 = phi_2912_;
-                                                                            let _e2325 = phi_2913_;
-                                                                            if _e2325 {
+                                                                            let _e2203 = phi_2753_;
+                                                                            let _e2205 = triangles.member[(0u + _e1976)].v2_;
+                                                                            let _e2207 = triangles.member[(0u + _e1976)].v0_;
+                                                                            let _e2210 = (_e2205.x - _e2207.x);
+                                                                            let _e2213 = (_e2205.y - _e2207.y);
+                                                                            let _e2216 = (_e2205.z - _e2207.z);
+                                                                            if (_e1361 == 0u) {
+                                                                                phi_2779_ = vec3<f32>(_e2213, _e2216, _e2210);
+                                                                            } else {
+                                                                                if (_e1361 == 1u) {
+                                                                                    phi_2778_ = vec3<f32>(_e2216, _e2210, _e2213);
+                                                                                } else {
+                                                                                    phi_2778_ = (_e2205 - _e2207);
+                                                                                }
+                                                                                let _e2223 = phi_2778_;
+                                                                                phi_2779_ = _e2223;
                                                                             }
-                                                                            phi_2917_ = _e2323;
-                                                                            phi_2918_ = _e2325;
+                                                                            let _e2225 = phi_2779_;
+                                                                            let _e2232 = ((_e2203.y * _e2225.z) - (_e2203.z * _e2225.y));
+                                                                            let _e2239 = ((_e2203.z * _e2225.x) - (_e2203.x * _e2225.z));
+                                                                            let _e2246 = ((_e2203.x * _e2225.y) - (_e2203.y * _e2225.x));
+                                                                            let _e2260 = (((1f / _e1369.z) * (((_e2232 * _e2181.x) + (_e2239 * _e2181.y)) + (_e2246 * _e2181.z))) / (((_e2232 * _e1372) + (_e2239 * _e1375)) + _e2246));
+                                                                            if (_e2260 > _e165.tmin) {
+                                                                                if (_e2260 < _e165.tmax) {
+                                                                                    let _e2264 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2266 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2264.x < _e2266.x) {
+                                                                                        phi_2835_ = _e2264.x;
+                                                                                    } else {
+                                                                                        phi_2835_ = _e2266.x;
+                                                                                    }
+                                                                                    let _e2273 = phi_2835_;
+                                                                                    if (_e2264.y < _e2266.y) {
+                                                                                        phi_2844_ = _e2264.y;
+                                                                                    } else {
+                                                                                        phi_2844_ = _e2266.y;
+                                                                                    }
+                                                                                    let _e2280 = phi_2844_;
+                                                                                    if (_e2264.z < _e2266.z) {
+                                                                                        phi_2853_ = _e2264.z;
+                                                                                    } else {
+                                                                                        phi_2853_ = _e2266.z;
+                                                                                    }
+                                                                                    let _e2287 = phi_2853_;
+                                                                                    let _e2289 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2273 < _e2289.x) {
+                                                                                        phi_2862_ = _e2273;
+                                                                                    } else {
+                                                                                        phi_2862_ = _e2289.x;
+                                                                                    }
+                                                                                    let _e2294 = phi_2862_;
+                                                                                    if (_e2280 < _e2289.y) {
+                                                                                        phi_2869_ = _e2280;
+                                                                                    } else {
+                                                                                        phi_2869_ = _e2289.y;
+                                                                                    }
+                                                                                    let _e2299 = phi_2869_;
+                                                                                    if (_e2287 < _e2289.z) {
+                                                                                        phi_2876_ = _e2287;
+                                                                                    } else {
+                                                                                        phi_2876_ = _e2289.z;
+                                                                                    }
+                                                                                    let _e2304 = phi_2876_;
+                                                                                    let _e2306 = triangles.member[(0u + _e1976)].v0_;
+                                                                                    let _e2308 = triangles.member[(0u + _e1976)].v1_;
+                                                                                    if (_e2306.x > _e2308.x) {
+                                                                                        phi_2889_ = _e2306.x;
+                                                                                    } else {
+                                                                                        phi_2889_ = _e2308.x;
+                                                                                    }
+                                                                                    let _e2315 = phi_2889_;
+                                                                                    if (_e2306.y > _e2308.y) {
+                                                                                        phi_2898_ = _e2306.y;
+                                                                                    } else {
+                                                                                        phi_2898_ = _e2308.y;
+                                                                                    }
+                                                                                    let _e2322 = phi_2898_;
+                                                                                    if (_e2306.z > _e2308.z) {
+                                                                                        phi_2907_ = _e2306.z;
+                                                                                    } else {
+                                                                                        phi_2907_ = _e2308.z;
+                                                                                    }
+                                                                                    let _e2329 = phi_2907_;
+                                                                                    let _e2331 = triangles.member[(0u + _e1976)].v2_;
+                                                                                    if (_e2315 > _e2331.x) {
+                                                                                        phi_2916_ = _e2315;
+                                                                                    } else {
+                                                                                        phi_2916_ = _e2331.x;
+                                                                                    }
+                                                                                    let _e2336 = phi_2916_;
+                                                                                    if (_e2322 > _e2331.y) {
+                                                                                        phi_2923_ = _e2322;
+                                                                                    } else {
+                                                                                        phi_2923_ = _e2331.y;
+                                                                                    }
+                                                                                    let _e2341 = phi_2923_;
+                                                                                    if (_e2329 > _e2331.z) {
+                                                                                        phi_2930_ = _e2329;
+                                                                                    } else {
+                                                                                        phi_2930_ = _e2331.z;
+                                                                                    }
+                                                                                    let _e2346 = phi_2930_;
+                                                                                    let _e2350 = ((_e2294 - _e1075) * _e1290);
+                                                                                    let _e2351 = ((_e2299 - _e1088) * _e1300);
+                                                                                    let _e2352 = ((_e2304 - _e1101) * _e1310);
+                                                                                    let _e2356 = ((_e2336 - _e1075) * _e1290);
+                                                                                    let _e2357 = ((_e2341 - _e1088) * _e1300);
+                                                                                    let _e2358 = ((_e2346 - _e1101) * _e1310);
+                                                                                    if (_e2350 < _e2356) {
+                                                                                        phi_2947_ = _e2350;
+                                                                                    } else {
+                                                                                        phi_2947_ = _e2356;
+                                                                                    }
+                                                                                    let _e2361 = phi_2947_;
+                                                                                    if (_e2351 < _e2357) {
+                                                                                        phi_2952_ = _e2351;
+                                                                                    } else {
+                                                                                        phi_2952_ = _e2357;
+                                                                                    }
+                                                                                    let _e2364 = phi_2952_;
+                                                                                    if (_e2352 < _e2358) {
+                                                                                        phi_2957_ = _e2352;
+                                                                                    } else {
+                                                                                        phi_2957_ = _e2358;
+                                                                                    }
+                                                                                    let _e2367 = phi_2957_;
+                                                                                    if (_e2350 > _e2356) {
+                                                                                        phi_2965_ = _e2350;
+                                                                                    } else {
+                                                                                        phi_2965_ = _e2356;
+                                                                                    }
+                                                                                    let _e2373 = phi_2965_;
+                                                                                    if (_e2351 > _e2357) {
+                                                                                        phi_2970_ = _e2351;
+                                                                                    } else {
+                                                                                        phi_2970_ = _e2357;
+                                                                                    }
+                                                                                    let _e2376 = phi_2970_;
+                                                                                    if (_e2352 > _e2358) {
+                                                                                        phi_2975_ = _e2352;
+                                                                                    } else {
+                                                                                        phi_2975_ = _e2358;
+                                                                                    }
+                                                                                    let _e2379 = phi_2975_;
+                                                                                    let _e2383 = core_intrinsics_maximum_number_nsz_f32_((_e2361 - _e1345), (_e2364 - _e1346));
+                                                                                    let _e2384 = core_intrinsics_maximum_number_nsz_f32_(_e2383, (_e2367 - _e1347));
+                                                                                    let _e2385 = core_intrinsics_minimum_number_nsz_f32_((_e2373 + _e1345), (_e2376 + _e1346));
+                                                                                    let _e2386 = core_intrinsics_minimum_number_nsz_f32_(_e2385, (_e2379 + _e1347));
+                                                                                    if (_e2384 > _e1050) {
+                                                                                        phi_2987_ = _e2384;
+                                                                                    } else {
+                                                                                        phi_2987_ = _e1050;
+                                                                                    }
+                                                                                    let _e2389 = phi_2987_;
+                                                                                    if (_e2386 < _e1052) {
+                                                                                        phi_2992_ = _e2386;
+                                                                                    } else {
+                                                                                        phi_2992_ = _e1052;
+                                                                                    }
+                                                                                    let _e2392 = phi_2992_;
+                                                                                    if (_e2260 < _e2389) {
+                                                                                        phi_2997_ = _e2389;
+                                                                                    } else {
+                                                                                        phi_2997_ = _e2260;
+                                                                                    }
+                                                                                    let _e2395 = phi_2997_;
+                                                                                    if (_e2395 > _e2392) {
+                                                                                        phi_3002_ = _e2392;
+                                                                                    } else {
+                                                                                        phi_3002_ = _e2395;
+                                                                                    }
+                                                                                    let _e2398 = phi_3002_;
+                                                                                    phi_3007_ = lt_bvh_triangle_Intersection(_e2398, (_e2101 / _e2160), (_e2122 / _e2160), (_e2389 <= _e2392));
+                                                                                    phi_3008_ = false;
+                                                                                } else {
+                                                                                    phi_3007_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3008_ = true;
+                                                                                }
+                                                                                let _e2404 = phi_3007_;
+                                                                                let _e2406 = phi_3008_;
+                                                                                phi_3009_ = _e2404;
+                                                                                phi_3010_ = _e2406;
+                                                                            } else {
+                                                                                phi_3009_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3010_ = true;
+                                                                            }
+                                                                            let _e2408 = phi_3009_;
+                                                                            let _e2410 = phi_3010_;
+                                                                            if _e2410 {
+                                                                            }
+                                                                            phi_3014_ = _e2408;
+                                                                            phi_3015_ = _e2410;
                                                                         }
-                                                                        let _e2327 = phi_2917_;
-                                                                        let _e2329 = phi_2918_;
-                                                                        phi_2919_ = _e2327;
-                                                                        phi_2920_ = _e2169;
-                                                                        phi_2921_ = _e2329;
+                                                                        let _e2412 = phi_3014_;
+                                                                        let _e2414 = phi_3015_;
+                                                                        phi_3016_ = _e2412;
+                                                                        phi_3017_ = _e2163;
+                                                                        phi_3018_ = _e2414;
                                                                     } else {
-                                                                        phi_2919_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2920_ = true;
-                                                                        phi_2921_ = false;
+                                                                        phi_3016_ = lt_bvh_triangle_Intersection();
+                                                                        phi_3017_ = true;
+                                                                        phi_3018_ = false;
                                                                     }
-                                                                    let _e2331 = phi_2919_;
-                                                                    let _e2333 = phi_2920_;
-                                                                    let _e2335 = phi_2921_;
-                                                                    if _e2333 {
-                                                                        phi_2925_ = true;
+                                                                    let _e2416 = phi_3016_;
+                                                                    let _e2418 = phi_3017_;
+                                                                    let _e2420 = phi_3018_;
+                                                                    if _e2418 {
+                                                                        phi_3022_ = true;
                                                                     } else {
-                                                                        phi_2925_ = _e2335;
+                                                                        phi_3022_ = _e2420;
                                                                     }
-                                                                    let _e2337 = phi_2925_;
-                                                                    if _e2337 {
-                                                                        phi_2929_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2422 = phi_3022_;
+                                                                    if _e2422 {
+                                                                        phi_3026_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2929_ = _e2331;
+                                                                        phi_3026_ = _e2416;
                                                                     }
-                                                                    let _e2339 = phi_2929_;
-                                                                    if _e2339.is_hit {
-                                                                        if (_e2339.t > _e165.tmin) {
-                                                                            if (_e2339.t < _e1965.t) {
-                                                                                phi_2977_ = true;
+                                                                    let _e2424 = phi_3026_;
+                                                                    if _e2424.is_hit {
+                                                                        if (_e2424.t > _e165.tmin) {
+                                                                            if (_e2424.t < _e1965.t) {
+                                                                                phi_3074_ = true;
                                                                             } else {
-                                                                                if (_e2339.t == _e1965.t) {
+                                                                                if (_e2424.t == _e1965.t) {
                                                                                     if (_e1965.triangle != 4294967295u) {
                                                                                         if (_e1976 < _e1965.triangle) {
-                                                                                            phi_2968_ = true;
+                                                                                            phi_3065_ = true;
                                                                                         } else {
                                                                                             if (_e1976 == _e1965.triangle) {
-                                                                                                phi_2967_ = (_e991 < _e1965.instance);
+                                                                                                phi_3064_ = (_e991 < _e1965.instance);
                                                                                             } else {
-                                                                                                phi_2967_ = false;
+                                                                                                phi_3064_ = false;
                                                                                             }
-                                                                                            let _e2357 = phi_2967_;
-                                                                                            phi_2968_ = _e2357;
+                                                                                            let _e2442 = phi_3064_;
+                                                                                            phi_3065_ = _e2442;
                                                                                         }
-                                                                                        let _e2359 = phi_2968_;
-                                                                                        phi_2969_ = _e2359;
-                                                                                        phi_2970_ = false;
+                                                                                        let _e2444 = phi_3065_;
+                                                                                        phi_3066_ = _e2444;
+                                                                                        phi_3067_ = false;
                                                                                     } else {
-                                                                                        phi_2969_ = bool();
-                                                                                        phi_2970_ = true;
+                                                                                        phi_3066_ = bool();
+                                                                                        phi_3067_ = true;
                                                                                     }
-                                                                                    let _e2361 = phi_2969_;
-                                                                                    let _e2363 = phi_2970_;
-                                                                                    phi_2971_ = _e2361;
-                                                                                    phi_2972_ = _e2363;
+                                                                                    let _e2446 = phi_3066_;
+                                                                                    let _e2448 = phi_3067_;
+                                                                                    phi_3068_ = _e2446;
+                                                                                    phi_3069_ = _e2448;
                                                                                 } else {
-                                                                                    phi_2971_ = bool();
-                                                                                    phi_2972_ = true;
+                                                                                    phi_3068_ = bool();
+                                                                                    phi_3069_ = true;
                                                                                 }
-                                                                                let _e2365 = phi_2971_;
-                                                                                let _e2367 = phi_2972_;
-                                                                                if _e2367 {
-                                                                                    phi_2976_ = false;
+                                                                                let _e2450 = phi_3068_;
+                                                                                let _e2452 = phi_3069_;
+                                                                                if _e2452 {
+                                                                                    phi_3073_ = false;
                                                                                 } else {
-                                                                                    phi_2976_ = _e2365;
+                                                                                    phi_3073_ = _e2450;
                                                                                 }
-                                                                                let _e2369 = phi_2976_;
-                                                                                phi_2977_ = _e2369;
+                                                                                let _e2454 = phi_3073_;
+                                                                                phi_3074_ = _e2454;
                                                                             }
-                                                                            let _e2371 = phi_2977_;
-                                                                            if _e2371 {
-                                                                                let _e2373 = triangles.member[(0u + _e1976)].i0_;
-                                                                                if ((_e2373 & 2147483648u) == 0u) {
-                                                                                    phi_2991_ = true;
+                                                                            let _e2456 = phi_3074_;
+                                                                            if _e2456 {
+                                                                                let _e2458 = triangles.member[(0u + _e1976)].i0_;
+                                                                                if ((_e2458 & 2147483648u) == 0u) {
+                                                                                    phi_3088_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2991_ = true;
+                                                                                    phi_3088_ = true;
                                                                                 }
-                                                                                let _e2377 = phi_2991_;
-                                                                                if _e2377 {
-                                                                                    phi_2999_ = lt_bvh_Hit(_e2339.t, _e2339.u, _e2339.v, _e1976, _e991);
+                                                                                let _e2462 = phi_3088_;
+                                                                                if _e2462 {
+                                                                                    phi_3096_ = lt_bvh_Hit(_e2424.t, _e2424.u, _e2424.v, _e1976, _e991);
                                                                                 } else {
-                                                                                    phi_2999_ = _e1965;
+                                                                                    phi_3096_ = _e1965;
                                                                                 }
-                                                                                let _e2383 = phi_2999_;
-                                                                                phi_3000_ = _e2383;
+                                                                                let _e2468 = phi_3096_;
+                                                                                phi_3097_ = _e2468;
                                                                             } else {
-                                                                                phi_3000_ = _e1965;
+                                                                                phi_3097_ = _e1965;
                                                                             }
-                                                                            let _e2385 = phi_3000_;
-                                                                            phi_3001_ = _e2385;
+                                                                            let _e2470 = phi_3097_;
+                                                                            phi_3098_ = _e2470;
                                                                         } else {
-                                                                            phi_3001_ = _e1965;
+                                                                            phi_3098_ = _e1965;
                                                                         }
-                                                                        let _e2387 = phi_3001_;
-                                                                        phi_3002_ = _e2387;
+                                                                        let _e2472 = phi_3098_;
+                                                                        phi_3099_ = _e2472;
                                                                     } else {
-                                                                        phi_3002_ = _e1965;
+                                                                        phi_3099_ = _e1965;
                                                                     }
-                                                                    let _e2389 = phi_3002_;
-                                                                    phi_2456_ = _e2389;
+                                                                    let _e2474 = phi_3099_;
+                                                                    phi_2456_ = _e2474;
                                                                     phi_2459_ = (_e1967 & (_e1967 - 1u));
-                                                                    phi_3003_ = true;
+                                                                    phi_3100_ = true;
                                                                 }
-                                                                let _e2391 = phi_2456_;
-                                                                let _e2393 = phi_2459_;
-                                                                let _e2395 = phi_3003_;
+                                                                let _e2476 = phi_2456_;
+                                                                let _e2478 = phi_2459_;
+                                                                let _e2480 = phi_3100_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2455_ = _e2391;
-                                                                    phi_2458_ = _e2393;
-                                                                    break if !(_e2395);
+                                                                    phi_2455_ = _e2476;
+                                                                    phi_2458_ = _e2478;
+                                                                    break if !(_e2480);
                                                                 }
                                                             }
-                                                            let _e2398 = local_1.group_mask;
-                                                            if ((_e2398 & 4278190080u) == 0u) {
-                                                                let _e2402 = local_1.len;
-                                                                if (_e2402 == 0u) {
-                                                                    phi_3042_ = false;
+                                                            let _e2483 = local_1.group_mask;
+                                                            if ((_e2483 & 4278190080u) == 0u) {
+                                                                let _e2487 = local_1.len;
+                                                                if (_e2487 == 0u) {
+                                                                    phi_3139_ = false;
                                                                 } else {
-                                                                    let _e2406 = local_1.len;
-                                                                    local_1.len = (_e2406 - 1u);
-                                                                    let _e2409 = local_1.len;
-                                                                    if (_e2409 < 32u) {
+                                                                    let _e2491 = local_1.len;
+                                                                    local_1.len = (_e2491 - 1u);
+                                                                    let _e2494 = local_1.len;
+                                                                    if (_e2494 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2414 = local_1.first[(0u + _e2409)];
-                                                                    local_1.group = _e2414;
-                                                                    let _e2417 = local_1.len;
-                                                                    if (_e2417 < 32u) {
+                                                                    let _e2499 = local_1.first[(0u + _e2494)];
+                                                                    local_1.group = _e2499;
+                                                                    let _e2502 = local_1.len;
+                                                                    if (_e2502 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2422 = local_1.mask[(0u + _e2417)];
-                                                                    local_1.group_mask = _e2422;
-                                                                    phi_3042_ = true;
+                                                                    let _e2507 = local_1.mask[(0u + _e2502)];
+                                                                    local_1.group_mask = _e2507;
+                                                                    phi_3139_ = true;
                                                                 }
-                                                                let _e2425 = phi_3042_;
-                                                                phi_3043_ = _e2425;
+                                                                let _e2510 = phi_3139_;
+                                                                phi_3140_ = _e2510;
                                                             } else {
-                                                                phi_3043_ = true;
+                                                                phi_3140_ = true;
                                                             }
-                                                            let _e2427 = phi_3043_;
-                                                            if _e2427 {
-                                                                let _e2429 = local_1.group_mask;
-                                                                let _e2435 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2429)), 32u, (_e2429 == 0u)));
-                                                                let _e2439 = local_1.group_mask;
-                                                                let _e2453 = local_1.group_mask;
-                                                                local_1.group_mask = (_e2453 & ~((1u << bitcast<u32>((_e2435 & 31u)))));
-                                                                let _e2456 = local_1.group;
-                                                                phi_3074_ = (_e2456 + countOneBits(((_e2439 & ~((4294967295u << bitcast<u32>((((_e2435 - 24u) ^ _e1388) & 31u))))) & 255u)));
+                                                            let _e2512 = phi_3140_;
+                                                            if _e2512 {
+                                                                let _e2514 = local_1.group_mask;
+                                                                let _e2520 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2514)), 32u, (_e2514 == 0u)));
+                                                                let _e2524 = local_1.group_mask;
+                                                                let _e2538 = local_1.group_mask;
+                                                                local_1.group_mask = (_e2538 & ~((1u << bitcast<u32>((_e2520 & 31u)))));
+                                                                let _e2541 = local_1.group;
+                                                                phi_3171_ = (_e2541 + countOneBits(((_e2524 & ~((4294967295u << bitcast<u32>((((_e2520 - 24u) ^ _e1388) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_3074_ = 4294967295u;
+                                                                phi_3171_ = 4294967295u;
                                                             }
-                                                            let _e2459 = phi_3074_;
-                                                            let _e3775 = local_9;
-                                                            phi_2123_ = _e3775;
-                                                            phi_2126_ = _e2459;
+                                                            let _e2544 = phi_3171_;
+                                                            let _e3866 = local_9;
+                                                            phi_2123_ = _e3866;
+                                                            phi_2126_ = _e2544;
                                                         } else {
                                                             phi_2123_ = lt_bvh_Hit();
                                                             phi_2126_ = u32();
                                                         }
-                                                        let _e2461 = phi_2123_;
-                                                        let _e2463 = phi_2126_;
+                                                        let _e2546 = phi_2123_;
+                                                        let _e2548 = phi_2126_;
                                                         continue;
                                                         continuing {
-                                                            phi_2122_ = _e2461;
-                                                            phi_2125_ = _e2463;
+                                                            phi_2122_ = _e2546;
+                                                            phi_2125_ = _e2548;
                                                             break if !(_e1529);
                                                         }
                                                     }
-                                                    let _e3779 = local_10;
-                                                    phi_3075_ = _e3779;
+                                                    let _e3870 = local_10;
+                                                    phi_3172_ = _e3870;
                                                 }
-                                                let _e2466 = phi_3075_;
-                                                phi_3076_ = _e2466;
-                                                phi_3077_ = _e1214;
+                                                let _e2551 = phi_3172_;
+                                                phi_3173_ = _e2551;
+                                                phi_3174_ = _e1214;
                                             } else {
-                                                phi_3076_ = lt_bvh_Hit();
-                                                phi_3077_ = true;
+                                                phi_3173_ = lt_bvh_Hit();
+                                                phi_3174_ = true;
                                             }
-                                            let _e2468 = phi_3076_;
-                                            let _e2470 = phi_3077_;
-                                            if _e2470 {
-                                                phi_3081_ = _e983;
+                                            let _e2553 = phi_3173_;
+                                            let _e2555 = phi_3174_;
+                                            if _e2555 {
+                                                phi_3178_ = _e983;
                                             } else {
-                                                phi_3081_ = _e2468;
+                                                phi_3178_ = _e2553;
                                             }
-                                            let _e2472 = phi_3081_;
-                                            phi_3082_ = _e2472;
+                                            let _e2557 = phi_3178_;
+                                            phi_3179_ = _e2557;
                                         } else {
-                                            phi_3082_ = _e983;
+                                            phi_3179_ = _e983;
                                         }
-                                        let _e2474 = phi_3082_;
-                                        phi_3083_ = _e2474;
+                                        let _e2559 = phi_3179_;
+                                        phi_3180_ = _e2559;
                                     } else {
-                                        phi_3083_ = _e983;
+                                        phi_3180_ = _e983;
                                     }
-                                    let _e2476 = phi_3083_;
-                                    phi_3084_ = _e2476;
+                                    let _e2561 = phi_3180_;
+                                    phi_3181_ = _e2561;
                                 } else {
-                                    phi_3084_ = _e983;
+                                    phi_3181_ = _e983;
                                 }
-                                let _e2478 = phi_3084_;
+                                let _e2563 = phi_3181_;
                                 phi_1497_ = (_e981 & (_e981 - 1u));
-                                phi_1500_ = _e2478;
-                                phi_3085_ = true;
+                                phi_1500_ = _e2563;
+                                phi_3182_ = true;
                             }
-                            let _e2480 = phi_1497_;
-                            let _e2482 = phi_1500_;
-                            let _e2484 = phi_3085_;
+                            let _e2565 = phi_1497_;
+                            let _e2567 = phi_1500_;
+                            let _e2569 = phi_3182_;
                             continue;
                             continuing {
-                                phi_1496_ = _e2480;
-                                phi_1499_ = _e2482;
-                                break if !(_e2484);
+                                phi_1496_ = _e2565;
+                                phi_1499_ = _e2567;
+                                break if !(_e2569);
                             }
                         }
-                        let _e2487 = local_2.group_mask;
-                        if ((_e2487 & 4278190080u) == 0u) {
-                            let _e2491 = local_2.len;
-                            if (_e2491 == 0u) {
-                                phi_3124_ = false;
+                        let _e2572 = local_2.group_mask;
+                        if ((_e2572 & 4278190080u) == 0u) {
+                            let _e2576 = local_2.len;
+                            if (_e2576 == 0u) {
+                                phi_3221_ = false;
                             } else {
-                                let _e2495 = local_2.len;
-                                local_2.len = (_e2495 - 1u);
-                                let _e2498 = local_2.len;
-                                if (_e2498 < 32u) {
+                                let _e2580 = local_2.len;
+                                local_2.len = (_e2580 - 1u);
+                                let _e2583 = local_2.len;
+                                if (_e2583 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2503 = local_2.first[(0u + _e2498)];
-                                local_2.group = _e2503;
-                                let _e2506 = local_2.len;
-                                if (_e2506 < 32u) {
+                                let _e2588 = local_2.first[(0u + _e2583)];
+                                local_2.group = _e2588;
+                                let _e2591 = local_2.len;
+                                if (_e2591 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2511 = local_2.mask[(0u + _e2506)];
-                                local_2.group_mask = _e2511;
-                                phi_3124_ = true;
+                                let _e2596 = local_2.mask[(0u + _e2591)];
+                                local_2.group_mask = _e2596;
+                                phi_3221_ = true;
                             }
-                            let _e2514 = phi_3124_;
-                            phi_3125_ = _e2514;
+                            let _e2599 = phi_3221_;
+                            phi_3222_ = _e2599;
                         } else {
-                            phi_3125_ = true;
+                            phi_3222_ = true;
                         }
-                        let _e2516 = phi_3125_;
-                        if _e2516 {
-                            let _e2518 = local_2.group_mask;
-                            let _e2524 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2518)), 32u, (_e2518 == 0u)));
-                            let _e2528 = local_2.group_mask;
-                            let _e2542 = local_2.group_mask;
-                            local_2.group_mask = (_e2542 & ~((1u << bitcast<u32>((_e2524 & 31u)))));
-                            let _e2545 = local_2.group;
-                            phi_3156_ = (_e2545 + countOneBits(((_e2528 & ~((4294967295u << bitcast<u32>((((_e2524 - 24u) ^ _e400) & 31u))))) & 255u)));
+                        let _e2601 = phi_3222_;
+                        if _e2601 {
+                            let _e2603 = local_2.group_mask;
+                            let _e2609 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2603)), 32u, (_e2603 == 0u)));
+                            let _e2613 = local_2.group_mask;
+                            let _e2627 = local_2.group_mask;
+                            local_2.group_mask = (_e2627 & ~((1u << bitcast<u32>((_e2609 & 31u)))));
+                            let _e2630 = local_2.group;
+                            phi_3253_ = (_e2630 + countOneBits(((_e2613 & ~((4294967295u << bitcast<u32>((((_e2609 - 24u) ^ _e400) & 31u))))) & 255u)));
                         } else {
-                            phi_3156_ = 4294967295u;
+                            phi_3253_ = 4294967295u;
                         }
-                        let _e2548 = phi_3156_;
-                        phi_1160_ = _e2548;
-                        let _e3795 = local_11;
-                        phi_1163_ = _e3795;
+                        let _e2633 = phi_3253_;
+                        phi_1160_ = _e2633;
+                        let _e3886 = local_11;
+                        phi_1163_ = _e3886;
                     } else {
                         phi_1160_ = u32();
                         phi_1163_ = lt_bvh_Hit();
                     }
-                    let _e2550 = phi_1160_;
-                    let _e2552 = phi_1163_;
+                    let _e2635 = phi_1160_;
+                    let _e2637 = phi_1163_;
                     continue;
                     continuing {
-                        phi_1159_ = _e2550;
-                        phi_1162_ = _e2552;
+                        phi_1159_ = _e2635;
+                        phi_1162_ = _e2637;
                         break if !(_e541);
                     }
                 }
-                let _e3798 = local_12;
-                phi_3157_ = _e3798;
+                let _e3889 = local_12;
+                phi_3254_ = _e3889;
             }
-            let _e2555 = phi_3157_;
-            phi_3158_ = _e2555;
-            phi_3159_ = _e237;
+            let _e2640 = phi_3254_;
+            phi_3255_ = _e2640;
+            phi_3256_ = _e237;
         } else {
-            phi_3158_ = lt_bvh_Hit();
-            phi_3159_ = true;
+            phi_3255_ = lt_bvh_Hit();
+            phi_3256_ = true;
         }
-        let _e2557 = phi_3158_;
-        let _e2559 = phi_3159_;
-        if _e2559 {
-            phi_3163_ = _e167;
+        let _e2642 = phi_3255_;
+        let _e2644 = phi_3256_;
+        if _e2644 {
+            phi_3260_ = _e167;
         } else {
-            phi_3163_ = _e2557;
+            phi_3260_ = _e2642;
         }
-        let _e2561 = phi_3163_;
-        if (_e2561.triangle != 4294967295u) {
-            let _e2567 = ((1f - _e2561.u) - _e2561.v);
-            if (_e2561.triangle < _e81) {
+        let _e2646 = phi_3260_;
+        if (_e2646.triangle != 4294967295u) {
+            let _e2652 = ((1f - _e2646.u) - _e2646.v);
+            if (_e2646.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2572 = triangles.member[(0u + _e2561.triangle)];
-            if (_e2561.instance < _e93) {
+            let _e2657 = triangles.member[(0u + _e2646.triangle)];
+            if (_e2646.instance < _e93) {
             } else {
                 return;
             }
-            let _e2583 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e2594 = ((((_e2583.x * _e2572.v0_.x) + (_e2583.y * _e2572.v0_.y)) + (_e2583.z * _e2572.v0_.z)) + (_e2583.w * 1f));
-            let _e2596 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e2607 = ((((_e2596.x * _e2572.v0_.x) + (_e2596.y * _e2572.v0_.y)) + (_e2596.z * _e2572.v0_.z)) + (_e2596.w * 1f));
-            let _e2609 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
-            let _e2620 = ((((_e2609.x * _e2572.v0_.x) + (_e2609.y * _e2572.v0_.y)) + (_e2609.z * _e2572.v0_.z)) + (_e2609.w * 1f));
-            let _e2627 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e2638 = ((((_e2627.x * _e2572.v1_.x) + (_e2627.y * _e2572.v1_.y)) + (_e2627.z * _e2572.v1_.z)) + (_e2627.w * 1f));
-            let _e2640 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e2651 = ((((_e2640.x * _e2572.v1_.x) + (_e2640.y * _e2572.v1_.y)) + (_e2640.z * _e2572.v1_.z)) + (_e2640.w * 1f));
-            let _e2653 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
-            let _e2664 = ((((_e2653.x * _e2572.v1_.x) + (_e2653.y * _e2572.v1_.y)) + (_e2653.z * _e2572.v1_.z)) + (_e2653.w * 1f));
-            let _e2671 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e2682 = ((((_e2671.x * _e2572.v2_.x) + (_e2671.y * _e2572.v2_.y)) + (_e2671.z * _e2572.v2_.z)) + (_e2671.w * 1f));
-            let _e2684 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e2695 = ((((_e2684.x * _e2572.v2_.x) + (_e2684.y * _e2572.v2_.y)) + (_e2684.z * _e2572.v2_.z)) + (_e2684.w * 1f));
-            let _e2697 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
-            let _e2708 = ((((_e2697.x * _e2572.v2_.x) + (_e2697.y * _e2572.v2_.y)) + (_e2697.z * _e2572.v2_.z)) + (_e2697.w * 1f));
-            let _e2721 = (((_e2594 * _e2567) + (_e2638 * _e2561.u)) + (_e2682 * _e2561.v));
-            let _e2722 = (((_e2607 * _e2567) + (_e2651 * _e2561.u)) + (_e2695 * _e2561.v));
-            let _e2723 = (((_e2620 * _e2567) + (_e2664 * _e2561.u)) + (_e2708 * _e2561.v));
-            let _e2725 = abs(_e2594);
-            let _e2726 = abs(_e2607);
-            let _e2727 = abs(_e2620);
-            let _e2728 = abs(_e2638);
-            let _e2729 = abs(_e2651);
-            let _e2730 = abs(_e2664);
-            if (_e2725 > _e2728) {
-                phi_3350_ = _e2725;
+            let _e2668 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e2679 = ((((_e2668.x * _e2657.v0_.x) + (_e2668.y * _e2657.v0_.y)) + (_e2668.z * _e2657.v0_.z)) + (_e2668.w * 1f));
+            let _e2681 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e2692 = ((((_e2681.x * _e2657.v0_.x) + (_e2681.y * _e2657.v0_.y)) + (_e2681.z * _e2657.v0_.z)) + (_e2681.w * 1f));
+            let _e2694 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            let _e2705 = ((((_e2694.x * _e2657.v0_.x) + (_e2694.y * _e2657.v0_.y)) + (_e2694.z * _e2657.v0_.z)) + (_e2694.w * 1f));
+            let _e2712 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e2723 = ((((_e2712.x * _e2657.v1_.x) + (_e2712.y * _e2657.v1_.y)) + (_e2712.z * _e2657.v1_.z)) + (_e2712.w * 1f));
+            let _e2725 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e2736 = ((((_e2725.x * _e2657.v1_.x) + (_e2725.y * _e2657.v1_.y)) + (_e2725.z * _e2657.v1_.z)) + (_e2725.w * 1f));
+            let _e2738 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            let _e2749 = ((((_e2738.x * _e2657.v1_.x) + (_e2738.y * _e2657.v1_.y)) + (_e2738.z * _e2657.v1_.z)) + (_e2738.w * 1f));
+            let _e2756 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e2767 = ((((_e2756.x * _e2657.v2_.x) + (_e2756.y * _e2657.v2_.y)) + (_e2756.z * _e2657.v2_.z)) + (_e2756.w * 1f));
+            let _e2769 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e2780 = ((((_e2769.x * _e2657.v2_.x) + (_e2769.y * _e2657.v2_.y)) + (_e2769.z * _e2657.v2_.z)) + (_e2769.w * 1f));
+            let _e2782 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            let _e2793 = ((((_e2782.x * _e2657.v2_.x) + (_e2782.y * _e2657.v2_.y)) + (_e2782.z * _e2657.v2_.z)) + (_e2782.w * 1f));
+            let _e2806 = (((_e2679 * _e2652) + (_e2723 * _e2646.u)) + (_e2767 * _e2646.v));
+            let _e2807 = (((_e2692 * _e2652) + (_e2736 * _e2646.u)) + (_e2780 * _e2646.v));
+            let _e2808 = (((_e2705 * _e2652) + (_e2749 * _e2646.u)) + (_e2793 * _e2646.v));
+            let _e2810 = abs(_e2679);
+            let _e2811 = abs(_e2692);
+            let _e2812 = abs(_e2705);
+            let _e2813 = abs(_e2723);
+            let _e2814 = abs(_e2736);
+            let _e2815 = abs(_e2749);
+            if (_e2810 > _e2813) {
+                phi_3447_ = _e2810;
             } else {
-                phi_3350_ = _e2728;
+                phi_3447_ = _e2813;
             }
-            let _e2733 = phi_3350_;
-            if (_e2726 > _e2729) {
-                phi_3355_ = _e2726;
+            let _e2818 = phi_3447_;
+            if (_e2811 > _e2814) {
+                phi_3452_ = _e2811;
             } else {
-                phi_3355_ = _e2729;
+                phi_3452_ = _e2814;
             }
-            let _e2736 = phi_3355_;
-            if (_e2727 > _e2730) {
-                phi_3360_ = _e2727;
+            let _e2821 = phi_3452_;
+            if (_e2812 > _e2815) {
+                phi_3457_ = _e2812;
             } else {
-                phi_3360_ = _e2730;
+                phi_3457_ = _e2815;
             }
-            let _e2739 = phi_3360_;
-            let _e2740 = abs(_e2682);
-            let _e2741 = abs(_e2695);
-            let _e2742 = abs(_e2708);
-            if (_e2733 > _e2740) {
-                phi_3368_ = _e2733;
+            let _e2824 = phi_3457_;
+            let _e2825 = abs(_e2767);
+            let _e2826 = abs(_e2780);
+            let _e2827 = abs(_e2793);
+            if (_e2818 > _e2825) {
+                phi_3465_ = _e2818;
             } else {
-                phi_3368_ = _e2740;
+                phi_3465_ = _e2825;
             }
-            let _e2745 = phi_3368_;
-            if (_e2736 > _e2741) {
-                phi_3373_ = _e2736;
+            let _e2830 = phi_3465_;
+            if (_e2821 > _e2826) {
+                phi_3470_ = _e2821;
             } else {
-                phi_3373_ = _e2741;
+                phi_3470_ = _e2826;
             }
-            let _e2748 = phi_3373_;
-            if (_e2739 > _e2742) {
-                phi_3378_ = _e2739;
+            let _e2833 = phi_3470_;
+            if (_e2824 > _e2827) {
+                phi_3475_ = _e2824;
             } else {
-                phi_3378_ = _e2742;
+                phi_3475_ = _e2827;
             }
-            let _e2751 = phi_3378_;
-            let _e2752 = (_e2638 - _e2594);
-            let _e2753 = (_e2651 - _e2607);
-            let _e2754 = (_e2664 - _e2620);
-            let _e2755 = (_e2682 - _e2594);
-            let _e2756 = (_e2695 - _e2607);
-            let _e2757 = (_e2708 - _e2620);
-            let _e2761 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2753), abs(_e2754));
-            let _e2762 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2752), _e2761);
-            let _e2763 = (_e2752 / _e2762);
-            let _e2764 = (_e2753 / _e2762);
-            let _e2765 = (_e2754 / _e2762);
-            let _e2769 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2756), abs(_e2757));
-            let _e2770 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2755), _e2769);
-            let _e2771 = (_e2755 / _e2770);
-            let _e2772 = (_e2756 / _e2770);
-            let _e2773 = (_e2757 / _e2770);
-            let _e2776 = ((_e2764 * _e2773) - (_e2772 * _e2765));
-            let _e2779 = ((_e2765 * _e2771) - (_e2773 * _e2763));
-            let _e2782 = ((_e2763 * _e2772) - (_e2771 * _e2764));
-            let _e2784 = p.member.eye;
-            let _e2797 = (1f / sqrt((((_e2776 * _e2776) + (_e2779 * _e2779)) + (_e2782 * _e2782))));
-            let _e2798 = (_e2776 * _e2797);
-            let _e2799 = (_e2779 * _e2797);
-            let _e2800 = (_e2782 * _e2797);
-            if ((((_e2798 * (_e2784.x - _e2721)) + (_e2799 * (_e2784.y - _e2722))) + (_e2800 * (_e2784.z - _e2723))) < 0f) {
-                phi_3442_ = vec3<f32>(-(_e2798), -(_e2799), -(_e2800));
+            let _e2836 = phi_3475_;
+            let _e2837 = (_e2723 - _e2679);
+            let _e2838 = (_e2736 - _e2692);
+            let _e2839 = (_e2749 - _e2705);
+            let _e2840 = (_e2767 - _e2679);
+            let _e2841 = (_e2780 - _e2692);
+            let _e2842 = (_e2793 - _e2705);
+            let _e2846 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2838), abs(_e2839));
+            let _e2847 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2837), _e2846);
+            let _e2848 = (_e2837 / _e2847);
+            let _e2849 = (_e2838 / _e2847);
+            let _e2850 = (_e2839 / _e2847);
+            let _e2854 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2841), abs(_e2842));
+            let _e2855 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2840), _e2854);
+            let _e2856 = (_e2840 / _e2855);
+            let _e2857 = (_e2841 / _e2855);
+            let _e2858 = (_e2842 / _e2855);
+            let _e2861 = ((_e2849 * _e2858) - (_e2857 * _e2850));
+            let _e2864 = ((_e2850 * _e2856) - (_e2858 * _e2848));
+            let _e2867 = ((_e2848 * _e2857) - (_e2856 * _e2849));
+            let _e2869 = p.member.eye;
+            let _e2882 = (1f / sqrt((((_e2861 * _e2861) + (_e2864 * _e2864)) + (_e2867 * _e2867))));
+            let _e2883 = (_e2861 * _e2882);
+            let _e2884 = (_e2864 * _e2882);
+            let _e2885 = (_e2867 * _e2882);
+            if ((((_e2883 * (_e2869.x - _e2806)) + (_e2884 * (_e2869.y - _e2807))) + (_e2885 * (_e2869.z - _e2808))) < 0f) {
+                phi_3539_ = vec3<f32>(-(_e2883), -(_e2884), -(_e2885));
             } else {
-                phi_3442_ = vec3<f32>(_e2798, _e2799, _e2800);
+                phi_3539_ = vec3<f32>(_e2883, _e2884, _e2885);
             }
-            let _e2813 = phi_3442_;
-            if (_e2561.triangle < _e81) {
+            let _e2898 = phi_3539_;
+            if (_e2646.triangle < _e81) {
             } else {
                 return;
             }
-            let _e2818 = triangles.member[(0u + _e2561.triangle)];
-            let _e2820 = (_e2818.i0_ & 2147483647u);
-            if (_e2820 < _e84) {
+            let _e2903 = triangles.member[(0u + _e2646.triangle)];
+            let _e2905 = (_e2903.i0_ & 2147483647u);
+            if (_e2905 < _e84) {
             } else {
                 return;
             }
-            let _e2826 = vertices.member[(0u + _e2820)];
-            if (_e2818.i1_ < _e84) {
+            let _e2911 = vertices.member[(0u + _e2905)];
+            if (_e2903.i1_ < _e84) {
             } else {
                 return;
             }
-            let _e2830 = vertices.member[(0u + _e2818.i1_)];
-            if (_e2818.i2_ < _e84) {
+            let _e2915 = vertices.member[(0u + _e2903.i1_)];
+            if (_e2903.i2_ < _e84) {
             } else {
                 return;
             }
-            let _e2834 = vertices.member[(0u + _e2818.i2_)];
-            let _e2835 = array<abi_Vertex, 3>(_e2826, _e2830, _e2834);
-            if (_e2835[0].material < arrayLength((&materials.member))) {
+            let _e2919 = vertices.member[(0u + _e2903.i2_)];
+            let _e2920 = array<abi_Vertex, 3>(_e2911, _e2915, _e2919);
+            if (_e2920[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2841 = materials.member[(0u + _e2835[0].material)];
-            let _e2858 = (1f / 255f);
-            let _e2877 = (1f / 255f);
-            let _e2899 = (1f / 255f);
-            if (_e2841.color_size == 0u) {
-                phi_3685_ = vec3<f32>(1f, 1f, 1f);
+            let _e2926 = materials.member[(0u + _e2920[0].material)];
+            let _e2943 = (1f / 255f);
+            let _e2962 = (1f / 255f);
+            let _e2984 = (1f / 255f);
+            if (_e2926.color_size == 0u) {
+                phi_3782_ = vec3<f32>(1f, 1f, 1f);
             } else {
-                local.offset = _e2841.color_offset;
-                local.size = _e2841.color_size;
-                local.flags = _e2841.flags;
-                let _e2942 = _lt_shaders_texture_TextureView_quad((&local), (((_e2835[0].u * _e2567) + (_e2835[1].u * _e2561.u)) + (_e2835[2].u * _e2561.v)), (((_e2835[0].v * _e2567) + (_e2835[1].v * _e2561.u)) + (_e2835[2].v * _e2561.v)));
-                if (_e2942.indices[0] < _e96) {
+                local.offset = _e2926.color_offset;
+                local.size = _e2926.color_size;
+                local.flags = _e2926.flags;
+                let _e3027 = _lt_shaders_texture_TextureView_quad((&local), (((_e2920[0].u * _e2652) + (_e2920[1].u * _e2646.u)) + (_e2920[2].u * _e2646.v)), (((_e2920[0].v * _e2652) + (_e2920[1].v * _e2646.u)) + (_e2920[2].v * _e2646.v)));
+                if (_e3027.indices[0] < _e96) {
                 } else {
                     return;
                 }
-                let _e2948 = color_texels.member[(0u + _e2942.indices[0])];
-                let _e2959 = (1f / 255f);
-                if (_e2942.indices[1] < _e96) {
+                let _e3033 = color_texels.member[(0u + _e3027.indices[0])];
+                let _e3044 = (1f / 255f);
+                if (_e3027.indices[1] < _e96) {
                 } else {
                     return;
                 }
-                let _e2973 = color_texels.member[(0u + _e2942.indices[1])];
-                let _e2984 = (1f / 255f);
-                if (_e2942.indices[2] < _e96) {
+                let _e3058 = color_texels.member[(0u + _e3027.indices[1])];
+                let _e3069 = (1f / 255f);
+                if (_e3027.indices[2] < _e96) {
                 } else {
                     return;
                 }
-                let _e3001 = color_texels.member[(0u + _e2942.indices[2])];
-                let _e3012 = (1f / 255f);
-                if (_e2942.indices[3] < _e96) {
+                let _e3086 = color_texels.member[(0u + _e3027.indices[2])];
+                let _e3097 = (1f / 255f);
+                if (_e3027.indices[3] < _e96) {
                 } else {
                     return;
                 }
-                let _e3029 = color_texels.member[(0u + _e2942.indices[3])];
-                let _e3040 = (1f / 255f);
-                let _e3049 = (((((f32((_e2948 & 255u)) * _e2959) * _e2942.weights.x) + ((f32((_e2973 & 255u)) * _e2984) * _e2942.weights.y)) + ((f32((_e3001 & 255u)) * _e3012) * _e2942.weights.z)) + ((f32((_e3029 & 255u)) * _e3040) * _e2942.weights.w));
-                let _e3050 = (((((f32(((_e2948 >> bitcast<u32>(8i)) & 255u)) * _e2959) * _e2942.weights.x) + ((f32(((_e2973 >> bitcast<u32>(8i)) & 255u)) * _e2984) * _e2942.weights.y)) + ((f32(((_e3001 >> bitcast<u32>(8i)) & 255u)) * _e3012) * _e2942.weights.z)) + ((f32(((_e3029 >> bitcast<u32>(8i)) & 255u)) * _e3040) * _e2942.weights.w));
-                let _e3051 = (((((f32(((_e2948 >> bitcast<u32>(16i)) & 255u)) * _e2959) * _e2942.weights.x) + ((f32(((_e2973 >> bitcast<u32>(16i)) & 255u)) * _e2984) * _e2942.weights.y)) + ((f32(((_e3001 >> bitcast<u32>(16i)) & 255u)) * _e3012) * _e2942.weights.z)) + ((f32(((_e3029 >> bitcast<u32>(16i)) & 255u)) * _e3040) * _e2942.weights.w));
-                phi_3685_ = vec3<f32>((_e3049 * _e3049), (_e3050 * _e3050), (_e3051 * _e3051));
+                let _e3114 = color_texels.member[(0u + _e3027.indices[3])];
+                let _e3125 = (1f / 255f);
+                let _e3134 = (((((f32((_e3033 & 255u)) * _e3044) * _e3027.weights.x) + ((f32((_e3058 & 255u)) * _e3069) * _e3027.weights.y)) + ((f32((_e3086 & 255u)) * _e3097) * _e3027.weights.z)) + ((f32((_e3114 & 255u)) * _e3125) * _e3027.weights.w));
+                let _e3135 = (((((f32(((_e3033 >> bitcast<u32>(8i)) & 255u)) * _e3044) * _e3027.weights.x) + ((f32(((_e3058 >> bitcast<u32>(8i)) & 255u)) * _e3069) * _e3027.weights.y)) + ((f32(((_e3086 >> bitcast<u32>(8i)) & 255u)) * _e3097) * _e3027.weights.z)) + ((f32(((_e3114 >> bitcast<u32>(8i)) & 255u)) * _e3125) * _e3027.weights.w));
+                let _e3136 = (((((f32(((_e3033 >> bitcast<u32>(16i)) & 255u)) * _e3044) * _e3027.weights.x) + ((f32(((_e3058 >> bitcast<u32>(16i)) & 255u)) * _e3069) * _e3027.weights.y)) + ((f32(((_e3086 >> bitcast<u32>(16i)) & 255u)) * _e3097) * _e3027.weights.z)) + ((f32(((_e3114 >> bitcast<u32>(16i)) & 255u)) * _e3125) * _e3027.weights.w));
+                phi_3782_ = vec3<f32>((_e3134 * _e3134), (_e3135 * _e3135), (_e3136 * _e3136));
             }
-            let _e3057 = phi_3685_;
-            let _e3059 = ((_e2841.base_color.x * ((((f32((_e2835[0].color & 255u)) * _e2858) * _e2567) + ((f32((_e2835[1].color & 255u)) * _e2877) * _e2561.u)) + ((f32((_e2835[2].color & 255u)) * _e2899) * _e2561.v))) * _e3057.x);
-            let _e3061 = ((_e2841.base_color.y * ((((f32(((_e2835[0].color >> bitcast<u32>(8i)) & 255u)) * _e2858) * _e2567) + ((f32(((_e2835[1].color >> bitcast<u32>(8i)) & 255u)) * _e2877) * _e2561.u)) + ((f32(((_e2835[2].color >> bitcast<u32>(8i)) & 255u)) * _e2899) * _e2561.v))) * _e3057.y);
-            let _e3063 = ((_e2841.base_color.z * ((((f32(((_e2835[0].color >> bitcast<u32>(16i)) & 255u)) * _e2858) * _e2567) + ((f32(((_e2835[1].color >> bitcast<u32>(16i)) & 255u)) * _e2877) * _e2561.u)) + ((f32(((_e2835[2].color >> bitcast<u32>(16i)) & 255u)) * _e2899) * _e2561.v))) * _e3057.z);
-            let _e3064 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2748, _e2751);
-            let _e3065 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2745, _e3064);
-            if ((_e2841.flags & 2u) == 0u) {
-                phi_3700_ = 0u;
+            let _e3142 = phi_3782_;
+            let _e3144 = ((_e2926.base_color.x * ((((f32((_e2920[0].color & 255u)) * _e2943) * _e2652) + ((f32((_e2920[1].color & 255u)) * _e2962) * _e2646.u)) + ((f32((_e2920[2].color & 255u)) * _e2984) * _e2646.v))) * _e3142.x);
+            let _e3146 = ((_e2926.base_color.y * ((((f32(((_e2920[0].color >> bitcast<u32>(8i)) & 255u)) * _e2943) * _e2652) + ((f32(((_e2920[1].color >> bitcast<u32>(8i)) & 255u)) * _e2962) * _e2646.u)) + ((f32(((_e2920[2].color >> bitcast<u32>(8i)) & 255u)) * _e2984) * _e2646.v))) * _e3142.y);
+            let _e3148 = ((_e2926.base_color.z * ((((f32(((_e2920[0].color >> bitcast<u32>(16i)) & 255u)) * _e2943) * _e2652) + ((f32(((_e2920[1].color >> bitcast<u32>(16i)) & 255u)) * _e2962) * _e2646.u)) + ((f32(((_e2920[2].color >> bitcast<u32>(16i)) & 255u)) * _e2984) * _e2646.v))) * _e3142.z);
+            let _e3149 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2833, _e2836);
+            let _e3150 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2830, _e3149);
+            if ((_e2926.flags & 2u) == 0u) {
+                phi_3797_ = 0u;
             } else {
-                phi_3700_ = 1u;
+                phi_3797_ = 1u;
             }
-            let _e3070 = phi_3700_;
-            if (_e2835[0].normal == 2147516416u) {
-                phi_3930_ = _e2813;
+            let _e3155 = phi_3797_;
+            if (_e2920[0].normal == 2147516416u) {
+                phi_4027_ = _e2898;
             } else {
-                let _e3083 = (f32((bitcast<i32>((_e2835[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3089 = (f32((bitcast<i32>(_e2835[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3093 = ((1f - abs(_e3083)) - abs(_e3089));
-                if (_e3093 < 0f) {
-                    phi_3727_ = -(_e3093);
+                let _e3168 = (f32((bitcast<i32>((_e2920[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3174 = (f32((bitcast<i32>(_e2920[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3178 = ((1f - abs(_e3168)) - abs(_e3174));
+                if (_e3178 < 0f) {
+                    phi_3824_ = -(_e3178);
                 } else {
-                    phi_3727_ = 0f;
+                    phi_3824_ = 0f;
                 }
-                let _e3097 = phi_3727_;
-                if (_e3083 < 0f) {
-                    phi_3734_ = (_e3083 + _e3097);
+                let _e3182 = phi_3824_;
+                if (_e3168 < 0f) {
+                    phi_3831_ = (_e3168 + _e3182);
                 } else {
-                    phi_3734_ = (_e3083 - _e3097);
+                    phi_3831_ = (_e3168 - _e3182);
                 }
-                let _e3102 = phi_3734_;
-                if (_e3089 < 0f) {
-                    phi_3741_ = (_e3089 + _e3097);
+                let _e3187 = phi_3831_;
+                if (_e3174 < 0f) {
+                    phi_3838_ = (_e3174 + _e3182);
                 } else {
-                    phi_3741_ = (_e3089 - _e3097);
+                    phi_3838_ = (_e3174 - _e3182);
                 }
-                let _e3107 = phi_3741_;
-                let _e3114 = (1f / sqrt((((_e3102 * _e3102) + (_e3107 * _e3107)) + (_e3093 * _e3093))));
-                let _e3130 = (f32((bitcast<i32>((_e2835[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3136 = (f32((bitcast<i32>(_e2835[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3140 = ((1f - abs(_e3130)) - abs(_e3136));
-                if (_e3140 < 0f) {
-                    phi_3776_ = -(_e3140);
+                let _e3192 = phi_3838_;
+                let _e3199 = (1f / sqrt((((_e3187 * _e3187) + (_e3192 * _e3192)) + (_e3178 * _e3178))));
+                let _e3215 = (f32((bitcast<i32>((_e2920[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3221 = (f32((bitcast<i32>(_e2920[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3225 = ((1f - abs(_e3215)) - abs(_e3221));
+                if (_e3225 < 0f) {
+                    phi_3873_ = -(_e3225);
                 } else {
-                    phi_3776_ = 0f;
+                    phi_3873_ = 0f;
                 }
-                let _e3144 = phi_3776_;
-                if (_e3130 < 0f) {
-                    phi_3783_ = (_e3130 + _e3144);
+                let _e3229 = phi_3873_;
+                if (_e3215 < 0f) {
+                    phi_3880_ = (_e3215 + _e3229);
                 } else {
-                    phi_3783_ = (_e3130 - _e3144);
+                    phi_3880_ = (_e3215 - _e3229);
                 }
-                let _e3149 = phi_3783_;
-                if (_e3136 < 0f) {
-                    phi_3790_ = (_e3136 + _e3144);
+                let _e3234 = phi_3880_;
+                if (_e3221 < 0f) {
+                    phi_3887_ = (_e3221 + _e3229);
                 } else {
-                    phi_3790_ = (_e3136 - _e3144);
+                    phi_3887_ = (_e3221 - _e3229);
                 }
-                let _e3154 = phi_3790_;
-                let _e3161 = (1f / sqrt((((_e3149 * _e3149) + (_e3154 * _e3154)) + (_e3140 * _e3140))));
-                let _e3180 = (f32((bitcast<i32>((_e2835[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3186 = (f32((bitcast<i32>(_e2835[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3190 = ((1f - abs(_e3180)) - abs(_e3186));
-                if (_e3190 < 0f) {
-                    phi_3828_ = -(_e3190);
+                let _e3239 = phi_3887_;
+                let _e3246 = (1f / sqrt((((_e3234 * _e3234) + (_e3239 * _e3239)) + (_e3225 * _e3225))));
+                let _e3265 = (f32((bitcast<i32>((_e2920[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3271 = (f32((bitcast<i32>(_e2920[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3275 = ((1f - abs(_e3265)) - abs(_e3271));
+                if (_e3275 < 0f) {
+                    phi_3925_ = -(_e3275);
                 } else {
-                    phi_3828_ = 0f;
+                    phi_3925_ = 0f;
                 }
-                let _e3194 = phi_3828_;
-                if (_e3180 < 0f) {
-                    phi_3835_ = (_e3180 + _e3194);
+                let _e3279 = phi_3925_;
+                if (_e3265 < 0f) {
+                    phi_3932_ = (_e3265 + _e3279);
                 } else {
-                    phi_3835_ = (_e3180 - _e3194);
+                    phi_3932_ = (_e3265 - _e3279);
                 }
-                let _e3199 = phi_3835_;
-                if (_e3186 < 0f) {
-                    phi_3842_ = (_e3186 + _e3194);
+                let _e3284 = phi_3932_;
+                if (_e3271 < 0f) {
+                    phi_3939_ = (_e3271 + _e3279);
                 } else {
-                    phi_3842_ = (_e3186 - _e3194);
+                    phi_3939_ = (_e3271 - _e3279);
                 }
-                let _e3204 = phi_3842_;
-                let _e3211 = (1f / sqrt((((_e3199 * _e3199) + (_e3204 * _e3204)) + (_e3190 * _e3190))));
-                let _e3218 = ((((_e3102 * _e3114) * _e2567) + ((_e3149 * _e3161) * _e2561.u)) + ((_e3199 * _e3211) * _e2561.v));
-                let _e3219 = ((((_e3107 * _e3114) * _e2567) + ((_e3154 * _e3161) * _e2561.u)) + ((_e3204 * _e3211) * _e2561.v));
-                let _e3220 = ((((_e3093 * _e3114) * _e2567) + ((_e3140 * _e3161) * _e2561.u)) + ((_e3190 * _e3211) * _e2561.v));
-                if (_e2561.instance < _e93) {
+                let _e3289 = phi_3939_;
+                let _e3296 = (1f / sqrt((((_e3284 * _e3284) + (_e3289 * _e3289)) + (_e3275 * _e3275))));
+                let _e3303 = ((((_e3187 * _e3199) * _e2652) + ((_e3234 * _e3246) * _e2646.u)) + ((_e3284 * _e3296) * _e2646.v));
+                let _e3304 = ((((_e3192 * _e3199) * _e2652) + ((_e3239 * _e3246) * _e2646.u)) + ((_e3289 * _e3296) * _e2646.v));
+                let _e3305 = ((((_e3178 * _e3199) * _e2652) + ((_e3225 * _e3246) * _e2646.u)) + ((_e3275 * _e3296) * _e2646.v));
+                if (_e2646.instance < _e93) {
                 } else {
                     return;
                 }
-                let _e3227 = instances.member[(0u + _e2561.instance)].world_to_object[0u];
-                let _e3236 = instances.member[(0u + _e2561.instance)].world_to_object[1u];
-                let _e3248 = instances.member[(0u + _e2561.instance)].world_to_object[2u];
-                let _e3255 = (((_e3227.x * _e3218) + (_e3236.x * _e3219)) + (_e3248.x * _e3220));
-                let _e3256 = (((_e3227.y * _e3218) + (_e3236.y * _e3219)) + (_e3248.y * _e3220));
-                let _e3257 = (((_e3227.z * _e3218) + (_e3236.z * _e3219)) + (_e3248.z * _e3220));
-                let _e3263 = sqrt((((_e3255 * _e3255) + (_e3256 * _e3256)) + (_e3257 * _e3257)));
-                if (_e3263 > 0f) {
-                    let _e3265 = (_e3255 / _e3263);
-                    let _e3266 = (_e3256 / _e3263);
-                    let _e3267 = (_e3257 / _e3263);
-                    if ((((_e3265 * _e2813.x) + (_e3266 * _e2813.y)) + (_e3267 * _e2813.z)) < 0f) {
-                        phi_3928_ = vec3<f32>(-(_e3265), -(_e3266), -(_e3267));
+                let _e3312 = instances.member[(0u + _e2646.instance)].world_to_object[0u];
+                let _e3321 = instances.member[(0u + _e2646.instance)].world_to_object[1u];
+                let _e3333 = instances.member[(0u + _e2646.instance)].world_to_object[2u];
+                let _e3340 = (((_e3312.x * _e3303) + (_e3321.x * _e3304)) + (_e3333.x * _e3305));
+                let _e3341 = (((_e3312.y * _e3303) + (_e3321.y * _e3304)) + (_e3333.y * _e3305));
+                let _e3342 = (((_e3312.z * _e3303) + (_e3321.z * _e3304)) + (_e3333.z * _e3305));
+                let _e3348 = sqrt((((_e3340 * _e3340) + (_e3341 * _e3341)) + (_e3342 * _e3342)));
+                if (_e3348 > 0f) {
+                    let _e3350 = (_e3340 / _e3348);
+                    let _e3351 = (_e3341 / _e3348);
+                    let _e3352 = (_e3342 / _e3348);
+                    if ((((_e3350 * _e2898.x) + (_e3351 * _e2898.y)) + (_e3352 * _e2898.z)) < 0f) {
+                        phi_4025_ = vec3<f32>(-(_e3350), -(_e3351), -(_e3352));
                     } else {
-                        phi_3928_ = vec3<f32>(_e3265, _e3266, _e3267);
+                        phi_4025_ = vec3<f32>(_e3350, _e3351, _e3352);
                     }
-                    let _e3283 = phi_3928_;
-                    phi_3929_ = _e3283;
+                    let _e3368 = phi_4025_;
+                    phi_4026_ = _e3368;
                 } else {
-                    phi_3929_ = _e2813;
+                    phi_4026_ = _e2898;
                 }
-                let _e3285 = phi_3929_;
-                phi_3930_ = _e3285;
+                let _e3370 = phi_4026_;
+                phi_4027_ = _e3370;
             }
-            let _e3287 = phi_3930_;
-            if (_e3059 > 0f) {
-                if (_e3059 < 1f) {
-                    phi_3939_ = _e3059;
+            let _e3372 = phi_4027_;
+            if (_e3144 > 0f) {
+                if (_e3144 < 1f) {
+                    phi_4036_ = _e3144;
                 } else {
-                    phi_3939_ = 1f;
+                    phi_4036_ = 1f;
                 }
-                let _e3291 = phi_3939_;
-                phi_3940_ = _e3291;
+                let _e3376 = phi_4036_;
+                phi_4037_ = _e3376;
             } else {
-                phi_3940_ = 0f;
+                phi_4037_ = 0f;
             }
-            let _e3293 = phi_3940_;
-            if (_e3061 > 0f) {
-                if (_e3061 < 1f) {
-                    phi_3950_ = _e3061;
+            let _e3378 = phi_4037_;
+            if (_e3146 > 0f) {
+                if (_e3146 < 1f) {
+                    phi_4047_ = _e3146;
                 } else {
-                    phi_3950_ = 1f;
+                    phi_4047_ = 1f;
                 }
-                let _e3298 = phi_3950_;
-                phi_3951_ = _e3298;
+                let _e3383 = phi_4047_;
+                phi_4048_ = _e3383;
             } else {
-                phi_3951_ = 0f;
+                phi_4048_ = 0f;
             }
-            let _e3300 = phi_3951_;
-            if (_e3063 > 0f) {
-                if (_e3063 < 1f) {
-                    phi_3961_ = _e3063;
+            let _e3385 = phi_4048_;
+            if (_e3148 > 0f) {
+                if (_e3148 < 1f) {
+                    phi_4058_ = _e3148;
                 } else {
-                    phi_3961_ = 1f;
+                    phi_4058_ = 1f;
                 }
-                let _e3305 = phi_3961_;
-                phi_3962_ = _e3305;
+                let _e3390 = phi_4058_;
+                phi_4059_ = _e3390;
             } else {
-                phi_3962_ = 0f;
+                phi_4059_ = 0f;
             }
-            let _e3307 = phi_3962_;
-            let _e3310 = ((sqrt(_e3293) * 255f) + 0.5f);
-            let _e3319 = ((sqrt(_e3300) * 255f) + 0.5f);
-            let _e3331 = ((sqrt(_e3307) * 255f) + 0.5f);
-            phi_3997_ = abi_Sample(vec3<f32>(_e2721, _e2722, _e2723), _e3065, _e2813, _e3070, _e3287, ((select(select(u32(_e3310), 0u, (_e3310 < bitcast<f32>(0u))), 4294967295u, (_e3310 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3319), 0u, (_e3319 < bitcast<f32>(0u))), 4294967295u, (_e3319 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3331), 0u, (_e3331 < bitcast<f32>(0u))), 4294967295u, (_e3331 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3392 = phi_4059_;
+            let _e3395 = ((sqrt(_e3378) * 255f) + 0.5f);
+            let _e3404 = ((sqrt(_e3385) * 255f) + 0.5f);
+            let _e3416 = ((sqrt(_e3392) * 255f) + 0.5f);
+            phi_4094_ = abi_Sample(vec3<f32>(_e2806, _e2807, _e2808), _e3150, _e2898, _e3155, _e3372, ((select(select(u32(_e3395), 0u, (_e3395 < bitcast<f32>(0u))), 4294967295u, (_e3395 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3404), 0u, (_e3404 < bitcast<f32>(0u))), 4294967295u, (_e3404 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3416), 0u, (_e3416 < bitcast<f32>(0u))), 4294967295u, (_e3416 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3997_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_4094_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3345 = phi_3997_;
+        let _e3430 = phi_4094_;
         if (_e108.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e108.first_primitive)] = _e3345;
-        if (_e2561.triangle != 4294967295u) {
-            let _e3354 = ((1f - _e2561.u) - _e2561.v);
-            if (_e2561.triangle < _e81) {
+        samples.member[(0u + _e108.first_primitive)] = _e3430;
+        if (_e2646.triangle != 4294967295u) {
+            let _e3439 = ((1f - _e2646.u) - _e2646.v);
+            if (_e2646.triangle < _e81) {
             } else {
                 return;
             }
-            let _e3359 = triangles.member[(0u + _e2561.triangle)];
-            if (_e3359.i0_ < _e99) {
+            let _e3444 = triangles.member[(0u + _e2646.triangle)];
+            if (_e3444.i0_ < _e99) {
             } else {
                 return;
             }
-            let _e3364 = before.member[(0u + _e3359.i0_)];
-            if (_e3359.i1_ < _e99) {
+            let _e3449 = before.member[(0u + _e3444.i0_)];
+            if (_e3444.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3369 = before.member[(0u + _e3359.i1_)];
-            if (_e3359.i2_ < _e99) {
+            let _e3454 = before.member[(0u + _e3444.i1_)];
+            if (_e3444.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3374 = before.member[(0u + _e3359.i2_)];
-            if (_e2561.instance < _e93) {
+            let _e3459 = before.member[(0u + _e3444.i2_)];
+            if (_e2646.instance < _e93) {
             } else {
                 return;
             }
-            let _e3384 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e3397 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e3410 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
-            if (_e2561.instance < _e93) {
+            let _e3469 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e3482 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e3495 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            if (_e2646.instance < _e93) {
             } else {
                 return;
             }
-            let _e3434 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e3447 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e3460 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
-            if (_e2561.instance < _e93) {
+            let _e3519 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e3532 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e3545 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            if (_e2646.instance < _e93) {
             } else {
                 return;
             }
-            let _e3487 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e3500 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e3513 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
-            phi_4219_ = vec3<f32>((((((((_e3384.x * _e3364.x) + (_e3384.y * _e3364.y)) + (_e3384.z * _e3364.z)) + (_e3384.w * 1f)) * _e3354) + (((((_e3434.x * _e3369.x) + (_e3434.y * _e3369.y)) + (_e3434.z * _e3369.z)) + (_e3434.w * 1f)) * _e2561.u)) + (((((_e3487.x * _e3374.x) + (_e3487.y * _e3374.y)) + (_e3487.z * _e3374.z)) + (_e3487.w * 1f)) * _e2561.v)), (((((((_e3397.x * _e3364.x) + (_e3397.y * _e3364.y)) + (_e3397.z * _e3364.z)) + (_e3397.w * 1f)) * _e3354) + (((((_e3447.x * _e3369.x) + (_e3447.y * _e3369.y)) + (_e3447.z * _e3369.z)) + (_e3447.w * 1f)) * _e2561.u)) + (((((_e3500.x * _e3374.x) + (_e3500.y * _e3374.y)) + (_e3500.z * _e3374.z)) + (_e3500.w * 1f)) * _e2561.v)), (((((((_e3410.x * _e3364.x) + (_e3410.y * _e3364.y)) + (_e3410.z * _e3364.z)) + (_e3410.w * 1f)) * _e3354) + (((((_e3460.x * _e3369.x) + (_e3460.y * _e3369.y)) + (_e3460.z * _e3369.z)) + (_e3460.w * 1f)) * _e2561.u)) + (((((_e3513.x * _e3374.x) + (_e3513.y * _e3374.y)) + (_e3513.z * _e3374.z)) + (_e3513.w * 1f)) * _e2561.v)));
+            let _e3572 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e3585 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e3598 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            phi_4316_ = vec3<f32>((((((((_e3469.x * _e3449.x) + (_e3469.y * _e3449.y)) + (_e3469.z * _e3449.z)) + (_e3469.w * 1f)) * _e3439) + (((((_e3519.x * _e3454.x) + (_e3519.y * _e3454.y)) + (_e3519.z * _e3454.z)) + (_e3519.w * 1f)) * _e2646.u)) + (((((_e3572.x * _e3459.x) + (_e3572.y * _e3459.y)) + (_e3572.z * _e3459.z)) + (_e3572.w * 1f)) * _e2646.v)), (((((((_e3482.x * _e3449.x) + (_e3482.y * _e3449.y)) + (_e3482.z * _e3449.z)) + (_e3482.w * 1f)) * _e3439) + (((((_e3532.x * _e3454.x) + (_e3532.y * _e3454.y)) + (_e3532.z * _e3454.z)) + (_e3532.w * 1f)) * _e2646.u)) + (((((_e3585.x * _e3459.x) + (_e3585.y * _e3459.y)) + (_e3585.z * _e3459.z)) + (_e3585.w * 1f)) * _e2646.v)), (((((((_e3495.x * _e3449.x) + (_e3495.y * _e3449.y)) + (_e3495.z * _e3449.z)) + (_e3495.w * 1f)) * _e3439) + (((((_e3545.x * _e3454.x) + (_e3545.y * _e3454.y)) + (_e3545.z * _e3454.z)) + (_e3545.w * 1f)) * _e2646.u)) + (((((_e3598.x * _e3459.x) + (_e3598.y * _e3459.y)) + (_e3598.z * _e3459.z)) + (_e3598.w * 1f)) * _e2646.v)));
         } else {
-            phi_4219_ = vec3<f32>(0f, 0f, 0f);
+            phi_4316_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3533 = phi_4219_;
+        let _e3618 = phi_4316_;
         if (_e108.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3533.x, _e3533.y, _e3533.z, 1f);
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3618.x, _e3618.y, _e3618.z, 1f);
     }
     return;
 }

@@ -392,146 +392,152 @@ fn function_() {
     var phi_2057_: u32;
     var phi_2101_: vec3<f32>;
     var phi_2102_: vec3<f32>;
-    var phi_2133_: vec3<f32>;
-    var phi_2134_: vec3<f32>;
-    var phi_2165_: vec3<f32>;
-    var phi_2166_: vec3<f32>;
-    var phi_2186_: bool;
-    var phi_2187_: bool;
-    var phi_2191_: f32;
-    var phi_2192_: f32;
-    var phi_2193_: f32;
-    var phi_2194_: f32;
-    var phi_2202_: f32;
-    var phi_2212_: bool;
-    var phi_2213_: bool;
-    var phi_2217_: f32;
-    var phi_2218_: f32;
-    var phi_2219_: f32;
-    var phi_2220_: f32;
-    var phi_2228_: f32;
-    var phi_2238_: bool;
-    var phi_2239_: bool;
-    var phi_2243_: f32;
-    var phi_2244_: f32;
-    var phi_2245_: f32;
-    var phi_2246_: f32;
-    var phi_2254_: f32;
-    var phi_2269_: f32;
-    var phi_2270_: bool;
-    var phi_2271_: f32;
-    var phi_2272_: bool;
-    var phi_2273_: f32;
-    var phi_2274_: bool;
-    var phi_2292_: f32;
-    var phi_2293_: bool;
-    var phi_2294_: bool;
-    var phi_2295_: f32;
-    var phi_2296_: bool;
+    var phi_2131_: vec3<f32>;
+    var phi_2132_: vec3<f32>;
+    var phi_2161_: vec3<f32>;
+    var phi_2162_: vec3<f32>;
+    var phi_2180_: bool;
+    var phi_2181_: bool;
+    var phi_2185_: f32;
+    var phi_2186_: f32;
+    var phi_2187_: f32;
+    var phi_2188_: f32;
+    var phi_2196_: f32;
+    var phi_2206_: bool;
+    var phi_2207_: bool;
+    var phi_2211_: f32;
+    var phi_2212_: f32;
+    var phi_2213_: f32;
+    var phi_2214_: f32;
+    var phi_2222_: f32;
+    var phi_2232_: bool;
+    var phi_2233_: bool;
+    var phi_2237_: f32;
+    var phi_2238_: f32;
+    var phi_2239_: f32;
+    var phi_2240_: f32;
+    var phi_2248_: f32;
+    var phi_2263_: f32;
+    var phi_2264_: bool;
+    var phi_2265_: f32;
+    var phi_2266_: bool;
+    var phi_2267_: f32;
+    var phi_2268_: bool;
+    var phi_2286_: f32;
+    var phi_2287_: bool;
+    var phi_2288_: bool;
+    var phi_2289_: f32;
+    var phi_2290_: bool;
+    var phi_2291_: bool;
+    var phi_2295_: bool;
+    var phi_2296_: f32;
     var phi_2297_: bool;
-    var phi_2301_: bool;
-    var phi_2302_: f32;
-    var phi_2303_: bool;
-    var phi_2337_: f32;
-    var phi_2346_: f32;
-    var phi_2355_: f32;
-    var phi_2364_: f32;
-    var phi_2371_: f32;
-    var phi_2378_: f32;
-    var phi_2391_: f32;
-    var phi_2400_: f32;
-    var phi_2409_: f32;
-    var phi_2418_: f32;
-    var phi_2425_: f32;
-    var phi_2432_: f32;
-    var phi_2449_: f32;
-    var phi_2454_: f32;
-    var phi_2459_: f32;
-    var phi_2467_: f32;
-    var phi_2472_: f32;
-    var phi_2477_: f32;
-    var phi_2489_: f32;
-    var phi_2494_: f32;
-    var phi_2499_: f32;
-    var phi_2504_: f32;
-    var phi_2509_: lt_bvh_triangle_Intersection;
-    var phi_2510_: bool;
-    var phi_2511_: lt_bvh_triangle_Intersection;
-    var phi_2512_: bool;
-    var phi_2516_: lt_bvh_triangle_Intersection;
-    var phi_2517_: bool;
-    var phi_2518_: lt_bvh_triangle_Intersection;
-    var phi_2519_: bool;
-    var phi_2520_: bool;
-    var phi_2524_: bool;
-    var phi_2528_: lt_bvh_triangle_Intersection;
-    var phi_2566_: bool;
-    var phi_2567_: bool;
-    var phi_2568_: bool;
-    var phi_2569_: bool;
-    var phi_2570_: bool;
-    var phi_2571_: bool;
-    var phi_2575_: bool;
-    var phi_2576_: bool;
-    var phi_2590_: bool;
-    var phi_2598_: lt_bvh_Hit;
-    var phi_2599_: lt_bvh_Hit;
-    var phi_2600_: lt_bvh_Hit;
-    var phi_2601_: lt_bvh_Hit;
+    var phi_2325_: vec3<f32>;
+    var phi_2326_: vec3<f32>;
+    var phi_2351_: vec3<f32>;
+    var phi_2352_: vec3<f32>;
+    var phi_2377_: vec3<f32>;
+    var phi_2378_: vec3<f32>;
+    var phi_2434_: f32;
+    var phi_2443_: f32;
+    var phi_2452_: f32;
+    var phi_2461_: f32;
+    var phi_2468_: f32;
+    var phi_2475_: f32;
+    var phi_2488_: f32;
+    var phi_2497_: f32;
+    var phi_2506_: f32;
+    var phi_2515_: f32;
+    var phi_2522_: f32;
+    var phi_2529_: f32;
+    var phi_2546_: f32;
+    var phi_2551_: f32;
+    var phi_2556_: f32;
+    var phi_2564_: f32;
+    var phi_2569_: f32;
+    var phi_2574_: f32;
+    var phi_2586_: f32;
+    var phi_2591_: f32;
+    var phi_2596_: f32;
+    var phi_2601_: f32;
+    var phi_2606_: lt_bvh_triangle_Intersection;
+    var phi_2607_: bool;
+    var phi_2608_: lt_bvh_triangle_Intersection;
+    var phi_2609_: bool;
+    var phi_2613_: lt_bvh_triangle_Intersection;
+    var phi_2614_: bool;
+    var phi_2615_: lt_bvh_triangle_Intersection;
+    var phi_2616_: bool;
+    var phi_2617_: bool;
+    var phi_2621_: bool;
+    var phi_2625_: lt_bvh_triangle_Intersection;
+    var phi_2663_: bool;
+    var phi_2664_: bool;
+    var phi_2665_: bool;
+    var phi_2666_: bool;
+    var phi_2667_: bool;
+    var phi_2668_: bool;
+    var phi_2672_: bool;
+    var phi_2673_: bool;
+    var phi_2687_: bool;
+    var phi_2695_: lt_bvh_Hit;
+    var phi_2696_: lt_bvh_Hit;
+    var phi_2697_: lt_bvh_Hit;
+    var phi_2698_: lt_bvh_Hit;
     var phi_2055_: lt_bvh_Hit;
     var phi_2058_: u32;
-    var phi_2602_: bool;
-    var phi_2641_: bool;
-    var phi_2642_: bool;
-    var phi_2673_: u32;
+    var phi_2699_: bool;
+    var phi_2738_: bool;
+    var phi_2739_: bool;
+    var phi_2770_: u32;
     var phi_1722_: lt_bvh_Hit;
     var phi_1725_: u32;
-    var phi_2674_: lt_bvh_Hit;
-    var phi_2675_: lt_bvh_Hit;
-    var phi_2676_: bool;
-    var phi_2680_: lt_bvh_Hit;
-    var phi_2681_: lt_bvh_Hit;
-    var phi_2682_: lt_bvh_Hit;
-    var phi_2683_: lt_bvh_Hit;
+    var phi_2771_: lt_bvh_Hit;
+    var phi_2772_: lt_bvh_Hit;
+    var phi_2773_: bool;
+    var phi_2777_: lt_bvh_Hit;
+    var phi_2778_: lt_bvh_Hit;
+    var phi_2779_: lt_bvh_Hit;
+    var phi_2780_: lt_bvh_Hit;
     var phi_1096_: u32;
     var phi_1099_: lt_bvh_Hit;
-    var phi_2684_: bool;
-    var phi_2723_: bool;
-    var phi_2724_: bool;
-    var phi_2755_: u32;
+    var phi_2781_: bool;
+    var phi_2820_: bool;
+    var phi_2821_: bool;
+    var phi_2852_: u32;
     var phi_759_: u32;
     var phi_762_: lt_bvh_Hit;
-    var phi_2756_: lt_bvh_Hit;
-    var phi_2757_: lt_bvh_Hit;
-    var phi_2758_: bool;
-    var phi_2762_: lt_bvh_Hit;
-    var phi_2950_: f32;
-    var phi_2955_: f32;
-    var phi_2960_: f32;
-    var phi_2968_: f32;
-    var phi_2973_: f32;
-    var phi_2978_: f32;
-    var phi_3042_: vec3<f32>;
-    var phi_3163_: u32;
-    var phi_3190_: f32;
-    var phi_3197_: f32;
-    var phi_3204_: f32;
-    var phi_3239_: f32;
-    var phi_3246_: f32;
-    var phi_3253_: f32;
-    var phi_3291_: f32;
-    var phi_3298_: f32;
-    var phi_3305_: f32;
-    var phi_3391_: vec3<f32>;
-    var phi_3392_: vec3<f32>;
-    var phi_3393_: vec3<f32>;
+    var phi_2853_: lt_bvh_Hit;
+    var phi_2854_: lt_bvh_Hit;
+    var phi_2855_: bool;
+    var phi_2859_: lt_bvh_Hit;
+    var phi_3047_: f32;
+    var phi_3052_: f32;
+    var phi_3057_: f32;
+    var phi_3065_: f32;
+    var phi_3070_: f32;
+    var phi_3075_: f32;
+    var phi_3139_: vec3<f32>;
+    var phi_3260_: u32;
+    var phi_3287_: f32;
+    var phi_3294_: f32;
+    var phi_3301_: f32;
+    var phi_3336_: f32;
+    var phi_3343_: f32;
+    var phi_3350_: f32;
+    var phi_3388_: f32;
+    var phi_3395_: f32;
     var phi_3402_: f32;
-    var phi_3403_: f32;
-    var phi_3413_: f32;
-    var phi_3414_: f32;
-    var phi_3424_: f32;
-    var phi_3425_: f32;
-    var phi_3460_: abi_Sample;
+    var phi_3488_: vec3<f32>;
+    var phi_3489_: vec3<f32>;
+    var phi_3490_: vec3<f32>;
+    var phi_3499_: f32;
+    var phi_3500_: f32;
+    var phi_3510_: f32;
+    var phi_3511_: f32;
+    var phi_3521_: f32;
+    var phi_3522_: f32;
+    var phi_3557_: abi_Sample;
     var local_8: lt_bvh_Hit;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
@@ -666,7 +672,7 @@ fn function_() {
         if _e216 {
             let _e217 = (_e94 >= _e67);
             if _e217 {
-                phi_2756_ = lt_bvh_Hit();
+                phi_2853_ = lt_bvh_Hit();
             } else {
                 if (_e94 < _e67) {
                 } else {
@@ -1019,7 +1025,7 @@ fn function_() {
                             if (_e961 == 0u) {
                                 phi_1096_ = u32();
                                 phi_1099_ = lt_bvh_Hit();
-                                phi_2684_ = false;
+                                phi_2781_ = false;
                             } else {
                                 let _e967 = nodes.member[(0u + _e518)].links[1u];
                                 let _e971 = (_e967 + select(firstTrailingBit(_e961), 32u, (_e961 == 0u)));
@@ -1201,7 +1207,7 @@ fn function_() {
                                             if _e1193 {
                                                 let _e1194 = (_e1130 >= _e67);
                                                 if _e1194 {
-                                                    phi_2674_ = lt_bvh_Hit();
+                                                    phi_2771_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1130 < _e67) {
                                                     } else {
@@ -1328,7 +1334,6 @@ fn function_() {
                                                     let _e1349 = phi_1550_;
                                                     let _e1352 = (_e1349.x / _e1349.z);
                                                     let _e1355 = (_e1349.y / _e1349.z);
-                                                    let _e1357 = (1f / _e1349.z);
                                                     if (_e1270 < 0f) {
                                                         phi_1563_ = 0u;
                                                     } else {
@@ -1596,7 +1601,7 @@ fn function_() {
                                                                 if (_e1947 == 0u) {
                                                                     phi_2055_ = lt_bvh_Hit();
                                                                     phi_2058_ = u32();
-                                                                    phi_2602_ = false;
+                                                                    phi_2699_ = false;
                                                                 } else {
                                                                     let _e1951 = nodes.member[(0u + _e1508)].links[1u];
                                                                     let _e1956 = ((_e1132 + _e1951) + select(firstTrailingBit(_e1947), 32u, (_e1947 == 0u)));
@@ -1622,985 +1627,1038 @@ fn function_() {
                                                                     let _e1979 = phi_2102_;
                                                                     let _e1983 = (_e1979.x - (_e1352 * _e1979.z));
                                                                     let _e1987 = (_e1979.y - (_e1355 * _e1979.z));
-                                                                    let _e1991 = triangles.member[(0u + _e1956)].v1_;
-                                                                    let _e1993 = (_e1991.x - _e1055);
-                                                                    let _e1995 = (_e1991.y - _e1068);
-                                                                    let _e1997 = (_e1991.z - _e1081);
+                                                                    let _e1989 = triangles.member[(0u + _e1956)].v1_;
+                                                                    let _e1991 = (_e1989.x - _e1055);
+                                                                    let _e1993 = (_e1989.y - _e1068);
+                                                                    let _e1995 = (_e1989.z - _e1081);
                                                                     if (_e1341 == 0u) {
-                                                                        phi_2134_ = vec3<f32>(_e1995, _e1997, _e1993);
+                                                                        phi_2132_ = vec3<f32>(_e1993, _e1995, _e1991);
                                                                     } else {
                                                                         if (_e1341 == 1u) {
-                                                                            phi_2133_ = vec3<f32>(_e1997, _e1993, _e1995);
+                                                                            phi_2131_ = vec3<f32>(_e1995, _e1991, _e1993);
                                                                         } else {
-                                                                            phi_2133_ = (_e1991 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2131_ = (_e1989 - vec3<f32>(_e1055, _e1068, _e1081));
                                                                         }
-                                                                        let _e2005 = phi_2133_;
-                                                                        phi_2134_ = _e2005;
+                                                                        let _e2003 = phi_2131_;
+                                                                        phi_2132_ = _e2003;
                                                                     }
-                                                                    let _e2007 = phi_2134_;
-                                                                    let _e2011 = (_e2007.x - (_e1352 * _e2007.z));
-                                                                    let _e2015 = (_e2007.y - (_e1355 * _e2007.z));
-                                                                    let _e2019 = triangles.member[(0u + _e1956)].v2_;
-                                                                    let _e2021 = (_e2019.x - _e1055);
-                                                                    let _e2023 = (_e2019.y - _e1068);
-                                                                    let _e2025 = (_e2019.z - _e1081);
+                                                                    let _e2005 = phi_2132_;
+                                                                    let _e2009 = (_e2005.x - (_e1352 * _e2005.z));
+                                                                    let _e2013 = (_e2005.y - (_e1355 * _e2005.z));
+                                                                    let _e2015 = triangles.member[(0u + _e1956)].v2_;
+                                                                    let _e2017 = (_e2015.x - _e1055);
+                                                                    let _e2019 = (_e2015.y - _e1068);
+                                                                    let _e2021 = (_e2015.z - _e1081);
                                                                     if (_e1341 == 0u) {
-                                                                        phi_2166_ = vec3<f32>(_e2023, _e2025, _e2021);
+                                                                        phi_2162_ = vec3<f32>(_e2019, _e2021, _e2017);
                                                                     } else {
                                                                         if (_e1341 == 1u) {
-                                                                            phi_2165_ = vec3<f32>(_e2025, _e2021, _e2023);
+                                                                            phi_2161_ = vec3<f32>(_e2021, _e2017, _e2019);
                                                                         } else {
-                                                                            phi_2165_ = (_e2019 - vec3<f32>(_e1055, _e1068, _e1081));
+                                                                            phi_2161_ = (_e2015 - vec3<f32>(_e1055, _e1068, _e1081));
                                                                         }
-                                                                        let _e2033 = phi_2165_;
-                                                                        phi_2166_ = _e2033;
+                                                                        let _e2029 = phi_2161_;
+                                                                        phi_2162_ = _e2029;
                                                                     }
-                                                                    let _e2035 = phi_2166_;
-                                                                    let _e2039 = (_e2035.x - (_e1352 * _e2035.z));
-                                                                    let _e2043 = (_e2035.y - (_e1355 * _e2035.z));
-                                                                    if (_e2011 < _e2039) {
-                                                                        phi_2187_ = true;
+                                                                    let _e2031 = phi_2162_;
+                                                                    let _e2035 = (_e2031.x - (_e1352 * _e2031.z));
+                                                                    let _e2039 = (_e2031.y - (_e1355 * _e2031.z));
+                                                                    if (_e2009 < _e2035) {
+                                                                        phi_2181_ = true;
                                                                     } else {
-                                                                        if (_e2011 == _e2039) {
-                                                                            phi_2186_ = (_e2015 < _e2043);
+                                                                        if (_e2009 == _e2035) {
+                                                                            phi_2180_ = (_e2013 < _e2039);
                                                                         } else {
-                                                                            phi_2186_ = false;
+                                                                            phi_2180_ = false;
                                                                         }
-                                                                        let _e2050 = phi_2186_;
-                                                                        phi_2187_ = _e2050;
+                                                                        let _e2044 = phi_2180_;
+                                                                        phi_2181_ = _e2044;
                                                                     }
+                                                                    let _e2046 = phi_2181_;
+                                                                    if _e2046 {
+                                                                        phi_2185_ = _e2039;
+                                                                        phi_2186_ = _e2035;
+                                                                        phi_2187_ = _e2013;
+                                                                        phi_2188_ = _e2009;
+                                                                    } else {
+                                                                        phi_2185_ = _e2013;
+                                                                        phi_2186_ = _e2009;
+                                                                        phi_2187_ = _e2039;
+                                                                        phi_2188_ = _e2035;
+                                                                    }
+                                                                    let _e2048 = phi_2185_;
+                                                                    let _e2050 = phi_2186_;
                                                                     let _e2052 = phi_2187_;
-                                                                    if _e2052 {
-                                                                        phi_2191_ = _e2043;
-                                                                        phi_2192_ = _e2039;
-                                                                        phi_2193_ = _e2015;
-                                                                        phi_2194_ = _e2011;
+                                                                    let _e2054 = phi_2188_;
+                                                                    let _e2057 = ((_e2054 * _e2048) - (_e2052 * _e2050));
+                                                                    if _e2046 {
+                                                                        phi_2196_ = -(_e2057);
                                                                     } else {
-                                                                        phi_2191_ = _e2015;
-                                                                        phi_2192_ = _e2011;
-                                                                        phi_2193_ = _e2043;
-                                                                        phi_2194_ = _e2039;
+                                                                        phi_2196_ = _e2057;
                                                                     }
-                                                                    let _e2054 = phi_2191_;
-                                                                    let _e2056 = phi_2192_;
-                                                                    let _e2058 = phi_2193_;
-                                                                    let _e2060 = phi_2194_;
-                                                                    let _e2063 = ((_e2060 * _e2054) - (_e2058 * _e2056));
-                                                                    if _e2052 {
-                                                                        phi_2202_ = -(_e2063);
+                                                                    let _e2060 = phi_2196_;
+                                                                    if (_e2035 < _e1983) {
+                                                                        phi_2207_ = true;
                                                                     } else {
-                                                                        phi_2202_ = _e2063;
-                                                                    }
-                                                                    let _e2066 = phi_2202_;
-                                                                    if (_e2039 < _e1983) {
-                                                                        phi_2213_ = true;
-                                                                    } else {
-                                                                        if (_e2039 == _e1983) {
-                                                                            phi_2212_ = (_e2043 < _e1987);
+                                                                        if (_e2035 == _e1983) {
+                                                                            phi_2206_ = (_e2039 < _e1987);
                                                                         } else {
-                                                                            phi_2212_ = false;
+                                                                            phi_2206_ = false;
                                                                         }
-                                                                        let _e2071 = phi_2212_;
-                                                                        phi_2213_ = _e2071;
+                                                                        let _e2065 = phi_2206_;
+                                                                        phi_2207_ = _e2065;
                                                                     }
+                                                                    let _e2067 = phi_2207_;
+                                                                    if _e2067 {
+                                                                        phi_2211_ = _e1987;
+                                                                        phi_2212_ = _e1983;
+                                                                        phi_2213_ = _e2039;
+                                                                        phi_2214_ = _e2035;
+                                                                    } else {
+                                                                        phi_2211_ = _e2039;
+                                                                        phi_2212_ = _e2035;
+                                                                        phi_2213_ = _e1987;
+                                                                        phi_2214_ = _e1983;
+                                                                    }
+                                                                    let _e2069 = phi_2211_;
+                                                                    let _e2071 = phi_2212_;
                                                                     let _e2073 = phi_2213_;
-                                                                    if _e2073 {
-                                                                        phi_2217_ = _e1987;
-                                                                        phi_2218_ = _e1983;
-                                                                        phi_2219_ = _e2043;
-                                                                        phi_2220_ = _e2039;
+                                                                    let _e2075 = phi_2214_;
+                                                                    let _e2078 = ((_e2075 * _e2069) - (_e2073 * _e2071));
+                                                                    if _e2067 {
+                                                                        phi_2222_ = -(_e2078);
                                                                     } else {
-                                                                        phi_2217_ = _e2043;
-                                                                        phi_2218_ = _e2039;
-                                                                        phi_2219_ = _e1987;
-                                                                        phi_2220_ = _e1983;
+                                                                        phi_2222_ = _e2078;
                                                                     }
-                                                                    let _e2075 = phi_2217_;
-                                                                    let _e2077 = phi_2218_;
-                                                                    let _e2079 = phi_2219_;
-                                                                    let _e2081 = phi_2220_;
-                                                                    let _e2084 = ((_e2081 * _e2075) - (_e2079 * _e2077));
-                                                                    if _e2073 {
-                                                                        phi_2228_ = -(_e2084);
+                                                                    let _e2081 = phi_2222_;
+                                                                    if (_e1983 < _e2009) {
+                                                                        phi_2233_ = true;
                                                                     } else {
-                                                                        phi_2228_ = _e2084;
-                                                                    }
-                                                                    let _e2087 = phi_2228_;
-                                                                    if (_e1983 < _e2011) {
-                                                                        phi_2239_ = true;
-                                                                    } else {
-                                                                        if (_e1983 == _e2011) {
-                                                                            phi_2238_ = (_e1987 < _e2015);
+                                                                        if (_e1983 == _e2009) {
+                                                                            phi_2232_ = (_e1987 < _e2013);
                                                                         } else {
-                                                                            phi_2238_ = false;
+                                                                            phi_2232_ = false;
                                                                         }
-                                                                        let _e2092 = phi_2238_;
-                                                                        phi_2239_ = _e2092;
+                                                                        let _e2086 = phi_2232_;
+                                                                        phi_2233_ = _e2086;
                                                                     }
+                                                                    let _e2088 = phi_2233_;
+                                                                    if _e2088 {
+                                                                        phi_2237_ = _e2013;
+                                                                        phi_2238_ = _e2009;
+                                                                        phi_2239_ = _e1987;
+                                                                        phi_2240_ = _e1983;
+                                                                    } else {
+                                                                        phi_2237_ = _e1987;
+                                                                        phi_2238_ = _e1983;
+                                                                        phi_2239_ = _e2013;
+                                                                        phi_2240_ = _e2009;
+                                                                    }
+                                                                    let _e2090 = phi_2237_;
+                                                                    let _e2092 = phi_2238_;
                                                                     let _e2094 = phi_2239_;
-                                                                    if _e2094 {
-                                                                        phi_2243_ = _e2015;
-                                                                        phi_2244_ = _e2011;
-                                                                        phi_2245_ = _e1987;
-                                                                        phi_2246_ = _e1983;
+                                                                    let _e2096 = phi_2240_;
+                                                                    let _e2099 = ((_e2096 * _e2090) - (_e2094 * _e2092));
+                                                                    if _e2088 {
+                                                                        phi_2248_ = -(_e2099);
                                                                     } else {
-                                                                        phi_2243_ = _e1987;
-                                                                        phi_2244_ = _e1983;
-                                                                        phi_2245_ = _e2015;
-                                                                        phi_2246_ = _e2011;
+                                                                        phi_2248_ = _e2099;
                                                                     }
-                                                                    let _e2096 = phi_2243_;
-                                                                    let _e2098 = phi_2244_;
-                                                                    let _e2100 = phi_2245_;
-                                                                    let _e2102 = phi_2246_;
-                                                                    let _e2105 = ((_e2102 * _e2096) - (_e2100 * _e2098));
-                                                                    if _e2094 {
-                                                                        phi_2254_ = -(_e2105);
-                                                                    } else {
-                                                                        phi_2254_ = _e2105;
-                                                                    }
-                                                                    let _e2108 = phi_2254_;
-                                                                    if (_e2066 >= 0f) {
-                                                                        if (_e2087 >= 0f) {
-                                                                            if (_e2108 >= 0f) {
-                                                                                phi_2269_ = ((_e2066 + _e2087) + _e2108);
-                                                                                phi_2270_ = false;
+                                                                    let _e2102 = phi_2248_;
+                                                                    if (_e2060 >= 0f) {
+                                                                        if (_e2081 >= 0f) {
+                                                                            if (_e2102 >= 0f) {
+                                                                                phi_2263_ = ((_e2060 + _e2081) + _e2102);
+                                                                                phi_2264_ = false;
                                                                             } else {
-                                                                                phi_2269_ = f32();
-                                                                                phi_2270_ = true;
+                                                                                phi_2263_ = f32();
+                                                                                phi_2264_ = true;
                                                                             }
-                                                                            let _e2115 = phi_2269_;
-                                                                            let _e2117 = phi_2270_;
-                                                                            phi_2271_ = _e2115;
-                                                                            phi_2272_ = _e2117;
+                                                                            let _e2109 = phi_2263_;
+                                                                            let _e2111 = phi_2264_;
+                                                                            phi_2265_ = _e2109;
+                                                                            phi_2266_ = _e2111;
                                                                         } else {
-                                                                            phi_2271_ = f32();
-                                                                            phi_2272_ = true;
+                                                                            phi_2265_ = f32();
+                                                                            phi_2266_ = true;
                                                                         }
-                                                                        let _e2119 = phi_2271_;
-                                                                        let _e2121 = phi_2272_;
-                                                                        phi_2273_ = _e2119;
-                                                                        phi_2274_ = _e2121;
+                                                                        let _e2113 = phi_2265_;
+                                                                        let _e2115 = phi_2266_;
+                                                                        phi_2267_ = _e2113;
+                                                                        phi_2268_ = _e2115;
                                                                     } else {
-                                                                        phi_2273_ = f32();
-                                                                        phi_2274_ = true;
+                                                                        phi_2267_ = f32();
+                                                                        phi_2268_ = true;
                                                                     }
-                                                                    let _e2123 = phi_2273_;
-                                                                    let _e2125 = phi_2274_;
-                                                                    if _e2125 {
-                                                                        if (_e2066 <= 0f) {
-                                                                            if (_e2087 <= 0f) {
-                                                                                let _e2128 = (_e2108 <= 0f);
-                                                                                if _e2128 {
+                                                                    let _e2117 = phi_2267_;
+                                                                    let _e2119 = phi_2268_;
+                                                                    if _e2119 {
+                                                                        if (_e2060 <= 0f) {
+                                                                            if (_e2081 <= 0f) {
+                                                                                let _e2122 = (_e2102 <= 0f);
+                                                                                if _e2122 {
                                                                                 }
-                                                                                phi_2292_ = ((_e2066 + _e2087) + _e2108);
-                                                                                phi_2293_ = false;
-                                                                                phi_2294_ = _e2128;
+                                                                                phi_2286_ = ((_e2060 + _e2081) + _e2102);
+                                                                                phi_2287_ = false;
+                                                                                phi_2288_ = _e2122;
                                                                             } else {
-                                                                                phi_2292_ = f32();
-                                                                                phi_2293_ = true;
-                                                                                phi_2294_ = false;
+                                                                                phi_2286_ = f32();
+                                                                                phi_2287_ = true;
+                                                                                phi_2288_ = false;
                                                                             }
-                                                                            let _e2132 = phi_2292_;
-                                                                            let _e2134 = phi_2293_;
-                                                                            let _e2136 = phi_2294_;
-                                                                            phi_2295_ = _e2132;
-                                                                            phi_2296_ = _e2134;
-                                                                            phi_2297_ = _e2136;
+                                                                            let _e2126 = phi_2286_;
+                                                                            let _e2128 = phi_2287_;
+                                                                            let _e2130 = phi_2288_;
+                                                                            phi_2289_ = _e2126;
+                                                                            phi_2290_ = _e2128;
+                                                                            phi_2291_ = _e2130;
                                                                         } else {
-                                                                            phi_2295_ = f32();
-                                                                            phi_2296_ = true;
-                                                                            phi_2297_ = false;
+                                                                            phi_2289_ = f32();
+                                                                            phi_2290_ = true;
+                                                                            phi_2291_ = false;
+                                                                        }
+                                                                        let _e2132 = phi_2289_;
+                                                                        let _e2134 = phi_2290_;
+                                                                        let _e2136 = phi_2291_;
+                                                                        if _e2134 {
+                                                                            phi_2295_ = false;
+                                                                        } else {
+                                                                            phi_2295_ = _e2136;
                                                                         }
                                                                         let _e2138 = phi_2295_;
-                                                                        let _e2140 = phi_2296_;
-                                                                        let _e2142 = phi_2297_;
-                                                                        if _e2140 {
-                                                                            phi_2301_ = false;
-                                                                        } else {
-                                                                            phi_2301_ = _e2142;
-                                                                        }
-                                                                        let _e2144 = phi_2301_;
-                                                                        phi_2302_ = _e2138;
-                                                                        phi_2303_ = _e2144;
+                                                                        phi_2296_ = _e2132;
+                                                                        phi_2297_ = _e2138;
                                                                     } else {
-                                                                        phi_2302_ = _e2123;
-                                                                        phi_2303_ = true;
+                                                                        phi_2296_ = _e2117;
+                                                                        phi_2297_ = true;
                                                                     }
-                                                                    let _e2146 = phi_2302_;
-                                                                    let _e2148 = phi_2303_;
-                                                                    if _e2148 {
-                                                                        let _e2149 = (_e2146 == 0f);
-                                                                        if _e2149 {
-                                                                            phi_2516_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2517_ = false;
+                                                                    let _e2140 = phi_2296_;
+                                                                    let _e2142 = phi_2297_;
+                                                                    if _e2142 {
+                                                                        let _e2143 = (_e2140 == 0f);
+                                                                        if _e2143 {
+                                                                            phi_2613_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2614_ = false;
                                                                         } else {
-                                                                            let _e2155 = ((((_e2066 * (_e1357 * _e1979.z)) + (_e2087 * (_e1357 * _e2007.z))) + (_e2108 * (_e1357 * _e2035.z))) / _e2146);
-                                                                            if (_e2155 > _e145.tmin) {
-                                                                                if (_e2155 < _e145.tmax) {
-                                                                                    let _e2159 = triangles.member[(0u + _e1956)].v0_;
-                                                                                    let _e2161 = triangles.member[(0u + _e1956)].v1_;
-                                                                                    if (_e2159.x < _e2161.x) {
-                                                                                        phi_2337_ = _e2159.x;
-                                                                                    } else {
-                                                                                        phi_2337_ = _e2161.x;
-                                                                                    }
-                                                                                    let _e2168 = phi_2337_;
-                                                                                    if (_e2159.y < _e2161.y) {
-                                                                                        phi_2346_ = _e2159.y;
-                                                                                    } else {
-                                                                                        phi_2346_ = _e2161.y;
-                                                                                    }
-                                                                                    let _e2175 = phi_2346_;
-                                                                                    if (_e2159.z < _e2161.z) {
-                                                                                        phi_2355_ = _e2159.z;
-                                                                                    } else {
-                                                                                        phi_2355_ = _e2161.z;
-                                                                                    }
-                                                                                    let _e2182 = phi_2355_;
-                                                                                    let _e2184 = triangles.member[(0u + _e1956)].v2_;
-                                                                                    if (_e2168 < _e2184.x) {
-                                                                                        phi_2364_ = _e2168;
-                                                                                    } else {
-                                                                                        phi_2364_ = _e2184.x;
-                                                                                    }
-                                                                                    let _e2189 = phi_2364_;
-                                                                                    if (_e2175 < _e2184.y) {
-                                                                                        phi_2371_ = _e2175;
-                                                                                    } else {
-                                                                                        phi_2371_ = _e2184.y;
-                                                                                    }
-                                                                                    let _e2194 = phi_2371_;
-                                                                                    if (_e2182 < _e2184.z) {
-                                                                                        phi_2378_ = _e2182;
-                                                                                    } else {
-                                                                                        phi_2378_ = _e2184.z;
-                                                                                    }
-                                                                                    let _e2199 = phi_2378_;
-                                                                                    let _e2201 = triangles.member[(0u + _e1956)].v0_;
-                                                                                    let _e2203 = triangles.member[(0u + _e1956)].v1_;
-                                                                                    if (_e2201.x > _e2203.x) {
-                                                                                        phi_2391_ = _e2201.x;
-                                                                                    } else {
-                                                                                        phi_2391_ = _e2203.x;
-                                                                                    }
-                                                                                    let _e2210 = phi_2391_;
-                                                                                    if (_e2201.y > _e2203.y) {
-                                                                                        phi_2400_ = _e2201.y;
-                                                                                    } else {
-                                                                                        phi_2400_ = _e2203.y;
-                                                                                    }
-                                                                                    let _e2217 = phi_2400_;
-                                                                                    if (_e2201.z > _e2203.z) {
-                                                                                        phi_2409_ = _e2201.z;
-                                                                                    } else {
-                                                                                        phi_2409_ = _e2203.z;
-                                                                                    }
-                                                                                    let _e2224 = phi_2409_;
-                                                                                    let _e2226 = triangles.member[(0u + _e1956)].v2_;
-                                                                                    if (_e2210 > _e2226.x) {
-                                                                                        phi_2418_ = _e2210;
-                                                                                    } else {
-                                                                                        phi_2418_ = _e2226.x;
-                                                                                    }
-                                                                                    let _e2231 = phi_2418_;
-                                                                                    if (_e2217 > _e2226.y) {
-                                                                                        phi_2425_ = _e2217;
-                                                                                    } else {
-                                                                                        phi_2425_ = _e2226.y;
-                                                                                    }
-                                                                                    let _e2236 = phi_2425_;
-                                                                                    if (_e2224 > _e2226.z) {
-                                                                                        phi_2432_ = _e2224;
-                                                                                    } else {
-                                                                                        phi_2432_ = _e2226.z;
-                                                                                    }
-                                                                                    let _e2241 = phi_2432_;
-                                                                                    let _e2245 = ((_e2189 - _e1055) * _e1270);
-                                                                                    let _e2246 = ((_e2194 - _e1068) * _e1280);
-                                                                                    let _e2247 = ((_e2199 - _e1081) * _e1290);
-                                                                                    let _e2251 = ((_e2231 - _e1055) * _e1270);
-                                                                                    let _e2252 = ((_e2236 - _e1068) * _e1280);
-                                                                                    let _e2253 = ((_e2241 - _e1081) * _e1290);
-                                                                                    if (_e2245 < _e2251) {
-                                                                                        phi_2449_ = _e2245;
-                                                                                    } else {
-                                                                                        phi_2449_ = _e2251;
-                                                                                    }
-                                                                                    let _e2256 = phi_2449_;
-                                                                                    if (_e2246 < _e2252) {
-                                                                                        phi_2454_ = _e2246;
-                                                                                    } else {
-                                                                                        phi_2454_ = _e2252;
-                                                                                    }
-                                                                                    let _e2259 = phi_2454_;
-                                                                                    if (_e2247 < _e2253) {
-                                                                                        phi_2459_ = _e2247;
-                                                                                    } else {
-                                                                                        phi_2459_ = _e2253;
-                                                                                    }
-                                                                                    let _e2262 = phi_2459_;
-                                                                                    if (_e2245 > _e2251) {
-                                                                                        phi_2467_ = _e2245;
-                                                                                    } else {
-                                                                                        phi_2467_ = _e2251;
-                                                                                    }
-                                                                                    let _e2268 = phi_2467_;
-                                                                                    if (_e2246 > _e2252) {
-                                                                                        phi_2472_ = _e2246;
-                                                                                    } else {
-                                                                                        phi_2472_ = _e2252;
-                                                                                    }
-                                                                                    let _e2271 = phi_2472_;
-                                                                                    if (_e2247 > _e2253) {
-                                                                                        phi_2477_ = _e2247;
-                                                                                    } else {
-                                                                                        phi_2477_ = _e2253;
-                                                                                    }
-                                                                                    let _e2274 = phi_2477_;
-                                                                                    let _e2278 = core_intrinsics_maximum_number_nsz_f32_((_e2256 - _e1325), (_e2259 - _e1326));
-                                                                                    let _e2279 = core_intrinsics_maximum_number_nsz_f32_(_e2278, (_e2262 - _e1327));
-                                                                                    let _e2280 = core_intrinsics_minimum_number_nsz_f32_((_e2268 + _e1325), (_e2271 + _e1326));
-                                                                                    let _e2281 = core_intrinsics_minimum_number_nsz_f32_(_e2280, (_e2274 + _e1327));
-                                                                                    if (_e2279 > _e1030) {
-                                                                                        phi_2489_ = _e2279;
-                                                                                    } else {
-                                                                                        phi_2489_ = _e1030;
-                                                                                    }
-                                                                                    let _e2284 = phi_2489_;
-                                                                                    if (_e2281 < _e1032) {
-                                                                                        phi_2494_ = _e2281;
-                                                                                    } else {
-                                                                                        phi_2494_ = _e1032;
-                                                                                    }
-                                                                                    let _e2287 = phi_2494_;
-                                                                                    if (_e2155 < _e2284) {
-                                                                                        phi_2499_ = _e2284;
-                                                                                    } else {
-                                                                                        phi_2499_ = _e2155;
-                                                                                    }
-                                                                                    let _e2290 = phi_2499_;
-                                                                                    if (_e2290 > _e2287) {
-                                                                                        phi_2504_ = _e2287;
-                                                                                    } else {
-                                                                                        phi_2504_ = _e2290;
-                                                                                    }
-                                                                                    let _e2293 = phi_2504_;
-                                                                                    phi_2509_ = lt_bvh_triangle_Intersection(_e2293, (_e2087 / _e2146), (_e2108 / _e2146), (_e2284 <= _e2287));
-                                                                                    phi_2510_ = false;
+                                                                            let _e2145 = triangles.member[(0u + _e1956)].v0_;
+                                                                            let _e2147 = (_e2145.x - _e1055);
+                                                                            let _e2149 = (_e2145.y - _e1068);
+                                                                            let _e2151 = (_e2145.z - _e1081);
+                                                                            if (_e1341 == 0u) {
+                                                                                phi_2326_ = vec3<f32>(_e2149, _e2151, _e2147);
+                                                                            } else {
+                                                                                if (_e1341 == 1u) {
+                                                                                    phi_2325_ = vec3<f32>(_e2151, _e2147, _e2149);
                                                                                 } else {
-                                                                                    phi_2509_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2510_ = true;
+                                                                                    phi_2325_ = (_e2145 - vec3<f32>(_e1055, _e1068, _e1081));
                                                                                 }
-                                                                                let _e2299 = phi_2509_;
-                                                                                let _e2301 = phi_2510_;
-                                                                                phi_2511_ = _e2299;
-                                                                                phi_2512_ = _e2301;
+                                                                                let _e2159 = phi_2325_;
+                                                                                phi_2326_ = _e2159;
+                                                                            }
+                                                                            let _e2161 = phi_2326_;
+                                                                            let _e2163 = triangles.member[(0u + _e1956)].v1_;
+                                                                            let _e2165 = triangles.member[(0u + _e1956)].v0_;
+                                                                            let _e2168 = (_e2163.x - _e2165.x);
+                                                                            let _e2171 = (_e2163.y - _e2165.y);
+                                                                            let _e2174 = (_e2163.z - _e2165.z);
+                                                                            if (_e1341 == 0u) {
+                                                                                phi_2352_ = vec3<f32>(_e2171, _e2174, _e2168);
                                                                             } else {
-                                                                                phi_2511_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2512_ = true;
+                                                                                if (_e1341 == 1u) {
+                                                                                    phi_2351_ = vec3<f32>(_e2174, _e2168, _e2171);
+                                                                                } else {
+                                                                                    phi_2351_ = (_e2163 - _e2165);
+                                                                                }
+                                                                                let _e2181 = phi_2351_;
+                                                                                phi_2352_ = _e2181;
                                                                             }
-                                                                            let _e2303 = phi_2511_;
-                                                                            let _e2305 = phi_2512_;
-                                                                            if _e2305 {
+                                                                            let _e2183 = phi_2352_;
+                                                                            let _e2185 = triangles.member[(0u + _e1956)].v2_;
+                                                                            let _e2187 = triangles.member[(0u + _e1956)].v0_;
+                                                                            let _e2190 = (_e2185.x - _e2187.x);
+                                                                            let _e2193 = (_e2185.y - _e2187.y);
+                                                                            let _e2196 = (_e2185.z - _e2187.z);
+                                                                            if (_e1341 == 0u) {
+                                                                                phi_2378_ = vec3<f32>(_e2193, _e2196, _e2190);
+                                                                            } else {
+                                                                                if (_e1341 == 1u) {
+                                                                                    phi_2377_ = vec3<f32>(_e2196, _e2190, _e2193);
+                                                                                } else {
+                                                                                    phi_2377_ = (_e2185 - _e2187);
+                                                                                }
+                                                                                let _e2203 = phi_2377_;
+                                                                                phi_2378_ = _e2203;
                                                                             }
-                                                                            phi_2516_ = _e2303;
-                                                                            phi_2517_ = _e2305;
+                                                                            let _e2205 = phi_2378_;
+                                                                            let _e2212 = ((_e2183.y * _e2205.z) - (_e2183.z * _e2205.y));
+                                                                            let _e2219 = ((_e2183.z * _e2205.x) - (_e2183.x * _e2205.z));
+                                                                            let _e2226 = ((_e2183.x * _e2205.y) - (_e2183.y * _e2205.x));
+                                                                            let _e2240 = (((1f / _e1349.z) * (((_e2212 * _e2161.x) + (_e2219 * _e2161.y)) + (_e2226 * _e2161.z))) / (((_e2212 * _e1352) + (_e2219 * _e1355)) + _e2226));
+                                                                            if (_e2240 > _e145.tmin) {
+                                                                                if (_e2240 < _e145.tmax) {
+                                                                                    let _e2244 = triangles.member[(0u + _e1956)].v0_;
+                                                                                    let _e2246 = triangles.member[(0u + _e1956)].v1_;
+                                                                                    if (_e2244.x < _e2246.x) {
+                                                                                        phi_2434_ = _e2244.x;
+                                                                                    } else {
+                                                                                        phi_2434_ = _e2246.x;
+                                                                                    }
+                                                                                    let _e2253 = phi_2434_;
+                                                                                    if (_e2244.y < _e2246.y) {
+                                                                                        phi_2443_ = _e2244.y;
+                                                                                    } else {
+                                                                                        phi_2443_ = _e2246.y;
+                                                                                    }
+                                                                                    let _e2260 = phi_2443_;
+                                                                                    if (_e2244.z < _e2246.z) {
+                                                                                        phi_2452_ = _e2244.z;
+                                                                                    } else {
+                                                                                        phi_2452_ = _e2246.z;
+                                                                                    }
+                                                                                    let _e2267 = phi_2452_;
+                                                                                    let _e2269 = triangles.member[(0u + _e1956)].v2_;
+                                                                                    if (_e2253 < _e2269.x) {
+                                                                                        phi_2461_ = _e2253;
+                                                                                    } else {
+                                                                                        phi_2461_ = _e2269.x;
+                                                                                    }
+                                                                                    let _e2274 = phi_2461_;
+                                                                                    if (_e2260 < _e2269.y) {
+                                                                                        phi_2468_ = _e2260;
+                                                                                    } else {
+                                                                                        phi_2468_ = _e2269.y;
+                                                                                    }
+                                                                                    let _e2279 = phi_2468_;
+                                                                                    if (_e2267 < _e2269.z) {
+                                                                                        phi_2475_ = _e2267;
+                                                                                    } else {
+                                                                                        phi_2475_ = _e2269.z;
+                                                                                    }
+                                                                                    let _e2284 = phi_2475_;
+                                                                                    let _e2286 = triangles.member[(0u + _e1956)].v0_;
+                                                                                    let _e2288 = triangles.member[(0u + _e1956)].v1_;
+                                                                                    if (_e2286.x > _e2288.x) {
+                                                                                        phi_2488_ = _e2286.x;
+                                                                                    } else {
+                                                                                        phi_2488_ = _e2288.x;
+                                                                                    }
+                                                                                    let _e2295 = phi_2488_;
+                                                                                    if (_e2286.y > _e2288.y) {
+                                                                                        phi_2497_ = _e2286.y;
+                                                                                    } else {
+                                                                                        phi_2497_ = _e2288.y;
+                                                                                    }
+                                                                                    let _e2302 = phi_2497_;
+                                                                                    if (_e2286.z > _e2288.z) {
+                                                                                        phi_2506_ = _e2286.z;
+                                                                                    } else {
+                                                                                        phi_2506_ = _e2288.z;
+                                                                                    }
+                                                                                    let _e2309 = phi_2506_;
+                                                                                    let _e2311 = triangles.member[(0u + _e1956)].v2_;
+                                                                                    if (_e2295 > _e2311.x) {
+                                                                                        phi_2515_ = _e2295;
+                                                                                    } else {
+                                                                                        phi_2515_ = _e2311.x;
+                                                                                    }
+                                                                                    let _e2316 = phi_2515_;
+                                                                                    if (_e2302 > _e2311.y) {
+                                                                                        phi_2522_ = _e2302;
+                                                                                    } else {
+                                                                                        phi_2522_ = _e2311.y;
+                                                                                    }
+                                                                                    let _e2321 = phi_2522_;
+                                                                                    if (_e2309 > _e2311.z) {
+                                                                                        phi_2529_ = _e2309;
+                                                                                    } else {
+                                                                                        phi_2529_ = _e2311.z;
+                                                                                    }
+                                                                                    let _e2326 = phi_2529_;
+                                                                                    let _e2330 = ((_e2274 - _e1055) * _e1270);
+                                                                                    let _e2331 = ((_e2279 - _e1068) * _e1280);
+                                                                                    let _e2332 = ((_e2284 - _e1081) * _e1290);
+                                                                                    let _e2336 = ((_e2316 - _e1055) * _e1270);
+                                                                                    let _e2337 = ((_e2321 - _e1068) * _e1280);
+                                                                                    let _e2338 = ((_e2326 - _e1081) * _e1290);
+                                                                                    if (_e2330 < _e2336) {
+                                                                                        phi_2546_ = _e2330;
+                                                                                    } else {
+                                                                                        phi_2546_ = _e2336;
+                                                                                    }
+                                                                                    let _e2341 = phi_2546_;
+                                                                                    if (_e2331 < _e2337) {
+                                                                                        phi_2551_ = _e2331;
+                                                                                    } else {
+                                                                                        phi_2551_ = _e2337;
+                                                                                    }
+                                                                                    let _e2344 = phi_2551_;
+                                                                                    if (_e2332 < _e2338) {
+                                                                                        phi_2556_ = _e2332;
+                                                                                    } else {
+                                                                                        phi_2556_ = _e2338;
+                                                                                    }
+                                                                                    let _e2347 = phi_2556_;
+                                                                                    if (_e2330 > _e2336) {
+                                                                                        phi_2564_ = _e2330;
+                                                                                    } else {
+                                                                                        phi_2564_ = _e2336;
+                                                                                    }
+                                                                                    let _e2353 = phi_2564_;
+                                                                                    if (_e2331 > _e2337) {
+                                                                                        phi_2569_ = _e2331;
+                                                                                    } else {
+                                                                                        phi_2569_ = _e2337;
+                                                                                    }
+                                                                                    let _e2356 = phi_2569_;
+                                                                                    if (_e2332 > _e2338) {
+                                                                                        phi_2574_ = _e2332;
+                                                                                    } else {
+                                                                                        phi_2574_ = _e2338;
+                                                                                    }
+                                                                                    let _e2359 = phi_2574_;
+                                                                                    let _e2363 = core_intrinsics_maximum_number_nsz_f32_((_e2341 - _e1325), (_e2344 - _e1326));
+                                                                                    let _e2364 = core_intrinsics_maximum_number_nsz_f32_(_e2363, (_e2347 - _e1327));
+                                                                                    let _e2365 = core_intrinsics_minimum_number_nsz_f32_((_e2353 + _e1325), (_e2356 + _e1326));
+                                                                                    let _e2366 = core_intrinsics_minimum_number_nsz_f32_(_e2365, (_e2359 + _e1327));
+                                                                                    if (_e2364 > _e1030) {
+                                                                                        phi_2586_ = _e2364;
+                                                                                    } else {
+                                                                                        phi_2586_ = _e1030;
+                                                                                    }
+                                                                                    let _e2369 = phi_2586_;
+                                                                                    if (_e2366 < _e1032) {
+                                                                                        phi_2591_ = _e2366;
+                                                                                    } else {
+                                                                                        phi_2591_ = _e1032;
+                                                                                    }
+                                                                                    let _e2372 = phi_2591_;
+                                                                                    if (_e2240 < _e2369) {
+                                                                                        phi_2596_ = _e2369;
+                                                                                    } else {
+                                                                                        phi_2596_ = _e2240;
+                                                                                    }
+                                                                                    let _e2375 = phi_2596_;
+                                                                                    if (_e2375 > _e2372) {
+                                                                                        phi_2601_ = _e2372;
+                                                                                    } else {
+                                                                                        phi_2601_ = _e2375;
+                                                                                    }
+                                                                                    let _e2378 = phi_2601_;
+                                                                                    phi_2606_ = lt_bvh_triangle_Intersection(_e2378, (_e2081 / _e2140), (_e2102 / _e2140), (_e2369 <= _e2372));
+                                                                                    phi_2607_ = false;
+                                                                                } else {
+                                                                                    phi_2606_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2607_ = true;
+                                                                                }
+                                                                                let _e2384 = phi_2606_;
+                                                                                let _e2386 = phi_2607_;
+                                                                                phi_2608_ = _e2384;
+                                                                                phi_2609_ = _e2386;
+                                                                            } else {
+                                                                                phi_2608_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2609_ = true;
+                                                                            }
+                                                                            let _e2388 = phi_2608_;
+                                                                            let _e2390 = phi_2609_;
+                                                                            if _e2390 {
+                                                                            }
+                                                                            phi_2613_ = _e2388;
+                                                                            phi_2614_ = _e2390;
                                                                         }
-                                                                        let _e2307 = phi_2516_;
-                                                                        let _e2309 = phi_2517_;
-                                                                        phi_2518_ = _e2307;
-                                                                        phi_2519_ = _e2149;
-                                                                        phi_2520_ = _e2309;
+                                                                        let _e2392 = phi_2613_;
+                                                                        let _e2394 = phi_2614_;
+                                                                        phi_2615_ = _e2392;
+                                                                        phi_2616_ = _e2143;
+                                                                        phi_2617_ = _e2394;
                                                                     } else {
-                                                                        phi_2518_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2519_ = true;
-                                                                        phi_2520_ = false;
+                                                                        phi_2615_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2616_ = true;
+                                                                        phi_2617_ = false;
                                                                     }
-                                                                    let _e2311 = phi_2518_;
-                                                                    let _e2313 = phi_2519_;
-                                                                    let _e2315 = phi_2520_;
-                                                                    if _e2313 {
-                                                                        phi_2524_ = true;
+                                                                    let _e2396 = phi_2615_;
+                                                                    let _e2398 = phi_2616_;
+                                                                    let _e2400 = phi_2617_;
+                                                                    if _e2398 {
+                                                                        phi_2621_ = true;
                                                                     } else {
-                                                                        phi_2524_ = _e2315;
+                                                                        phi_2621_ = _e2400;
                                                                     }
-                                                                    let _e2317 = phi_2524_;
-                                                                    if _e2317 {
-                                                                        phi_2528_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2402 = phi_2621_;
+                                                                    if _e2402 {
+                                                                        phi_2625_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2528_ = _e2311;
+                                                                        phi_2625_ = _e2396;
                                                                     }
-                                                                    let _e2319 = phi_2528_;
-                                                                    if _e2319.is_hit {
-                                                                        if (_e2319.t > _e145.tmin) {
-                                                                            if (_e2319.t < _e1945.t) {
-                                                                                phi_2576_ = true;
+                                                                    let _e2404 = phi_2625_;
+                                                                    if _e2404.is_hit {
+                                                                        if (_e2404.t > _e145.tmin) {
+                                                                            if (_e2404.t < _e1945.t) {
+                                                                                phi_2673_ = true;
                                                                             } else {
-                                                                                if (_e2319.t == _e1945.t) {
+                                                                                if (_e2404.t == _e1945.t) {
                                                                                     if (_e1945.triangle != 4294967295u) {
                                                                                         if (_e1956 < _e1945.triangle) {
-                                                                                            phi_2567_ = true;
+                                                                                            phi_2664_ = true;
                                                                                         } else {
                                                                                             if (_e1956 == _e1945.triangle) {
-                                                                                                phi_2566_ = (_e971 < _e1945.instance);
+                                                                                                phi_2663_ = (_e971 < _e1945.instance);
                                                                                             } else {
-                                                                                                phi_2566_ = false;
+                                                                                                phi_2663_ = false;
                                                                                             }
-                                                                                            let _e2337 = phi_2566_;
-                                                                                            phi_2567_ = _e2337;
+                                                                                            let _e2422 = phi_2663_;
+                                                                                            phi_2664_ = _e2422;
                                                                                         }
-                                                                                        let _e2339 = phi_2567_;
-                                                                                        phi_2568_ = _e2339;
-                                                                                        phi_2569_ = false;
+                                                                                        let _e2424 = phi_2664_;
+                                                                                        phi_2665_ = _e2424;
+                                                                                        phi_2666_ = false;
                                                                                     } else {
-                                                                                        phi_2568_ = bool();
-                                                                                        phi_2569_ = true;
+                                                                                        phi_2665_ = bool();
+                                                                                        phi_2666_ = true;
                                                                                     }
-                                                                                    let _e2341 = phi_2568_;
-                                                                                    let _e2343 = phi_2569_;
-                                                                                    phi_2570_ = _e2341;
-                                                                                    phi_2571_ = _e2343;
+                                                                                    let _e2426 = phi_2665_;
+                                                                                    let _e2428 = phi_2666_;
+                                                                                    phi_2667_ = _e2426;
+                                                                                    phi_2668_ = _e2428;
                                                                                 } else {
-                                                                                    phi_2570_ = bool();
-                                                                                    phi_2571_ = true;
+                                                                                    phi_2667_ = bool();
+                                                                                    phi_2668_ = true;
                                                                                 }
-                                                                                let _e2345 = phi_2570_;
-                                                                                let _e2347 = phi_2571_;
-                                                                                if _e2347 {
-                                                                                    phi_2575_ = false;
+                                                                                let _e2430 = phi_2667_;
+                                                                                let _e2432 = phi_2668_;
+                                                                                if _e2432 {
+                                                                                    phi_2672_ = false;
                                                                                 } else {
-                                                                                    phi_2575_ = _e2345;
+                                                                                    phi_2672_ = _e2430;
                                                                                 }
-                                                                                let _e2349 = phi_2575_;
-                                                                                phi_2576_ = _e2349;
+                                                                                let _e2434 = phi_2672_;
+                                                                                phi_2673_ = _e2434;
                                                                             }
-                                                                            let _e2351 = phi_2576_;
-                                                                            if _e2351 {
-                                                                                let _e2353 = triangles.member[(0u + _e1956)].i0_;
-                                                                                if ((_e2353 & 2147483648u) == 0u) {
-                                                                                    phi_2590_ = true;
+                                                                            let _e2436 = phi_2673_;
+                                                                            if _e2436 {
+                                                                                let _e2438 = triangles.member[(0u + _e1956)].i0_;
+                                                                                if ((_e2438 & 2147483648u) == 0u) {
+                                                                                    phi_2687_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2590_ = true;
+                                                                                    phi_2687_ = true;
                                                                                 }
-                                                                                let _e2357 = phi_2590_;
-                                                                                if _e2357 {
-                                                                                    phi_2598_ = lt_bvh_Hit(_e2319.t, _e2319.u, _e2319.v, _e1956, _e971);
+                                                                                let _e2442 = phi_2687_;
+                                                                                if _e2442 {
+                                                                                    phi_2695_ = lt_bvh_Hit(_e2404.t, _e2404.u, _e2404.v, _e1956, _e971);
                                                                                 } else {
-                                                                                    phi_2598_ = _e1945;
+                                                                                    phi_2695_ = _e1945;
                                                                                 }
-                                                                                let _e2363 = phi_2598_;
-                                                                                phi_2599_ = _e2363;
+                                                                                let _e2448 = phi_2695_;
+                                                                                phi_2696_ = _e2448;
                                                                             } else {
-                                                                                phi_2599_ = _e1945;
+                                                                                phi_2696_ = _e1945;
                                                                             }
-                                                                            let _e2365 = phi_2599_;
-                                                                            phi_2600_ = _e2365;
+                                                                            let _e2450 = phi_2696_;
+                                                                            phi_2697_ = _e2450;
                                                                         } else {
-                                                                            phi_2600_ = _e1945;
+                                                                            phi_2697_ = _e1945;
                                                                         }
-                                                                        let _e2367 = phi_2600_;
-                                                                        phi_2601_ = _e2367;
+                                                                        let _e2452 = phi_2697_;
+                                                                        phi_2698_ = _e2452;
                                                                     } else {
-                                                                        phi_2601_ = _e1945;
+                                                                        phi_2698_ = _e1945;
                                                                     }
-                                                                    let _e2369 = phi_2601_;
-                                                                    phi_2055_ = _e2369;
+                                                                    let _e2454 = phi_2698_;
+                                                                    phi_2055_ = _e2454;
                                                                     phi_2058_ = (_e1947 & (_e1947 - 1u));
-                                                                    phi_2602_ = true;
+                                                                    phi_2699_ = true;
                                                                 }
-                                                                let _e2371 = phi_2055_;
-                                                                let _e2373 = phi_2058_;
-                                                                let _e2375 = phi_2602_;
+                                                                let _e2456 = phi_2055_;
+                                                                let _e2458 = phi_2058_;
+                                                                let _e2460 = phi_2699_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2054_ = _e2371;
-                                                                    phi_2057_ = _e2373;
-                                                                    break if !(_e2375);
+                                                                    phi_2054_ = _e2456;
+                                                                    phi_2057_ = _e2458;
+                                                                    break if !(_e2460);
                                                                 }
                                                             }
-                                                            let _e2378 = local.group_mask;
-                                                            if ((_e2378 & 4278190080u) == 0u) {
-                                                                let _e2382 = local.len;
-                                                                if (_e2382 == 0u) {
-                                                                    phi_2641_ = false;
+                                                            let _e2463 = local.group_mask;
+                                                            if ((_e2463 & 4278190080u) == 0u) {
+                                                                let _e2467 = local.len;
+                                                                if (_e2467 == 0u) {
+                                                                    phi_2738_ = false;
                                                                 } else {
-                                                                    let _e2386 = local.len;
-                                                                    local.len = (_e2386 - 1u);
-                                                                    let _e2389 = local.len;
-                                                                    if (_e2389 < 32u) {
+                                                                    let _e2471 = local.len;
+                                                                    local.len = (_e2471 - 1u);
+                                                                    let _e2474 = local.len;
+                                                                    if (_e2474 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2394 = local.first[(0u + _e2389)];
-                                                                    local.group = _e2394;
-                                                                    let _e2397 = local.len;
-                                                                    if (_e2397 < 32u) {
+                                                                    let _e2479 = local.first[(0u + _e2474)];
+                                                                    local.group = _e2479;
+                                                                    let _e2482 = local.len;
+                                                                    if (_e2482 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2402 = local.mask[(0u + _e2397)];
-                                                                    local.group_mask = _e2402;
-                                                                    phi_2641_ = true;
+                                                                    let _e2487 = local.mask[(0u + _e2482)];
+                                                                    local.group_mask = _e2487;
+                                                                    phi_2738_ = true;
                                                                 }
-                                                                let _e2405 = phi_2641_;
-                                                                phi_2642_ = _e2405;
+                                                                let _e2490 = phi_2738_;
+                                                                phi_2739_ = _e2490;
                                                             } else {
-                                                                phi_2642_ = true;
+                                                                phi_2739_ = true;
                                                             }
-                                                            let _e2407 = phi_2642_;
-                                                            if _e2407 {
-                                                                let _e2409 = local.group_mask;
-                                                                let _e2415 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2409)), 32u, (_e2409 == 0u)));
-                                                                let _e2419 = local.group_mask;
-                                                                let _e2433 = local.group_mask;
-                                                                local.group_mask = (_e2433 & ~((1u << bitcast<u32>((_e2415 & 31u)))));
-                                                                let _e2436 = local.group;
-                                                                phi_2673_ = (_e2436 + countOneBits(((_e2419 & ~((4294967295u << bitcast<u32>((((_e2415 - 24u) ^ _e1368) & 31u))))) & 255u)));
+                                                            let _e2492 = phi_2739_;
+                                                            if _e2492 {
+                                                                let _e2494 = local.group_mask;
+                                                                let _e2500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2494)), 32u, (_e2494 == 0u)));
+                                                                let _e2504 = local.group_mask;
+                                                                let _e2518 = local.group_mask;
+                                                                local.group_mask = (_e2518 & ~((1u << bitcast<u32>((_e2500 & 31u)))));
+                                                                let _e2521 = local.group;
+                                                                phi_2770_ = (_e2521 + countOneBits(((_e2504 & ~((4294967295u << bitcast<u32>((((_e2500 - 24u) ^ _e1368) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_2673_ = 4294967295u;
+                                                                phi_2770_ = 4294967295u;
                                                             }
-                                                            let _e2439 = phi_2673_;
-                                                            let _e3419 = local_8;
-                                                            phi_1722_ = _e3419;
-                                                            phi_1725_ = _e2439;
+                                                            let _e2524 = phi_2770_;
+                                                            let _e3510 = local_8;
+                                                            phi_1722_ = _e3510;
+                                                            phi_1725_ = _e2524;
                                                         } else {
                                                             phi_1722_ = lt_bvh_Hit();
                                                             phi_1725_ = u32();
                                                         }
-                                                        let _e2441 = phi_1722_;
-                                                        let _e2443 = phi_1725_;
+                                                        let _e2526 = phi_1722_;
+                                                        let _e2528 = phi_1725_;
                                                         continue;
                                                         continuing {
-                                                            phi_1721_ = _e2441;
-                                                            phi_1724_ = _e2443;
+                                                            phi_1721_ = _e2526;
+                                                            phi_1724_ = _e2528;
                                                             break if !(_e1509);
                                                         }
                                                     }
-                                                    let _e3423 = local_9;
-                                                    phi_2674_ = _e3423;
+                                                    let _e3514 = local_9;
+                                                    phi_2771_ = _e3514;
                                                 }
-                                                let _e2446 = phi_2674_;
-                                                phi_2675_ = _e2446;
-                                                phi_2676_ = _e1194;
+                                                let _e2531 = phi_2771_;
+                                                phi_2772_ = _e2531;
+                                                phi_2773_ = _e1194;
                                             } else {
-                                                phi_2675_ = lt_bvh_Hit();
-                                                phi_2676_ = true;
+                                                phi_2772_ = lt_bvh_Hit();
+                                                phi_2773_ = true;
                                             }
-                                            let _e2448 = phi_2675_;
-                                            let _e2450 = phi_2676_;
-                                            if _e2450 {
-                                                phi_2680_ = _e963;
+                                            let _e2533 = phi_2772_;
+                                            let _e2535 = phi_2773_;
+                                            if _e2535 {
+                                                phi_2777_ = _e963;
                                             } else {
-                                                phi_2680_ = _e2448;
+                                                phi_2777_ = _e2533;
                                             }
-                                            let _e2452 = phi_2680_;
-                                            phi_2681_ = _e2452;
+                                            let _e2537 = phi_2777_;
+                                            phi_2778_ = _e2537;
                                         } else {
-                                            phi_2681_ = _e963;
+                                            phi_2778_ = _e963;
                                         }
-                                        let _e2454 = phi_2681_;
-                                        phi_2682_ = _e2454;
+                                        let _e2539 = phi_2778_;
+                                        phi_2779_ = _e2539;
                                     } else {
-                                        phi_2682_ = _e963;
+                                        phi_2779_ = _e963;
                                     }
-                                    let _e2456 = phi_2682_;
-                                    phi_2683_ = _e2456;
+                                    let _e2541 = phi_2779_;
+                                    phi_2780_ = _e2541;
                                 } else {
-                                    phi_2683_ = _e963;
+                                    phi_2780_ = _e963;
                                 }
-                                let _e2458 = phi_2683_;
+                                let _e2543 = phi_2780_;
                                 phi_1096_ = (_e961 & (_e961 - 1u));
-                                phi_1099_ = _e2458;
-                                phi_2684_ = true;
+                                phi_1099_ = _e2543;
+                                phi_2781_ = true;
                             }
-                            let _e2460 = phi_1096_;
-                            let _e2462 = phi_1099_;
-                            let _e2464 = phi_2684_;
+                            let _e2545 = phi_1096_;
+                            let _e2547 = phi_1099_;
+                            let _e2549 = phi_2781_;
                             continue;
                             continuing {
-                                phi_1095_ = _e2460;
-                                phi_1098_ = _e2462;
-                                break if !(_e2464);
+                                phi_1095_ = _e2545;
+                                phi_1098_ = _e2547;
+                                break if !(_e2549);
                             }
                         }
-                        let _e2467 = local_1.group_mask;
-                        if ((_e2467 & 4278190080u) == 0u) {
-                            let _e2471 = local_1.len;
-                            if (_e2471 == 0u) {
-                                phi_2723_ = false;
+                        let _e2552 = local_1.group_mask;
+                        if ((_e2552 & 4278190080u) == 0u) {
+                            let _e2556 = local_1.len;
+                            if (_e2556 == 0u) {
+                                phi_2820_ = false;
                             } else {
-                                let _e2475 = local_1.len;
-                                local_1.len = (_e2475 - 1u);
-                                let _e2478 = local_1.len;
-                                if (_e2478 < 32u) {
+                                let _e2560 = local_1.len;
+                                local_1.len = (_e2560 - 1u);
+                                let _e2563 = local_1.len;
+                                if (_e2563 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2483 = local_1.first[(0u + _e2478)];
-                                local_1.group = _e2483;
-                                let _e2486 = local_1.len;
-                                if (_e2486 < 32u) {
+                                let _e2568 = local_1.first[(0u + _e2563)];
+                                local_1.group = _e2568;
+                                let _e2571 = local_1.len;
+                                if (_e2571 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2491 = local_1.mask[(0u + _e2486)];
-                                local_1.group_mask = _e2491;
-                                phi_2723_ = true;
+                                let _e2576 = local_1.mask[(0u + _e2571)];
+                                local_1.group_mask = _e2576;
+                                phi_2820_ = true;
                             }
-                            let _e2494 = phi_2723_;
-                            phi_2724_ = _e2494;
+                            let _e2579 = phi_2820_;
+                            phi_2821_ = _e2579;
                         } else {
-                            phi_2724_ = true;
+                            phi_2821_ = true;
                         }
-                        let _e2496 = phi_2724_;
-                        if _e2496 {
-                            let _e2498 = local_1.group_mask;
-                            let _e2504 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2498)), 32u, (_e2498 == 0u)));
-                            let _e2508 = local_1.group_mask;
-                            let _e2522 = local_1.group_mask;
-                            local_1.group_mask = (_e2522 & ~((1u << bitcast<u32>((_e2504 & 31u)))));
-                            let _e2525 = local_1.group;
-                            phi_2755_ = (_e2525 + countOneBits(((_e2508 & ~((4294967295u << bitcast<u32>((((_e2504 - 24u) ^ _e380) & 31u))))) & 255u)));
+                        let _e2581 = phi_2821_;
+                        if _e2581 {
+                            let _e2583 = local_1.group_mask;
+                            let _e2589 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2583)), 32u, (_e2583 == 0u)));
+                            let _e2593 = local_1.group_mask;
+                            let _e2607 = local_1.group_mask;
+                            local_1.group_mask = (_e2607 & ~((1u << bitcast<u32>((_e2589 & 31u)))));
+                            let _e2610 = local_1.group;
+                            phi_2852_ = (_e2610 + countOneBits(((_e2593 & ~((4294967295u << bitcast<u32>((((_e2589 - 24u) ^ _e380) & 31u))))) & 255u)));
                         } else {
-                            phi_2755_ = 4294967295u;
+                            phi_2852_ = 4294967295u;
                         }
-                        let _e2528 = phi_2755_;
-                        phi_759_ = _e2528;
-                        let _e3439 = local_10;
-                        phi_762_ = _e3439;
+                        let _e2613 = phi_2852_;
+                        phi_759_ = _e2613;
+                        let _e3530 = local_10;
+                        phi_762_ = _e3530;
                     } else {
                         phi_759_ = u32();
                         phi_762_ = lt_bvh_Hit();
                     }
-                    let _e2530 = phi_759_;
-                    let _e2532 = phi_762_;
+                    let _e2615 = phi_759_;
+                    let _e2617 = phi_762_;
                     continue;
                     continuing {
-                        phi_758_ = _e2530;
-                        phi_761_ = _e2532;
+                        phi_758_ = _e2615;
+                        phi_761_ = _e2617;
                         break if !(_e521);
                     }
                 }
-                let _e3442 = local_11;
-                phi_2756_ = _e3442;
+                let _e3533 = local_11;
+                phi_2853_ = _e3533;
             }
-            let _e2535 = phi_2756_;
-            phi_2757_ = _e2535;
-            phi_2758_ = _e217;
+            let _e2620 = phi_2853_;
+            phi_2854_ = _e2620;
+            phi_2855_ = _e217;
         } else {
-            phi_2757_ = lt_bvh_Hit();
-            phi_2758_ = true;
+            phi_2854_ = lt_bvh_Hit();
+            phi_2855_ = true;
         }
-        let _e2537 = phi_2757_;
-        let _e2539 = phi_2758_;
-        if _e2539 {
-            phi_2762_ = _e147;
+        let _e2622 = phi_2854_;
+        let _e2624 = phi_2855_;
+        if _e2624 {
+            phi_2859_ = _e147;
         } else {
-            phi_2762_ = _e2537;
+            phi_2859_ = _e2622;
         }
-        let _e2541 = phi_2762_;
-        if (_e2541.triangle != 4294967295u) {
-            let _e2547 = ((1f - _e2541.u) - _e2541.v);
-            if (_e2541.triangle < _e70) {
+        let _e2626 = phi_2859_;
+        if (_e2626.triangle != 4294967295u) {
+            let _e2632 = ((1f - _e2626.u) - _e2626.v);
+            if (_e2626.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2553 = triangles.member[(0u + _e2541.triangle)];
-            if (_e2541.instance < _e82) {
+            let _e2638 = triangles.member[(0u + _e2626.triangle)];
+            if (_e2626.instance < _e82) {
             } else {
                 return;
             }
-            let _e2564 = instances.member[(0u + _e2541.instance)].object_to_world[0u];
-            let _e2575 = ((((_e2564.x * _e2553.v0_.x) + (_e2564.y * _e2553.v0_.y)) + (_e2564.z * _e2553.v0_.z)) + (_e2564.w * 1f));
-            let _e2577 = instances.member[(0u + _e2541.instance)].object_to_world[1u];
-            let _e2588 = ((((_e2577.x * _e2553.v0_.x) + (_e2577.y * _e2553.v0_.y)) + (_e2577.z * _e2553.v0_.z)) + (_e2577.w * 1f));
-            let _e2590 = instances.member[(0u + _e2541.instance)].object_to_world[2u];
-            let _e2601 = ((((_e2590.x * _e2553.v0_.x) + (_e2590.y * _e2553.v0_.y)) + (_e2590.z * _e2553.v0_.z)) + (_e2590.w * 1f));
-            let _e2608 = instances.member[(0u + _e2541.instance)].object_to_world[0u];
-            let _e2619 = ((((_e2608.x * _e2553.v1_.x) + (_e2608.y * _e2553.v1_.y)) + (_e2608.z * _e2553.v1_.z)) + (_e2608.w * 1f));
-            let _e2621 = instances.member[(0u + _e2541.instance)].object_to_world[1u];
-            let _e2632 = ((((_e2621.x * _e2553.v1_.x) + (_e2621.y * _e2553.v1_.y)) + (_e2621.z * _e2553.v1_.z)) + (_e2621.w * 1f));
-            let _e2634 = instances.member[(0u + _e2541.instance)].object_to_world[2u];
-            let _e2645 = ((((_e2634.x * _e2553.v1_.x) + (_e2634.y * _e2553.v1_.y)) + (_e2634.z * _e2553.v1_.z)) + (_e2634.w * 1f));
-            let _e2652 = instances.member[(0u + _e2541.instance)].object_to_world[0u];
-            let _e2663 = ((((_e2652.x * _e2553.v2_.x) + (_e2652.y * _e2553.v2_.y)) + (_e2652.z * _e2553.v2_.z)) + (_e2652.w * 1f));
-            let _e2665 = instances.member[(0u + _e2541.instance)].object_to_world[1u];
-            let _e2676 = ((((_e2665.x * _e2553.v2_.x) + (_e2665.y * _e2553.v2_.y)) + (_e2665.z * _e2553.v2_.z)) + (_e2665.w * 1f));
-            let _e2678 = instances.member[(0u + _e2541.instance)].object_to_world[2u];
-            let _e2689 = ((((_e2678.x * _e2553.v2_.x) + (_e2678.y * _e2553.v2_.y)) + (_e2678.z * _e2553.v2_.z)) + (_e2678.w * 1f));
-            let _e2702 = (((_e2575 * _e2547) + (_e2619 * _e2541.u)) + (_e2663 * _e2541.v));
-            let _e2703 = (((_e2588 * _e2547) + (_e2632 * _e2541.u)) + (_e2676 * _e2541.v));
-            let _e2704 = (((_e2601 * _e2547) + (_e2645 * _e2541.u)) + (_e2689 * _e2541.v));
-            let _e2706 = abs(_e2575);
-            let _e2707 = abs(_e2588);
-            let _e2708 = abs(_e2601);
-            let _e2709 = abs(_e2619);
-            let _e2710 = abs(_e2632);
-            let _e2711 = abs(_e2645);
-            if (_e2706 > _e2709) {
-                phi_2950_ = _e2706;
+            let _e2649 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
+            let _e2660 = ((((_e2649.x * _e2638.v0_.x) + (_e2649.y * _e2638.v0_.y)) + (_e2649.z * _e2638.v0_.z)) + (_e2649.w * 1f));
+            let _e2662 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
+            let _e2673 = ((((_e2662.x * _e2638.v0_.x) + (_e2662.y * _e2638.v0_.y)) + (_e2662.z * _e2638.v0_.z)) + (_e2662.w * 1f));
+            let _e2675 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
+            let _e2686 = ((((_e2675.x * _e2638.v0_.x) + (_e2675.y * _e2638.v0_.y)) + (_e2675.z * _e2638.v0_.z)) + (_e2675.w * 1f));
+            let _e2693 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
+            let _e2704 = ((((_e2693.x * _e2638.v1_.x) + (_e2693.y * _e2638.v1_.y)) + (_e2693.z * _e2638.v1_.z)) + (_e2693.w * 1f));
+            let _e2706 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
+            let _e2717 = ((((_e2706.x * _e2638.v1_.x) + (_e2706.y * _e2638.v1_.y)) + (_e2706.z * _e2638.v1_.z)) + (_e2706.w * 1f));
+            let _e2719 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
+            let _e2730 = ((((_e2719.x * _e2638.v1_.x) + (_e2719.y * _e2638.v1_.y)) + (_e2719.z * _e2638.v1_.z)) + (_e2719.w * 1f));
+            let _e2737 = instances.member[(0u + _e2626.instance)].object_to_world[0u];
+            let _e2748 = ((((_e2737.x * _e2638.v2_.x) + (_e2737.y * _e2638.v2_.y)) + (_e2737.z * _e2638.v2_.z)) + (_e2737.w * 1f));
+            let _e2750 = instances.member[(0u + _e2626.instance)].object_to_world[1u];
+            let _e2761 = ((((_e2750.x * _e2638.v2_.x) + (_e2750.y * _e2638.v2_.y)) + (_e2750.z * _e2638.v2_.z)) + (_e2750.w * 1f));
+            let _e2763 = instances.member[(0u + _e2626.instance)].object_to_world[2u];
+            let _e2774 = ((((_e2763.x * _e2638.v2_.x) + (_e2763.y * _e2638.v2_.y)) + (_e2763.z * _e2638.v2_.z)) + (_e2763.w * 1f));
+            let _e2787 = (((_e2660 * _e2632) + (_e2704 * _e2626.u)) + (_e2748 * _e2626.v));
+            let _e2788 = (((_e2673 * _e2632) + (_e2717 * _e2626.u)) + (_e2761 * _e2626.v));
+            let _e2789 = (((_e2686 * _e2632) + (_e2730 * _e2626.u)) + (_e2774 * _e2626.v));
+            let _e2791 = abs(_e2660);
+            let _e2792 = abs(_e2673);
+            let _e2793 = abs(_e2686);
+            let _e2794 = abs(_e2704);
+            let _e2795 = abs(_e2717);
+            let _e2796 = abs(_e2730);
+            if (_e2791 > _e2794) {
+                phi_3047_ = _e2791;
             } else {
-                phi_2950_ = _e2709;
+                phi_3047_ = _e2794;
             }
-            let _e2714 = phi_2950_;
-            if (_e2707 > _e2710) {
-                phi_2955_ = _e2707;
+            let _e2799 = phi_3047_;
+            if (_e2792 > _e2795) {
+                phi_3052_ = _e2792;
             } else {
-                phi_2955_ = _e2710;
+                phi_3052_ = _e2795;
             }
-            let _e2717 = phi_2955_;
-            if (_e2708 > _e2711) {
-                phi_2960_ = _e2708;
+            let _e2802 = phi_3052_;
+            if (_e2793 > _e2796) {
+                phi_3057_ = _e2793;
             } else {
-                phi_2960_ = _e2711;
+                phi_3057_ = _e2796;
             }
-            let _e2720 = phi_2960_;
-            let _e2721 = abs(_e2663);
-            let _e2722 = abs(_e2676);
-            let _e2723 = abs(_e2689);
-            if (_e2714 > _e2721) {
-                phi_2968_ = _e2714;
+            let _e2805 = phi_3057_;
+            let _e2806 = abs(_e2748);
+            let _e2807 = abs(_e2761);
+            let _e2808 = abs(_e2774);
+            if (_e2799 > _e2806) {
+                phi_3065_ = _e2799;
             } else {
-                phi_2968_ = _e2721;
+                phi_3065_ = _e2806;
             }
-            let _e2726 = phi_2968_;
-            if (_e2717 > _e2722) {
-                phi_2973_ = _e2717;
+            let _e2811 = phi_3065_;
+            if (_e2802 > _e2807) {
+                phi_3070_ = _e2802;
             } else {
-                phi_2973_ = _e2722;
+                phi_3070_ = _e2807;
             }
-            let _e2729 = phi_2973_;
-            if (_e2720 > _e2723) {
-                phi_2978_ = _e2720;
+            let _e2814 = phi_3070_;
+            if (_e2805 > _e2808) {
+                phi_3075_ = _e2805;
             } else {
-                phi_2978_ = _e2723;
+                phi_3075_ = _e2808;
             }
-            let _e2732 = phi_2978_;
-            let _e2733 = (_e2619 - _e2575);
-            let _e2734 = (_e2632 - _e2588);
-            let _e2735 = (_e2645 - _e2601);
-            let _e2736 = (_e2663 - _e2575);
-            let _e2737 = (_e2676 - _e2588);
-            let _e2738 = (_e2689 - _e2601);
-            let _e2742 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2734), abs(_e2735));
-            let _e2743 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2733), _e2742);
-            let _e2744 = (_e2733 / _e2743);
-            let _e2745 = (_e2734 / _e2743);
-            let _e2746 = (_e2735 / _e2743);
-            let _e2750 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2737), abs(_e2738));
-            let _e2751 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2736), _e2750);
-            let _e2752 = (_e2736 / _e2751);
-            let _e2753 = (_e2737 / _e2751);
-            let _e2754 = (_e2738 / _e2751);
-            let _e2757 = ((_e2745 * _e2754) - (_e2753 * _e2746));
-            let _e2760 = ((_e2746 * _e2752) - (_e2754 * _e2744));
-            let _e2763 = ((_e2744 * _e2753) - (_e2752 * _e2745));
-            let _e2765 = p.member.eye;
-            let _e2778 = (1f / sqrt((((_e2757 * _e2757) + (_e2760 * _e2760)) + (_e2763 * _e2763))));
-            let _e2779 = (_e2757 * _e2778);
-            let _e2780 = (_e2760 * _e2778);
-            let _e2781 = (_e2763 * _e2778);
-            if ((((_e2779 * (_e2765.x - _e2702)) + (_e2780 * (_e2765.y - _e2703))) + (_e2781 * (_e2765.z - _e2704))) < 0f) {
-                phi_3042_ = vec3<f32>(-(_e2779), -(_e2780), -(_e2781));
+            let _e2817 = phi_3075_;
+            let _e2818 = (_e2704 - _e2660);
+            let _e2819 = (_e2717 - _e2673);
+            let _e2820 = (_e2730 - _e2686);
+            let _e2821 = (_e2748 - _e2660);
+            let _e2822 = (_e2761 - _e2673);
+            let _e2823 = (_e2774 - _e2686);
+            let _e2827 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2819), abs(_e2820));
+            let _e2828 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2818), _e2827);
+            let _e2829 = (_e2818 / _e2828);
+            let _e2830 = (_e2819 / _e2828);
+            let _e2831 = (_e2820 / _e2828);
+            let _e2835 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2822), abs(_e2823));
+            let _e2836 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2821), _e2835);
+            let _e2837 = (_e2821 / _e2836);
+            let _e2838 = (_e2822 / _e2836);
+            let _e2839 = (_e2823 / _e2836);
+            let _e2842 = ((_e2830 * _e2839) - (_e2838 * _e2831));
+            let _e2845 = ((_e2831 * _e2837) - (_e2839 * _e2829));
+            let _e2848 = ((_e2829 * _e2838) - (_e2837 * _e2830));
+            let _e2850 = p.member.eye;
+            let _e2863 = (1f / sqrt((((_e2842 * _e2842) + (_e2845 * _e2845)) + (_e2848 * _e2848))));
+            let _e2864 = (_e2842 * _e2863);
+            let _e2865 = (_e2845 * _e2863);
+            let _e2866 = (_e2848 * _e2863);
+            if ((((_e2864 * (_e2850.x - _e2787)) + (_e2865 * (_e2850.y - _e2788))) + (_e2866 * (_e2850.z - _e2789))) < 0f) {
+                phi_3139_ = vec3<f32>(-(_e2864), -(_e2865), -(_e2866));
             } else {
-                phi_3042_ = vec3<f32>(_e2779, _e2780, _e2781);
+                phi_3139_ = vec3<f32>(_e2864, _e2865, _e2866);
             }
-            let _e2794 = phi_3042_;
-            if (_e2541.triangle < _e70) {
+            let _e2879 = phi_3139_;
+            if (_e2626.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2799 = triangles.member[(0u + _e2541.triangle)];
-            let _e2801 = (_e2799.i0_ & 2147483647u);
-            if (_e2801 < _e73) {
+            let _e2884 = triangles.member[(0u + _e2626.triangle)];
+            let _e2886 = (_e2884.i0_ & 2147483647u);
+            if (_e2886 < _e73) {
             } else {
                 return;
             }
-            let _e2807 = vertices.member[(0u + _e2801)];
-            if (_e2799.i1_ < _e73) {
+            let _e2892 = vertices.member[(0u + _e2886)];
+            if (_e2884.i1_ < _e73) {
             } else {
                 return;
             }
-            let _e2811 = vertices.member[(0u + _e2799.i1_)];
-            if (_e2799.i2_ < _e73) {
+            let _e2896 = vertices.member[(0u + _e2884.i1_)];
+            if (_e2884.i2_ < _e73) {
             } else {
                 return;
             }
-            let _e2815 = vertices.member[(0u + _e2799.i2_)];
-            let _e2816 = array<abi_Vertex, 3>(_e2807, _e2811, _e2815);
-            if (_e2816[0].material < arrayLength((&materials.member))) {
+            let _e2900 = vertices.member[(0u + _e2884.i2_)];
+            let _e2901 = array<abi_Vertex, 3>(_e2892, _e2896, _e2900);
+            if (_e2901[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2822 = materials.member[(0u + _e2816[0].material)];
-            let _e2839 = (1f / 255f);
-            let _e2858 = (1f / 255f);
-            let _e2880 = (1f / 255f);
-            let _e2893 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2547, _e2541.u, _e2541.v));
-            let _e2895 = ((_e2822.base_color.x * ((((f32((_e2816[0].color & 255u)) * _e2839) * _e2547) + ((f32((_e2816[1].color & 255u)) * _e2858) * _e2541.u)) + ((f32((_e2816[2].color & 255u)) * _e2880) * _e2541.v))) * _e2893.x);
-            let _e2897 = ((_e2822.base_color.y * ((((f32(((_e2816[0].color >> bitcast<u32>(8i)) & 255u)) * _e2839) * _e2547) + ((f32(((_e2816[1].color >> bitcast<u32>(8i)) & 255u)) * _e2858) * _e2541.u)) + ((f32(((_e2816[2].color >> bitcast<u32>(8i)) & 255u)) * _e2880) * _e2541.v))) * _e2893.y);
-            let _e2899 = ((_e2822.base_color.z * ((((f32(((_e2816[0].color >> bitcast<u32>(16i)) & 255u)) * _e2839) * _e2547) + ((f32(((_e2816[1].color >> bitcast<u32>(16i)) & 255u)) * _e2858) * _e2541.u)) + ((f32(((_e2816[2].color >> bitcast<u32>(16i)) & 255u)) * _e2880) * _e2541.v))) * _e2893.z);
-            let _e2900 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2729, _e2732);
-            let _e2901 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2726, _e2900);
-            if ((_e2822.flags & 2u) == 0u) {
-                phi_3163_ = 0u;
+            let _e2907 = materials.member[(0u + _e2901[0].material)];
+            let _e2924 = (1f / 255f);
+            let _e2943 = (1f / 255f);
+            let _e2965 = (1f / 255f);
+            let _e2978 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2632, _e2626.u, _e2626.v));
+            let _e2980 = ((_e2907.base_color.x * ((((f32((_e2901[0].color & 255u)) * _e2924) * _e2632) + ((f32((_e2901[1].color & 255u)) * _e2943) * _e2626.u)) + ((f32((_e2901[2].color & 255u)) * _e2965) * _e2626.v))) * _e2978.x);
+            let _e2982 = ((_e2907.base_color.y * ((((f32(((_e2901[0].color >> bitcast<u32>(8i)) & 255u)) * _e2924) * _e2632) + ((f32(((_e2901[1].color >> bitcast<u32>(8i)) & 255u)) * _e2943) * _e2626.u)) + ((f32(((_e2901[2].color >> bitcast<u32>(8i)) & 255u)) * _e2965) * _e2626.v))) * _e2978.y);
+            let _e2984 = ((_e2907.base_color.z * ((((f32(((_e2901[0].color >> bitcast<u32>(16i)) & 255u)) * _e2924) * _e2632) + ((f32(((_e2901[1].color >> bitcast<u32>(16i)) & 255u)) * _e2943) * _e2626.u)) + ((f32(((_e2901[2].color >> bitcast<u32>(16i)) & 255u)) * _e2965) * _e2626.v))) * _e2978.z);
+            let _e2985 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2814, _e2817);
+            let _e2986 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2811, _e2985);
+            if ((_e2907.flags & 2u) == 0u) {
+                phi_3260_ = 0u;
             } else {
-                phi_3163_ = 1u;
+                phi_3260_ = 1u;
             }
-            let _e2906 = phi_3163_;
-            if (_e2816[0].normal == 2147516416u) {
-                phi_3393_ = _e2794;
+            let _e2991 = phi_3260_;
+            if (_e2901[0].normal == 2147516416u) {
+                phi_3490_ = _e2879;
             } else {
-                let _e2919 = (f32((bitcast<i32>((_e2816[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2925 = (f32((bitcast<i32>(_e2816[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2929 = ((1f - abs(_e2919)) - abs(_e2925));
-                if (_e2929 < 0f) {
-                    phi_3190_ = -(_e2929);
+                let _e3004 = (f32((bitcast<i32>((_e2901[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3010 = (f32((bitcast<i32>(_e2901[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3014 = ((1f - abs(_e3004)) - abs(_e3010));
+                if (_e3014 < 0f) {
+                    phi_3287_ = -(_e3014);
                 } else {
-                    phi_3190_ = 0f;
+                    phi_3287_ = 0f;
                 }
-                let _e2933 = phi_3190_;
-                if (_e2919 < 0f) {
-                    phi_3197_ = (_e2919 + _e2933);
+                let _e3018 = phi_3287_;
+                if (_e3004 < 0f) {
+                    phi_3294_ = (_e3004 + _e3018);
                 } else {
-                    phi_3197_ = (_e2919 - _e2933);
+                    phi_3294_ = (_e3004 - _e3018);
                 }
-                let _e2938 = phi_3197_;
-                if (_e2925 < 0f) {
-                    phi_3204_ = (_e2925 + _e2933);
+                let _e3023 = phi_3294_;
+                if (_e3010 < 0f) {
+                    phi_3301_ = (_e3010 + _e3018);
                 } else {
-                    phi_3204_ = (_e2925 - _e2933);
+                    phi_3301_ = (_e3010 - _e3018);
                 }
-                let _e2943 = phi_3204_;
-                let _e2950 = (1f / sqrt((((_e2938 * _e2938) + (_e2943 * _e2943)) + (_e2929 * _e2929))));
-                let _e2966 = (f32((bitcast<i32>((_e2816[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2972 = (f32((bitcast<i32>(_e2816[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2976 = ((1f - abs(_e2966)) - abs(_e2972));
-                if (_e2976 < 0f) {
-                    phi_3239_ = -(_e2976);
+                let _e3028 = phi_3301_;
+                let _e3035 = (1f / sqrt((((_e3023 * _e3023) + (_e3028 * _e3028)) + (_e3014 * _e3014))));
+                let _e3051 = (f32((bitcast<i32>((_e2901[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3057 = (f32((bitcast<i32>(_e2901[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3061 = ((1f - abs(_e3051)) - abs(_e3057));
+                if (_e3061 < 0f) {
+                    phi_3336_ = -(_e3061);
                 } else {
-                    phi_3239_ = 0f;
+                    phi_3336_ = 0f;
                 }
-                let _e2980 = phi_3239_;
-                if (_e2966 < 0f) {
-                    phi_3246_ = (_e2966 + _e2980);
+                let _e3065 = phi_3336_;
+                if (_e3051 < 0f) {
+                    phi_3343_ = (_e3051 + _e3065);
                 } else {
-                    phi_3246_ = (_e2966 - _e2980);
+                    phi_3343_ = (_e3051 - _e3065);
                 }
-                let _e2985 = phi_3246_;
-                if (_e2972 < 0f) {
-                    phi_3253_ = (_e2972 + _e2980);
+                let _e3070 = phi_3343_;
+                if (_e3057 < 0f) {
+                    phi_3350_ = (_e3057 + _e3065);
                 } else {
-                    phi_3253_ = (_e2972 - _e2980);
+                    phi_3350_ = (_e3057 - _e3065);
                 }
-                let _e2990 = phi_3253_;
-                let _e2997 = (1f / sqrt((((_e2985 * _e2985) + (_e2990 * _e2990)) + (_e2976 * _e2976))));
-                let _e3016 = (f32((bitcast<i32>((_e2816[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3022 = (f32((bitcast<i32>(_e2816[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3026 = ((1f - abs(_e3016)) - abs(_e3022));
-                if (_e3026 < 0f) {
-                    phi_3291_ = -(_e3026);
+                let _e3075 = phi_3350_;
+                let _e3082 = (1f / sqrt((((_e3070 * _e3070) + (_e3075 * _e3075)) + (_e3061 * _e3061))));
+                let _e3101 = (f32((bitcast<i32>((_e2901[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3107 = (f32((bitcast<i32>(_e2901[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3111 = ((1f - abs(_e3101)) - abs(_e3107));
+                if (_e3111 < 0f) {
+                    phi_3388_ = -(_e3111);
                 } else {
-                    phi_3291_ = 0f;
+                    phi_3388_ = 0f;
                 }
-                let _e3030 = phi_3291_;
-                if (_e3016 < 0f) {
-                    phi_3298_ = (_e3016 + _e3030);
+                let _e3115 = phi_3388_;
+                if (_e3101 < 0f) {
+                    phi_3395_ = (_e3101 + _e3115);
                 } else {
-                    phi_3298_ = (_e3016 - _e3030);
+                    phi_3395_ = (_e3101 - _e3115);
                 }
-                let _e3035 = phi_3298_;
-                if (_e3022 < 0f) {
-                    phi_3305_ = (_e3022 + _e3030);
+                let _e3120 = phi_3395_;
+                if (_e3107 < 0f) {
+                    phi_3402_ = (_e3107 + _e3115);
                 } else {
-                    phi_3305_ = (_e3022 - _e3030);
+                    phi_3402_ = (_e3107 - _e3115);
                 }
-                let _e3040 = phi_3305_;
-                let _e3047 = (1f / sqrt((((_e3035 * _e3035) + (_e3040 * _e3040)) + (_e3026 * _e3026))));
-                let _e3054 = ((((_e2938 * _e2950) * _e2547) + ((_e2985 * _e2997) * _e2541.u)) + ((_e3035 * _e3047) * _e2541.v));
-                let _e3055 = ((((_e2943 * _e2950) * _e2547) + ((_e2990 * _e2997) * _e2541.u)) + ((_e3040 * _e3047) * _e2541.v));
-                let _e3056 = ((((_e2929 * _e2950) * _e2547) + ((_e2976 * _e2997) * _e2541.u)) + ((_e3026 * _e3047) * _e2541.v));
-                if (_e2541.instance < _e82) {
+                let _e3125 = phi_3402_;
+                let _e3132 = (1f / sqrt((((_e3120 * _e3120) + (_e3125 * _e3125)) + (_e3111 * _e3111))));
+                let _e3139 = ((((_e3023 * _e3035) * _e2632) + ((_e3070 * _e3082) * _e2626.u)) + ((_e3120 * _e3132) * _e2626.v));
+                let _e3140 = ((((_e3028 * _e3035) * _e2632) + ((_e3075 * _e3082) * _e2626.u)) + ((_e3125 * _e3132) * _e2626.v));
+                let _e3141 = ((((_e3014 * _e3035) * _e2632) + ((_e3061 * _e3082) * _e2626.u)) + ((_e3111 * _e3132) * _e2626.v));
+                if (_e2626.instance < _e82) {
                 } else {
                     return;
                 }
-                let _e3063 = instances.member[(0u + _e2541.instance)].world_to_object[0u];
-                let _e3072 = instances.member[(0u + _e2541.instance)].world_to_object[1u];
-                let _e3084 = instances.member[(0u + _e2541.instance)].world_to_object[2u];
-                let _e3091 = (((_e3063.x * _e3054) + (_e3072.x * _e3055)) + (_e3084.x * _e3056));
-                let _e3092 = (((_e3063.y * _e3054) + (_e3072.y * _e3055)) + (_e3084.y * _e3056));
-                let _e3093 = (((_e3063.z * _e3054) + (_e3072.z * _e3055)) + (_e3084.z * _e3056));
-                let _e3099 = sqrt((((_e3091 * _e3091) + (_e3092 * _e3092)) + (_e3093 * _e3093)));
-                if (_e3099 > 0f) {
-                    let _e3101 = (_e3091 / _e3099);
-                    let _e3102 = (_e3092 / _e3099);
-                    let _e3103 = (_e3093 / _e3099);
-                    if ((((_e3101 * _e2794.x) + (_e3102 * _e2794.y)) + (_e3103 * _e2794.z)) < 0f) {
-                        phi_3391_ = vec3<f32>(-(_e3101), -(_e3102), -(_e3103));
+                let _e3148 = instances.member[(0u + _e2626.instance)].world_to_object[0u];
+                let _e3157 = instances.member[(0u + _e2626.instance)].world_to_object[1u];
+                let _e3169 = instances.member[(0u + _e2626.instance)].world_to_object[2u];
+                let _e3176 = (((_e3148.x * _e3139) + (_e3157.x * _e3140)) + (_e3169.x * _e3141));
+                let _e3177 = (((_e3148.y * _e3139) + (_e3157.y * _e3140)) + (_e3169.y * _e3141));
+                let _e3178 = (((_e3148.z * _e3139) + (_e3157.z * _e3140)) + (_e3169.z * _e3141));
+                let _e3184 = sqrt((((_e3176 * _e3176) + (_e3177 * _e3177)) + (_e3178 * _e3178)));
+                if (_e3184 > 0f) {
+                    let _e3186 = (_e3176 / _e3184);
+                    let _e3187 = (_e3177 / _e3184);
+                    let _e3188 = (_e3178 / _e3184);
+                    if ((((_e3186 * _e2879.x) + (_e3187 * _e2879.y)) + (_e3188 * _e2879.z)) < 0f) {
+                        phi_3488_ = vec3<f32>(-(_e3186), -(_e3187), -(_e3188));
                     } else {
-                        phi_3391_ = vec3<f32>(_e3101, _e3102, _e3103);
+                        phi_3488_ = vec3<f32>(_e3186, _e3187, _e3188);
                     }
-                    let _e3119 = phi_3391_;
-                    phi_3392_ = _e3119;
+                    let _e3204 = phi_3488_;
+                    phi_3489_ = _e3204;
                 } else {
-                    phi_3392_ = _e2794;
+                    phi_3489_ = _e2879;
                 }
-                let _e3121 = phi_3392_;
-                phi_3393_ = _e3121;
+                let _e3206 = phi_3489_;
+                phi_3490_ = _e3206;
             }
-            let _e3123 = phi_3393_;
-            if (_e2895 > 0f) {
-                if (_e2895 < 1f) {
-                    phi_3402_ = _e2895;
+            let _e3208 = phi_3490_;
+            if (_e2980 > 0f) {
+                if (_e2980 < 1f) {
+                    phi_3499_ = _e2980;
                 } else {
-                    phi_3402_ = 1f;
+                    phi_3499_ = 1f;
                 }
-                let _e3127 = phi_3402_;
-                phi_3403_ = _e3127;
+                let _e3212 = phi_3499_;
+                phi_3500_ = _e3212;
             } else {
-                phi_3403_ = 0f;
+                phi_3500_ = 0f;
             }
-            let _e3129 = phi_3403_;
-            if (_e2897 > 0f) {
-                if (_e2897 < 1f) {
-                    phi_3413_ = _e2897;
+            let _e3214 = phi_3500_;
+            if (_e2982 > 0f) {
+                if (_e2982 < 1f) {
+                    phi_3510_ = _e2982;
                 } else {
-                    phi_3413_ = 1f;
+                    phi_3510_ = 1f;
                 }
-                let _e3134 = phi_3413_;
-                phi_3414_ = _e3134;
+                let _e3219 = phi_3510_;
+                phi_3511_ = _e3219;
             } else {
-                phi_3414_ = 0f;
+                phi_3511_ = 0f;
             }
-            let _e3136 = phi_3414_;
-            if (_e2899 > 0f) {
-                if (_e2899 < 1f) {
-                    phi_3424_ = _e2899;
+            let _e3221 = phi_3511_;
+            if (_e2984 > 0f) {
+                if (_e2984 < 1f) {
+                    phi_3521_ = _e2984;
                 } else {
-                    phi_3424_ = 1f;
+                    phi_3521_ = 1f;
                 }
-                let _e3141 = phi_3424_;
-                phi_3425_ = _e3141;
+                let _e3226 = phi_3521_;
+                phi_3522_ = _e3226;
             } else {
-                phi_3425_ = 0f;
+                phi_3522_ = 0f;
             }
-            let _e3143 = phi_3425_;
-            let _e3146 = ((sqrt(_e3129) * 255f) + 0.5f);
-            let _e3155 = ((sqrt(_e3136) * 255f) + 0.5f);
-            let _e3167 = ((sqrt(_e3143) * 255f) + 0.5f);
-            phi_3460_ = abi_Sample(vec3<f32>(_e2702, _e2703, _e2704), _e2901, _e2794, _e2906, _e3123, ((select(select(u32(_e3146), 0u, (_e3146 < bitcast<f32>(0u))), 4294967295u, (_e3146 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3155), 0u, (_e3155 < bitcast<f32>(0u))), 4294967295u, (_e3155 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3167), 0u, (_e3167 < bitcast<f32>(0u))), 4294967295u, (_e3167 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3228 = phi_3522_;
+            let _e3231 = ((sqrt(_e3214) * 255f) + 0.5f);
+            let _e3240 = ((sqrt(_e3221) * 255f) + 0.5f);
+            let _e3252 = ((sqrt(_e3228) * 255f) + 0.5f);
+            phi_3557_ = abi_Sample(vec3<f32>(_e2787, _e2788, _e2789), _e2986, _e2879, _e2991, _e3208, ((select(select(u32(_e3231), 0u, (_e3231 < bitcast<f32>(0u))), 4294967295u, (_e3231 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3240), 0u, (_e3240 < bitcast<f32>(0u))), 4294967295u, (_e3240 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3252), 0u, (_e3252 < bitcast<f32>(0u))), 4294967295u, (_e3252 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3460_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3557_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3181 = phi_3460_;
+        let _e3266 = phi_3557_;
         if (_e88.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e88.first_primitive)] = _e3181;
+        samples.member[(0u + _e88.first_primitive)] = _e3266;
     }
     return;
 }

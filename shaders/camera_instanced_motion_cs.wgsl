@@ -400,147 +400,153 @@ fn function_() {
     var phi_2067_: u32;
     var phi_2111_: vec3<f32>;
     var phi_2112_: vec3<f32>;
-    var phi_2143_: vec3<f32>;
-    var phi_2144_: vec3<f32>;
-    var phi_2175_: vec3<f32>;
-    var phi_2176_: vec3<f32>;
-    var phi_2196_: bool;
-    var phi_2197_: bool;
-    var phi_2201_: f32;
-    var phi_2202_: f32;
-    var phi_2203_: f32;
-    var phi_2204_: f32;
-    var phi_2212_: f32;
-    var phi_2222_: bool;
-    var phi_2223_: bool;
-    var phi_2227_: f32;
-    var phi_2228_: f32;
-    var phi_2229_: f32;
-    var phi_2230_: f32;
-    var phi_2238_: f32;
-    var phi_2248_: bool;
-    var phi_2249_: bool;
-    var phi_2253_: f32;
-    var phi_2254_: f32;
-    var phi_2255_: f32;
-    var phi_2256_: f32;
-    var phi_2264_: f32;
-    var phi_2279_: f32;
-    var phi_2280_: bool;
-    var phi_2281_: f32;
-    var phi_2282_: bool;
-    var phi_2283_: f32;
-    var phi_2284_: bool;
-    var phi_2302_: f32;
-    var phi_2303_: bool;
-    var phi_2304_: bool;
-    var phi_2305_: f32;
-    var phi_2306_: bool;
+    var phi_2141_: vec3<f32>;
+    var phi_2142_: vec3<f32>;
+    var phi_2171_: vec3<f32>;
+    var phi_2172_: vec3<f32>;
+    var phi_2190_: bool;
+    var phi_2191_: bool;
+    var phi_2195_: f32;
+    var phi_2196_: f32;
+    var phi_2197_: f32;
+    var phi_2198_: f32;
+    var phi_2206_: f32;
+    var phi_2216_: bool;
+    var phi_2217_: bool;
+    var phi_2221_: f32;
+    var phi_2222_: f32;
+    var phi_2223_: f32;
+    var phi_2224_: f32;
+    var phi_2232_: f32;
+    var phi_2242_: bool;
+    var phi_2243_: bool;
+    var phi_2247_: f32;
+    var phi_2248_: f32;
+    var phi_2249_: f32;
+    var phi_2250_: f32;
+    var phi_2258_: f32;
+    var phi_2273_: f32;
+    var phi_2274_: bool;
+    var phi_2275_: f32;
+    var phi_2276_: bool;
+    var phi_2277_: f32;
+    var phi_2278_: bool;
+    var phi_2296_: f32;
+    var phi_2297_: bool;
+    var phi_2298_: bool;
+    var phi_2299_: f32;
+    var phi_2300_: bool;
+    var phi_2301_: bool;
+    var phi_2305_: bool;
+    var phi_2306_: f32;
     var phi_2307_: bool;
-    var phi_2311_: bool;
-    var phi_2312_: f32;
-    var phi_2313_: bool;
-    var phi_2347_: f32;
-    var phi_2356_: f32;
-    var phi_2365_: f32;
-    var phi_2374_: f32;
-    var phi_2381_: f32;
-    var phi_2388_: f32;
-    var phi_2401_: f32;
-    var phi_2410_: f32;
-    var phi_2419_: f32;
-    var phi_2428_: f32;
-    var phi_2435_: f32;
-    var phi_2442_: f32;
-    var phi_2459_: f32;
-    var phi_2464_: f32;
-    var phi_2469_: f32;
-    var phi_2477_: f32;
-    var phi_2482_: f32;
-    var phi_2487_: f32;
-    var phi_2499_: f32;
-    var phi_2504_: f32;
-    var phi_2509_: f32;
-    var phi_2514_: f32;
-    var phi_2519_: lt_bvh_triangle_Intersection;
-    var phi_2520_: bool;
-    var phi_2521_: lt_bvh_triangle_Intersection;
-    var phi_2522_: bool;
-    var phi_2526_: lt_bvh_triangle_Intersection;
-    var phi_2527_: bool;
-    var phi_2528_: lt_bvh_triangle_Intersection;
-    var phi_2529_: bool;
-    var phi_2530_: bool;
-    var phi_2534_: bool;
-    var phi_2538_: lt_bvh_triangle_Intersection;
-    var phi_2576_: bool;
-    var phi_2577_: bool;
-    var phi_2578_: bool;
-    var phi_2579_: bool;
-    var phi_2580_: bool;
-    var phi_2581_: bool;
-    var phi_2585_: bool;
-    var phi_2586_: bool;
-    var phi_2600_: bool;
-    var phi_2608_: lt_bvh_Hit;
-    var phi_2609_: lt_bvh_Hit;
-    var phi_2610_: lt_bvh_Hit;
-    var phi_2611_: lt_bvh_Hit;
+    var phi_2335_: vec3<f32>;
+    var phi_2336_: vec3<f32>;
+    var phi_2361_: vec3<f32>;
+    var phi_2362_: vec3<f32>;
+    var phi_2387_: vec3<f32>;
+    var phi_2388_: vec3<f32>;
+    var phi_2444_: f32;
+    var phi_2453_: f32;
+    var phi_2462_: f32;
+    var phi_2471_: f32;
+    var phi_2478_: f32;
+    var phi_2485_: f32;
+    var phi_2498_: f32;
+    var phi_2507_: f32;
+    var phi_2516_: f32;
+    var phi_2525_: f32;
+    var phi_2532_: f32;
+    var phi_2539_: f32;
+    var phi_2556_: f32;
+    var phi_2561_: f32;
+    var phi_2566_: f32;
+    var phi_2574_: f32;
+    var phi_2579_: f32;
+    var phi_2584_: f32;
+    var phi_2596_: f32;
+    var phi_2601_: f32;
+    var phi_2606_: f32;
+    var phi_2611_: f32;
+    var phi_2616_: lt_bvh_triangle_Intersection;
+    var phi_2617_: bool;
+    var phi_2618_: lt_bvh_triangle_Intersection;
+    var phi_2619_: bool;
+    var phi_2623_: lt_bvh_triangle_Intersection;
+    var phi_2624_: bool;
+    var phi_2625_: lt_bvh_triangle_Intersection;
+    var phi_2626_: bool;
+    var phi_2627_: bool;
+    var phi_2631_: bool;
+    var phi_2635_: lt_bvh_triangle_Intersection;
+    var phi_2673_: bool;
+    var phi_2674_: bool;
+    var phi_2675_: bool;
+    var phi_2676_: bool;
+    var phi_2677_: bool;
+    var phi_2678_: bool;
+    var phi_2682_: bool;
+    var phi_2683_: bool;
+    var phi_2697_: bool;
+    var phi_2705_: lt_bvh_Hit;
+    var phi_2706_: lt_bvh_Hit;
+    var phi_2707_: lt_bvh_Hit;
+    var phi_2708_: lt_bvh_Hit;
     var phi_2065_: lt_bvh_Hit;
     var phi_2068_: u32;
-    var phi_2612_: bool;
-    var phi_2651_: bool;
-    var phi_2652_: bool;
-    var phi_2683_: u32;
+    var phi_2709_: bool;
+    var phi_2748_: bool;
+    var phi_2749_: bool;
+    var phi_2780_: u32;
     var phi_1732_: lt_bvh_Hit;
     var phi_1735_: u32;
-    var phi_2684_: lt_bvh_Hit;
-    var phi_2685_: lt_bvh_Hit;
-    var phi_2686_: bool;
-    var phi_2690_: lt_bvh_Hit;
-    var phi_2691_: lt_bvh_Hit;
-    var phi_2692_: lt_bvh_Hit;
-    var phi_2693_: lt_bvh_Hit;
+    var phi_2781_: lt_bvh_Hit;
+    var phi_2782_: lt_bvh_Hit;
+    var phi_2783_: bool;
+    var phi_2787_: lt_bvh_Hit;
+    var phi_2788_: lt_bvh_Hit;
+    var phi_2789_: lt_bvh_Hit;
+    var phi_2790_: lt_bvh_Hit;
     var phi_1106_: u32;
     var phi_1109_: lt_bvh_Hit;
-    var phi_2694_: bool;
-    var phi_2733_: bool;
-    var phi_2734_: bool;
-    var phi_2765_: u32;
+    var phi_2791_: bool;
+    var phi_2830_: bool;
+    var phi_2831_: bool;
+    var phi_2862_: u32;
     var phi_769_: u32;
     var phi_772_: lt_bvh_Hit;
-    var phi_2766_: lt_bvh_Hit;
-    var phi_2767_: lt_bvh_Hit;
-    var phi_2768_: bool;
-    var phi_2772_: lt_bvh_Hit;
-    var phi_2960_: f32;
-    var phi_2965_: f32;
-    var phi_2970_: f32;
-    var phi_2978_: f32;
-    var phi_2983_: f32;
-    var phi_2988_: f32;
-    var phi_3052_: vec3<f32>;
-    var phi_3173_: u32;
-    var phi_3200_: f32;
-    var phi_3207_: f32;
-    var phi_3214_: f32;
-    var phi_3249_: f32;
-    var phi_3256_: f32;
-    var phi_3263_: f32;
-    var phi_3301_: f32;
-    var phi_3308_: f32;
-    var phi_3315_: f32;
-    var phi_3401_: vec3<f32>;
-    var phi_3402_: vec3<f32>;
-    var phi_3403_: vec3<f32>;
+    var phi_2863_: lt_bvh_Hit;
+    var phi_2864_: lt_bvh_Hit;
+    var phi_2865_: bool;
+    var phi_2869_: lt_bvh_Hit;
+    var phi_3057_: f32;
+    var phi_3062_: f32;
+    var phi_3067_: f32;
+    var phi_3075_: f32;
+    var phi_3080_: f32;
+    var phi_3085_: f32;
+    var phi_3149_: vec3<f32>;
+    var phi_3270_: u32;
+    var phi_3297_: f32;
+    var phi_3304_: f32;
+    var phi_3311_: f32;
+    var phi_3346_: f32;
+    var phi_3353_: f32;
+    var phi_3360_: f32;
+    var phi_3398_: f32;
+    var phi_3405_: f32;
     var phi_3412_: f32;
-    var phi_3413_: f32;
-    var phi_3423_: f32;
-    var phi_3424_: f32;
-    var phi_3434_: f32;
-    var phi_3435_: f32;
-    var phi_3470_: abi_Sample;
-    var phi_3692_: vec3<f32>;
+    var phi_3498_: vec3<f32>;
+    var phi_3499_: vec3<f32>;
+    var phi_3500_: vec3<f32>;
+    var phi_3509_: f32;
+    var phi_3510_: f32;
+    var phi_3520_: f32;
+    var phi_3521_: f32;
+    var phi_3531_: f32;
+    var phi_3532_: f32;
+    var phi_3567_: abi_Sample;
+    var phi_3789_: vec3<f32>;
     var local_8: lt_bvh_Hit;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
@@ -676,7 +682,7 @@ fn function_() {
         if _e224 {
             let _e225 = (_e102 >= _e69);
             if _e225 {
-                phi_2766_ = lt_bvh_Hit();
+                phi_2863_ = lt_bvh_Hit();
             } else {
                 if (_e102 < _e69) {
                 } else {
@@ -1029,7 +1035,7 @@ fn function_() {
                             if (_e969 == 0u) {
                                 phi_1106_ = u32();
                                 phi_1109_ = lt_bvh_Hit();
-                                phi_2694_ = false;
+                                phi_2791_ = false;
                             } else {
                                 let _e975 = nodes.member[(0u + _e526)].links[1u];
                                 let _e979 = (_e975 + select(firstTrailingBit(_e969), 32u, (_e969 == 0u)));
@@ -1211,7 +1217,7 @@ fn function_() {
                                             if _e1201 {
                                                 let _e1202 = (_e1138 >= _e69);
                                                 if _e1202 {
-                                                    phi_2684_ = lt_bvh_Hit();
+                                                    phi_2781_ = lt_bvh_Hit();
                                                 } else {
                                                     if (_e1138 < _e69) {
                                                     } else {
@@ -1338,7 +1344,6 @@ fn function_() {
                                                     let _e1357 = phi_1560_;
                                                     let _e1360 = (_e1357.x / _e1357.z);
                                                     let _e1363 = (_e1357.y / _e1357.z);
-                                                    let _e1365 = (1f / _e1357.z);
                                                     if (_e1278 < 0f) {
                                                         phi_1573_ = 0u;
                                                     } else {
@@ -1606,7 +1611,7 @@ fn function_() {
                                                                 if (_e1955 == 0u) {
                                                                     phi_2065_ = lt_bvh_Hit();
                                                                     phi_2068_ = u32();
-                                                                    phi_2612_ = false;
+                                                                    phi_2709_ = false;
                                                                 } else {
                                                                     let _e1959 = nodes.member[(0u + _e1516)].links[1u];
                                                                     let _e1964 = ((_e1140 + _e1959) + select(firstTrailingBit(_e1955), 32u, (_e1955 == 0u)));
@@ -1632,1038 +1637,1091 @@ fn function_() {
                                                                     let _e1987 = phi_2112_;
                                                                     let _e1991 = (_e1987.x - (_e1360 * _e1987.z));
                                                                     let _e1995 = (_e1987.y - (_e1363 * _e1987.z));
-                                                                    let _e1999 = triangles.member[(0u + _e1964)].v1_;
-                                                                    let _e2001 = (_e1999.x - _e1063);
-                                                                    let _e2003 = (_e1999.y - _e1076);
-                                                                    let _e2005 = (_e1999.z - _e1089);
+                                                                    let _e1997 = triangles.member[(0u + _e1964)].v1_;
+                                                                    let _e1999 = (_e1997.x - _e1063);
+                                                                    let _e2001 = (_e1997.y - _e1076);
+                                                                    let _e2003 = (_e1997.z - _e1089);
                                                                     if (_e1349 == 0u) {
-                                                                        phi_2144_ = vec3<f32>(_e2003, _e2005, _e2001);
+                                                                        phi_2142_ = vec3<f32>(_e2001, _e2003, _e1999);
                                                                     } else {
                                                                         if (_e1349 == 1u) {
-                                                                            phi_2143_ = vec3<f32>(_e2005, _e2001, _e2003);
+                                                                            phi_2141_ = vec3<f32>(_e2003, _e1999, _e2001);
                                                                         } else {
-                                                                            phi_2143_ = (_e1999 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2141_ = (_e1997 - vec3<f32>(_e1063, _e1076, _e1089));
                                                                         }
-                                                                        let _e2013 = phi_2143_;
-                                                                        phi_2144_ = _e2013;
+                                                                        let _e2011 = phi_2141_;
+                                                                        phi_2142_ = _e2011;
                                                                     }
-                                                                    let _e2015 = phi_2144_;
-                                                                    let _e2019 = (_e2015.x - (_e1360 * _e2015.z));
-                                                                    let _e2023 = (_e2015.y - (_e1363 * _e2015.z));
-                                                                    let _e2027 = triangles.member[(0u + _e1964)].v2_;
-                                                                    let _e2029 = (_e2027.x - _e1063);
-                                                                    let _e2031 = (_e2027.y - _e1076);
-                                                                    let _e2033 = (_e2027.z - _e1089);
+                                                                    let _e2013 = phi_2142_;
+                                                                    let _e2017 = (_e2013.x - (_e1360 * _e2013.z));
+                                                                    let _e2021 = (_e2013.y - (_e1363 * _e2013.z));
+                                                                    let _e2023 = triangles.member[(0u + _e1964)].v2_;
+                                                                    let _e2025 = (_e2023.x - _e1063);
+                                                                    let _e2027 = (_e2023.y - _e1076);
+                                                                    let _e2029 = (_e2023.z - _e1089);
                                                                     if (_e1349 == 0u) {
-                                                                        phi_2176_ = vec3<f32>(_e2031, _e2033, _e2029);
+                                                                        phi_2172_ = vec3<f32>(_e2027, _e2029, _e2025);
                                                                     } else {
                                                                         if (_e1349 == 1u) {
-                                                                            phi_2175_ = vec3<f32>(_e2033, _e2029, _e2031);
+                                                                            phi_2171_ = vec3<f32>(_e2029, _e2025, _e2027);
                                                                         } else {
-                                                                            phi_2175_ = (_e2027 - vec3<f32>(_e1063, _e1076, _e1089));
+                                                                            phi_2171_ = (_e2023 - vec3<f32>(_e1063, _e1076, _e1089));
                                                                         }
-                                                                        let _e2041 = phi_2175_;
-                                                                        phi_2176_ = _e2041;
+                                                                        let _e2037 = phi_2171_;
+                                                                        phi_2172_ = _e2037;
                                                                     }
-                                                                    let _e2043 = phi_2176_;
-                                                                    let _e2047 = (_e2043.x - (_e1360 * _e2043.z));
-                                                                    let _e2051 = (_e2043.y - (_e1363 * _e2043.z));
-                                                                    if (_e2019 < _e2047) {
-                                                                        phi_2197_ = true;
+                                                                    let _e2039 = phi_2172_;
+                                                                    let _e2043 = (_e2039.x - (_e1360 * _e2039.z));
+                                                                    let _e2047 = (_e2039.y - (_e1363 * _e2039.z));
+                                                                    if (_e2017 < _e2043) {
+                                                                        phi_2191_ = true;
                                                                     } else {
-                                                                        if (_e2019 == _e2047) {
-                                                                            phi_2196_ = (_e2023 < _e2051);
+                                                                        if (_e2017 == _e2043) {
+                                                                            phi_2190_ = (_e2021 < _e2047);
                                                                         } else {
-                                                                            phi_2196_ = false;
+                                                                            phi_2190_ = false;
                                                                         }
-                                                                        let _e2058 = phi_2196_;
-                                                                        phi_2197_ = _e2058;
+                                                                        let _e2052 = phi_2190_;
+                                                                        phi_2191_ = _e2052;
                                                                     }
+                                                                    let _e2054 = phi_2191_;
+                                                                    if _e2054 {
+                                                                        phi_2195_ = _e2047;
+                                                                        phi_2196_ = _e2043;
+                                                                        phi_2197_ = _e2021;
+                                                                        phi_2198_ = _e2017;
+                                                                    } else {
+                                                                        phi_2195_ = _e2021;
+                                                                        phi_2196_ = _e2017;
+                                                                        phi_2197_ = _e2047;
+                                                                        phi_2198_ = _e2043;
+                                                                    }
+                                                                    let _e2056 = phi_2195_;
+                                                                    let _e2058 = phi_2196_;
                                                                     let _e2060 = phi_2197_;
-                                                                    if _e2060 {
-                                                                        phi_2201_ = _e2051;
-                                                                        phi_2202_ = _e2047;
-                                                                        phi_2203_ = _e2023;
-                                                                        phi_2204_ = _e2019;
+                                                                    let _e2062 = phi_2198_;
+                                                                    let _e2065 = ((_e2062 * _e2056) - (_e2060 * _e2058));
+                                                                    if _e2054 {
+                                                                        phi_2206_ = -(_e2065);
                                                                     } else {
-                                                                        phi_2201_ = _e2023;
-                                                                        phi_2202_ = _e2019;
-                                                                        phi_2203_ = _e2051;
-                                                                        phi_2204_ = _e2047;
+                                                                        phi_2206_ = _e2065;
                                                                     }
-                                                                    let _e2062 = phi_2201_;
-                                                                    let _e2064 = phi_2202_;
-                                                                    let _e2066 = phi_2203_;
-                                                                    let _e2068 = phi_2204_;
-                                                                    let _e2071 = ((_e2068 * _e2062) - (_e2066 * _e2064));
-                                                                    if _e2060 {
-                                                                        phi_2212_ = -(_e2071);
+                                                                    let _e2068 = phi_2206_;
+                                                                    if (_e2043 < _e1991) {
+                                                                        phi_2217_ = true;
                                                                     } else {
-                                                                        phi_2212_ = _e2071;
-                                                                    }
-                                                                    let _e2074 = phi_2212_;
-                                                                    if (_e2047 < _e1991) {
-                                                                        phi_2223_ = true;
-                                                                    } else {
-                                                                        if (_e2047 == _e1991) {
-                                                                            phi_2222_ = (_e2051 < _e1995);
+                                                                        if (_e2043 == _e1991) {
+                                                                            phi_2216_ = (_e2047 < _e1995);
                                                                         } else {
-                                                                            phi_2222_ = false;
+                                                                            phi_2216_ = false;
                                                                         }
-                                                                        let _e2079 = phi_2222_;
-                                                                        phi_2223_ = _e2079;
+                                                                        let _e2073 = phi_2216_;
+                                                                        phi_2217_ = _e2073;
                                                                     }
+                                                                    let _e2075 = phi_2217_;
+                                                                    if _e2075 {
+                                                                        phi_2221_ = _e1995;
+                                                                        phi_2222_ = _e1991;
+                                                                        phi_2223_ = _e2047;
+                                                                        phi_2224_ = _e2043;
+                                                                    } else {
+                                                                        phi_2221_ = _e2047;
+                                                                        phi_2222_ = _e2043;
+                                                                        phi_2223_ = _e1995;
+                                                                        phi_2224_ = _e1991;
+                                                                    }
+                                                                    let _e2077 = phi_2221_;
+                                                                    let _e2079 = phi_2222_;
                                                                     let _e2081 = phi_2223_;
-                                                                    if _e2081 {
-                                                                        phi_2227_ = _e1995;
-                                                                        phi_2228_ = _e1991;
-                                                                        phi_2229_ = _e2051;
-                                                                        phi_2230_ = _e2047;
+                                                                    let _e2083 = phi_2224_;
+                                                                    let _e2086 = ((_e2083 * _e2077) - (_e2081 * _e2079));
+                                                                    if _e2075 {
+                                                                        phi_2232_ = -(_e2086);
                                                                     } else {
-                                                                        phi_2227_ = _e2051;
-                                                                        phi_2228_ = _e2047;
-                                                                        phi_2229_ = _e1995;
-                                                                        phi_2230_ = _e1991;
+                                                                        phi_2232_ = _e2086;
                                                                     }
-                                                                    let _e2083 = phi_2227_;
-                                                                    let _e2085 = phi_2228_;
-                                                                    let _e2087 = phi_2229_;
-                                                                    let _e2089 = phi_2230_;
-                                                                    let _e2092 = ((_e2089 * _e2083) - (_e2087 * _e2085));
-                                                                    if _e2081 {
-                                                                        phi_2238_ = -(_e2092);
+                                                                    let _e2089 = phi_2232_;
+                                                                    if (_e1991 < _e2017) {
+                                                                        phi_2243_ = true;
                                                                     } else {
-                                                                        phi_2238_ = _e2092;
-                                                                    }
-                                                                    let _e2095 = phi_2238_;
-                                                                    if (_e1991 < _e2019) {
-                                                                        phi_2249_ = true;
-                                                                    } else {
-                                                                        if (_e1991 == _e2019) {
-                                                                            phi_2248_ = (_e1995 < _e2023);
+                                                                        if (_e1991 == _e2017) {
+                                                                            phi_2242_ = (_e1995 < _e2021);
                                                                         } else {
-                                                                            phi_2248_ = false;
+                                                                            phi_2242_ = false;
                                                                         }
-                                                                        let _e2100 = phi_2248_;
-                                                                        phi_2249_ = _e2100;
+                                                                        let _e2094 = phi_2242_;
+                                                                        phi_2243_ = _e2094;
                                                                     }
+                                                                    let _e2096 = phi_2243_;
+                                                                    if _e2096 {
+                                                                        phi_2247_ = _e2021;
+                                                                        phi_2248_ = _e2017;
+                                                                        phi_2249_ = _e1995;
+                                                                        phi_2250_ = _e1991;
+                                                                    } else {
+                                                                        phi_2247_ = _e1995;
+                                                                        phi_2248_ = _e1991;
+                                                                        phi_2249_ = _e2021;
+                                                                        phi_2250_ = _e2017;
+                                                                    }
+                                                                    let _e2098 = phi_2247_;
+                                                                    let _e2100 = phi_2248_;
                                                                     let _e2102 = phi_2249_;
-                                                                    if _e2102 {
-                                                                        phi_2253_ = _e2023;
-                                                                        phi_2254_ = _e2019;
-                                                                        phi_2255_ = _e1995;
-                                                                        phi_2256_ = _e1991;
+                                                                    let _e2104 = phi_2250_;
+                                                                    let _e2107 = ((_e2104 * _e2098) - (_e2102 * _e2100));
+                                                                    if _e2096 {
+                                                                        phi_2258_ = -(_e2107);
                                                                     } else {
-                                                                        phi_2253_ = _e1995;
-                                                                        phi_2254_ = _e1991;
-                                                                        phi_2255_ = _e2023;
-                                                                        phi_2256_ = _e2019;
+                                                                        phi_2258_ = _e2107;
                                                                     }
-                                                                    let _e2104 = phi_2253_;
-                                                                    let _e2106 = phi_2254_;
-                                                                    let _e2108 = phi_2255_;
-                                                                    let _e2110 = phi_2256_;
-                                                                    let _e2113 = ((_e2110 * _e2104) - (_e2108 * _e2106));
-                                                                    if _e2102 {
-                                                                        phi_2264_ = -(_e2113);
-                                                                    } else {
-                                                                        phi_2264_ = _e2113;
-                                                                    }
-                                                                    let _e2116 = phi_2264_;
-                                                                    if (_e2074 >= 0f) {
-                                                                        if (_e2095 >= 0f) {
-                                                                            if (_e2116 >= 0f) {
-                                                                                phi_2279_ = ((_e2074 + _e2095) + _e2116);
-                                                                                phi_2280_ = false;
+                                                                    let _e2110 = phi_2258_;
+                                                                    if (_e2068 >= 0f) {
+                                                                        if (_e2089 >= 0f) {
+                                                                            if (_e2110 >= 0f) {
+                                                                                phi_2273_ = ((_e2068 + _e2089) + _e2110);
+                                                                                phi_2274_ = false;
                                                                             } else {
-                                                                                phi_2279_ = f32();
-                                                                                phi_2280_ = true;
+                                                                                phi_2273_ = f32();
+                                                                                phi_2274_ = true;
                                                                             }
-                                                                            let _e2123 = phi_2279_;
-                                                                            let _e2125 = phi_2280_;
-                                                                            phi_2281_ = _e2123;
-                                                                            phi_2282_ = _e2125;
+                                                                            let _e2117 = phi_2273_;
+                                                                            let _e2119 = phi_2274_;
+                                                                            phi_2275_ = _e2117;
+                                                                            phi_2276_ = _e2119;
                                                                         } else {
-                                                                            phi_2281_ = f32();
-                                                                            phi_2282_ = true;
+                                                                            phi_2275_ = f32();
+                                                                            phi_2276_ = true;
                                                                         }
-                                                                        let _e2127 = phi_2281_;
-                                                                        let _e2129 = phi_2282_;
-                                                                        phi_2283_ = _e2127;
-                                                                        phi_2284_ = _e2129;
+                                                                        let _e2121 = phi_2275_;
+                                                                        let _e2123 = phi_2276_;
+                                                                        phi_2277_ = _e2121;
+                                                                        phi_2278_ = _e2123;
                                                                     } else {
-                                                                        phi_2283_ = f32();
-                                                                        phi_2284_ = true;
+                                                                        phi_2277_ = f32();
+                                                                        phi_2278_ = true;
                                                                     }
-                                                                    let _e2131 = phi_2283_;
-                                                                    let _e2133 = phi_2284_;
-                                                                    if _e2133 {
-                                                                        if (_e2074 <= 0f) {
-                                                                            if (_e2095 <= 0f) {
-                                                                                let _e2136 = (_e2116 <= 0f);
-                                                                                if _e2136 {
+                                                                    let _e2125 = phi_2277_;
+                                                                    let _e2127 = phi_2278_;
+                                                                    if _e2127 {
+                                                                        if (_e2068 <= 0f) {
+                                                                            if (_e2089 <= 0f) {
+                                                                                let _e2130 = (_e2110 <= 0f);
+                                                                                if _e2130 {
                                                                                 }
-                                                                                phi_2302_ = ((_e2074 + _e2095) + _e2116);
-                                                                                phi_2303_ = false;
-                                                                                phi_2304_ = _e2136;
+                                                                                phi_2296_ = ((_e2068 + _e2089) + _e2110);
+                                                                                phi_2297_ = false;
+                                                                                phi_2298_ = _e2130;
                                                                             } else {
-                                                                                phi_2302_ = f32();
-                                                                                phi_2303_ = true;
-                                                                                phi_2304_ = false;
+                                                                                phi_2296_ = f32();
+                                                                                phi_2297_ = true;
+                                                                                phi_2298_ = false;
                                                                             }
-                                                                            let _e2140 = phi_2302_;
-                                                                            let _e2142 = phi_2303_;
-                                                                            let _e2144 = phi_2304_;
-                                                                            phi_2305_ = _e2140;
-                                                                            phi_2306_ = _e2142;
-                                                                            phi_2307_ = _e2144;
+                                                                            let _e2134 = phi_2296_;
+                                                                            let _e2136 = phi_2297_;
+                                                                            let _e2138 = phi_2298_;
+                                                                            phi_2299_ = _e2134;
+                                                                            phi_2300_ = _e2136;
+                                                                            phi_2301_ = _e2138;
                                                                         } else {
-                                                                            phi_2305_ = f32();
-                                                                            phi_2306_ = true;
-                                                                            phi_2307_ = false;
+                                                                            phi_2299_ = f32();
+                                                                            phi_2300_ = true;
+                                                                            phi_2301_ = false;
+                                                                        }
+                                                                        let _e2140 = phi_2299_;
+                                                                        let _e2142 = phi_2300_;
+                                                                        let _e2144 = phi_2301_;
+                                                                        if _e2142 {
+                                                                            phi_2305_ = false;
+                                                                        } else {
+                                                                            phi_2305_ = _e2144;
                                                                         }
                                                                         let _e2146 = phi_2305_;
-                                                                        let _e2148 = phi_2306_;
-                                                                        let _e2150 = phi_2307_;
-                                                                        if _e2148 {
-                                                                            phi_2311_ = false;
-                                                                        } else {
-                                                                            phi_2311_ = _e2150;
-                                                                        }
-                                                                        let _e2152 = phi_2311_;
-                                                                        phi_2312_ = _e2146;
-                                                                        phi_2313_ = _e2152;
+                                                                        phi_2306_ = _e2140;
+                                                                        phi_2307_ = _e2146;
                                                                     } else {
-                                                                        phi_2312_ = _e2131;
-                                                                        phi_2313_ = true;
+                                                                        phi_2306_ = _e2125;
+                                                                        phi_2307_ = true;
                                                                     }
-                                                                    let _e2154 = phi_2312_;
-                                                                    let _e2156 = phi_2313_;
-                                                                    if _e2156 {
-                                                                        let _e2157 = (_e2154 == 0f);
-                                                                        if _e2157 {
-                                                                            phi_2526_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2527_ = false;
+                                                                    let _e2148 = phi_2306_;
+                                                                    let _e2150 = phi_2307_;
+                                                                    if _e2150 {
+                                                                        let _e2151 = (_e2148 == 0f);
+                                                                        if _e2151 {
+                                                                            phi_2623_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2624_ = false;
                                                                         } else {
-                                                                            let _e2163 = ((((_e2074 * (_e1365 * _e1987.z)) + (_e2095 * (_e1365 * _e2015.z))) + (_e2116 * (_e1365 * _e2043.z))) / _e2154);
-                                                                            if (_e2163 > _e153.tmin) {
-                                                                                if (_e2163 < _e153.tmax) {
-                                                                                    let _e2167 = triangles.member[(0u + _e1964)].v0_;
-                                                                                    let _e2169 = triangles.member[(0u + _e1964)].v1_;
-                                                                                    if (_e2167.x < _e2169.x) {
-                                                                                        phi_2347_ = _e2167.x;
-                                                                                    } else {
-                                                                                        phi_2347_ = _e2169.x;
-                                                                                    }
-                                                                                    let _e2176 = phi_2347_;
-                                                                                    if (_e2167.y < _e2169.y) {
-                                                                                        phi_2356_ = _e2167.y;
-                                                                                    } else {
-                                                                                        phi_2356_ = _e2169.y;
-                                                                                    }
-                                                                                    let _e2183 = phi_2356_;
-                                                                                    if (_e2167.z < _e2169.z) {
-                                                                                        phi_2365_ = _e2167.z;
-                                                                                    } else {
-                                                                                        phi_2365_ = _e2169.z;
-                                                                                    }
-                                                                                    let _e2190 = phi_2365_;
-                                                                                    let _e2192 = triangles.member[(0u + _e1964)].v2_;
-                                                                                    if (_e2176 < _e2192.x) {
-                                                                                        phi_2374_ = _e2176;
-                                                                                    } else {
-                                                                                        phi_2374_ = _e2192.x;
-                                                                                    }
-                                                                                    let _e2197 = phi_2374_;
-                                                                                    if (_e2183 < _e2192.y) {
-                                                                                        phi_2381_ = _e2183;
-                                                                                    } else {
-                                                                                        phi_2381_ = _e2192.y;
-                                                                                    }
-                                                                                    let _e2202 = phi_2381_;
-                                                                                    if (_e2190 < _e2192.z) {
-                                                                                        phi_2388_ = _e2190;
-                                                                                    } else {
-                                                                                        phi_2388_ = _e2192.z;
-                                                                                    }
-                                                                                    let _e2207 = phi_2388_;
-                                                                                    let _e2209 = triangles.member[(0u + _e1964)].v0_;
-                                                                                    let _e2211 = triangles.member[(0u + _e1964)].v1_;
-                                                                                    if (_e2209.x > _e2211.x) {
-                                                                                        phi_2401_ = _e2209.x;
-                                                                                    } else {
-                                                                                        phi_2401_ = _e2211.x;
-                                                                                    }
-                                                                                    let _e2218 = phi_2401_;
-                                                                                    if (_e2209.y > _e2211.y) {
-                                                                                        phi_2410_ = _e2209.y;
-                                                                                    } else {
-                                                                                        phi_2410_ = _e2211.y;
-                                                                                    }
-                                                                                    let _e2225 = phi_2410_;
-                                                                                    if (_e2209.z > _e2211.z) {
-                                                                                        phi_2419_ = _e2209.z;
-                                                                                    } else {
-                                                                                        phi_2419_ = _e2211.z;
-                                                                                    }
-                                                                                    let _e2232 = phi_2419_;
-                                                                                    let _e2234 = triangles.member[(0u + _e1964)].v2_;
-                                                                                    if (_e2218 > _e2234.x) {
-                                                                                        phi_2428_ = _e2218;
-                                                                                    } else {
-                                                                                        phi_2428_ = _e2234.x;
-                                                                                    }
-                                                                                    let _e2239 = phi_2428_;
-                                                                                    if (_e2225 > _e2234.y) {
-                                                                                        phi_2435_ = _e2225;
-                                                                                    } else {
-                                                                                        phi_2435_ = _e2234.y;
-                                                                                    }
-                                                                                    let _e2244 = phi_2435_;
-                                                                                    if (_e2232 > _e2234.z) {
-                                                                                        phi_2442_ = _e2232;
-                                                                                    } else {
-                                                                                        phi_2442_ = _e2234.z;
-                                                                                    }
-                                                                                    let _e2249 = phi_2442_;
-                                                                                    let _e2253 = ((_e2197 - _e1063) * _e1278);
-                                                                                    let _e2254 = ((_e2202 - _e1076) * _e1288);
-                                                                                    let _e2255 = ((_e2207 - _e1089) * _e1298);
-                                                                                    let _e2259 = ((_e2239 - _e1063) * _e1278);
-                                                                                    let _e2260 = ((_e2244 - _e1076) * _e1288);
-                                                                                    let _e2261 = ((_e2249 - _e1089) * _e1298);
-                                                                                    if (_e2253 < _e2259) {
-                                                                                        phi_2459_ = _e2253;
-                                                                                    } else {
-                                                                                        phi_2459_ = _e2259;
-                                                                                    }
-                                                                                    let _e2264 = phi_2459_;
-                                                                                    if (_e2254 < _e2260) {
-                                                                                        phi_2464_ = _e2254;
-                                                                                    } else {
-                                                                                        phi_2464_ = _e2260;
-                                                                                    }
-                                                                                    let _e2267 = phi_2464_;
-                                                                                    if (_e2255 < _e2261) {
-                                                                                        phi_2469_ = _e2255;
-                                                                                    } else {
-                                                                                        phi_2469_ = _e2261;
-                                                                                    }
-                                                                                    let _e2270 = phi_2469_;
-                                                                                    if (_e2253 > _e2259) {
-                                                                                        phi_2477_ = _e2253;
-                                                                                    } else {
-                                                                                        phi_2477_ = _e2259;
-                                                                                    }
-                                                                                    let _e2276 = phi_2477_;
-                                                                                    if (_e2254 > _e2260) {
-                                                                                        phi_2482_ = _e2254;
-                                                                                    } else {
-                                                                                        phi_2482_ = _e2260;
-                                                                                    }
-                                                                                    let _e2279 = phi_2482_;
-                                                                                    if (_e2255 > _e2261) {
-                                                                                        phi_2487_ = _e2255;
-                                                                                    } else {
-                                                                                        phi_2487_ = _e2261;
-                                                                                    }
-                                                                                    let _e2282 = phi_2487_;
-                                                                                    let _e2286 = core_intrinsics_maximum_number_nsz_f32_((_e2264 - _e1333), (_e2267 - _e1334));
-                                                                                    let _e2287 = core_intrinsics_maximum_number_nsz_f32_(_e2286, (_e2270 - _e1335));
-                                                                                    let _e2288 = core_intrinsics_minimum_number_nsz_f32_((_e2276 + _e1333), (_e2279 + _e1334));
-                                                                                    let _e2289 = core_intrinsics_minimum_number_nsz_f32_(_e2288, (_e2282 + _e1335));
-                                                                                    if (_e2287 > _e1038) {
-                                                                                        phi_2499_ = _e2287;
-                                                                                    } else {
-                                                                                        phi_2499_ = _e1038;
-                                                                                    }
-                                                                                    let _e2292 = phi_2499_;
-                                                                                    if (_e2289 < _e1040) {
-                                                                                        phi_2504_ = _e2289;
-                                                                                    } else {
-                                                                                        phi_2504_ = _e1040;
-                                                                                    }
-                                                                                    let _e2295 = phi_2504_;
-                                                                                    if (_e2163 < _e2292) {
-                                                                                        phi_2509_ = _e2292;
-                                                                                    } else {
-                                                                                        phi_2509_ = _e2163;
-                                                                                    }
-                                                                                    let _e2298 = phi_2509_;
-                                                                                    if (_e2298 > _e2295) {
-                                                                                        phi_2514_ = _e2295;
-                                                                                    } else {
-                                                                                        phi_2514_ = _e2298;
-                                                                                    }
-                                                                                    let _e2301 = phi_2514_;
-                                                                                    phi_2519_ = lt_bvh_triangle_Intersection(_e2301, (_e2095 / _e2154), (_e2116 / _e2154), (_e2292 <= _e2295));
-                                                                                    phi_2520_ = false;
+                                                                            let _e2153 = triangles.member[(0u + _e1964)].v0_;
+                                                                            let _e2155 = (_e2153.x - _e1063);
+                                                                            let _e2157 = (_e2153.y - _e1076);
+                                                                            let _e2159 = (_e2153.z - _e1089);
+                                                                            if (_e1349 == 0u) {
+                                                                                phi_2336_ = vec3<f32>(_e2157, _e2159, _e2155);
+                                                                            } else {
+                                                                                if (_e1349 == 1u) {
+                                                                                    phi_2335_ = vec3<f32>(_e2159, _e2155, _e2157);
                                                                                 } else {
-                                                                                    phi_2519_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2520_ = true;
+                                                                                    phi_2335_ = (_e2153 - vec3<f32>(_e1063, _e1076, _e1089));
                                                                                 }
-                                                                                let _e2307 = phi_2519_;
-                                                                                let _e2309 = phi_2520_;
-                                                                                phi_2521_ = _e2307;
-                                                                                phi_2522_ = _e2309;
+                                                                                let _e2167 = phi_2335_;
+                                                                                phi_2336_ = _e2167;
+                                                                            }
+                                                                            let _e2169 = phi_2336_;
+                                                                            let _e2171 = triangles.member[(0u + _e1964)].v1_;
+                                                                            let _e2173 = triangles.member[(0u + _e1964)].v0_;
+                                                                            let _e2176 = (_e2171.x - _e2173.x);
+                                                                            let _e2179 = (_e2171.y - _e2173.y);
+                                                                            let _e2182 = (_e2171.z - _e2173.z);
+                                                                            if (_e1349 == 0u) {
+                                                                                phi_2362_ = vec3<f32>(_e2179, _e2182, _e2176);
                                                                             } else {
-                                                                                phi_2521_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2522_ = true;
+                                                                                if (_e1349 == 1u) {
+                                                                                    phi_2361_ = vec3<f32>(_e2182, _e2176, _e2179);
+                                                                                } else {
+                                                                                    phi_2361_ = (_e2171 - _e2173);
+                                                                                }
+                                                                                let _e2189 = phi_2361_;
+                                                                                phi_2362_ = _e2189;
                                                                             }
-                                                                            let _e2311 = phi_2521_;
-                                                                            let _e2313 = phi_2522_;
-                                                                            if _e2313 {
+                                                                            let _e2191 = phi_2362_;
+                                                                            let _e2193 = triangles.member[(0u + _e1964)].v2_;
+                                                                            let _e2195 = triangles.member[(0u + _e1964)].v0_;
+                                                                            let _e2198 = (_e2193.x - _e2195.x);
+                                                                            let _e2201 = (_e2193.y - _e2195.y);
+                                                                            let _e2204 = (_e2193.z - _e2195.z);
+                                                                            if (_e1349 == 0u) {
+                                                                                phi_2388_ = vec3<f32>(_e2201, _e2204, _e2198);
+                                                                            } else {
+                                                                                if (_e1349 == 1u) {
+                                                                                    phi_2387_ = vec3<f32>(_e2204, _e2198, _e2201);
+                                                                                } else {
+                                                                                    phi_2387_ = (_e2193 - _e2195);
+                                                                                }
+                                                                                let _e2211 = phi_2387_;
+                                                                                phi_2388_ = _e2211;
                                                                             }
-                                                                            phi_2526_ = _e2311;
-                                                                            phi_2527_ = _e2313;
+                                                                            let _e2213 = phi_2388_;
+                                                                            let _e2220 = ((_e2191.y * _e2213.z) - (_e2191.z * _e2213.y));
+                                                                            let _e2227 = ((_e2191.z * _e2213.x) - (_e2191.x * _e2213.z));
+                                                                            let _e2234 = ((_e2191.x * _e2213.y) - (_e2191.y * _e2213.x));
+                                                                            let _e2248 = (((1f / _e1357.z) * (((_e2220 * _e2169.x) + (_e2227 * _e2169.y)) + (_e2234 * _e2169.z))) / (((_e2220 * _e1360) + (_e2227 * _e1363)) + _e2234));
+                                                                            if (_e2248 > _e153.tmin) {
+                                                                                if (_e2248 < _e153.tmax) {
+                                                                                    let _e2252 = triangles.member[(0u + _e1964)].v0_;
+                                                                                    let _e2254 = triangles.member[(0u + _e1964)].v1_;
+                                                                                    if (_e2252.x < _e2254.x) {
+                                                                                        phi_2444_ = _e2252.x;
+                                                                                    } else {
+                                                                                        phi_2444_ = _e2254.x;
+                                                                                    }
+                                                                                    let _e2261 = phi_2444_;
+                                                                                    if (_e2252.y < _e2254.y) {
+                                                                                        phi_2453_ = _e2252.y;
+                                                                                    } else {
+                                                                                        phi_2453_ = _e2254.y;
+                                                                                    }
+                                                                                    let _e2268 = phi_2453_;
+                                                                                    if (_e2252.z < _e2254.z) {
+                                                                                        phi_2462_ = _e2252.z;
+                                                                                    } else {
+                                                                                        phi_2462_ = _e2254.z;
+                                                                                    }
+                                                                                    let _e2275 = phi_2462_;
+                                                                                    let _e2277 = triangles.member[(0u + _e1964)].v2_;
+                                                                                    if (_e2261 < _e2277.x) {
+                                                                                        phi_2471_ = _e2261;
+                                                                                    } else {
+                                                                                        phi_2471_ = _e2277.x;
+                                                                                    }
+                                                                                    let _e2282 = phi_2471_;
+                                                                                    if (_e2268 < _e2277.y) {
+                                                                                        phi_2478_ = _e2268;
+                                                                                    } else {
+                                                                                        phi_2478_ = _e2277.y;
+                                                                                    }
+                                                                                    let _e2287 = phi_2478_;
+                                                                                    if (_e2275 < _e2277.z) {
+                                                                                        phi_2485_ = _e2275;
+                                                                                    } else {
+                                                                                        phi_2485_ = _e2277.z;
+                                                                                    }
+                                                                                    let _e2292 = phi_2485_;
+                                                                                    let _e2294 = triangles.member[(0u + _e1964)].v0_;
+                                                                                    let _e2296 = triangles.member[(0u + _e1964)].v1_;
+                                                                                    if (_e2294.x > _e2296.x) {
+                                                                                        phi_2498_ = _e2294.x;
+                                                                                    } else {
+                                                                                        phi_2498_ = _e2296.x;
+                                                                                    }
+                                                                                    let _e2303 = phi_2498_;
+                                                                                    if (_e2294.y > _e2296.y) {
+                                                                                        phi_2507_ = _e2294.y;
+                                                                                    } else {
+                                                                                        phi_2507_ = _e2296.y;
+                                                                                    }
+                                                                                    let _e2310 = phi_2507_;
+                                                                                    if (_e2294.z > _e2296.z) {
+                                                                                        phi_2516_ = _e2294.z;
+                                                                                    } else {
+                                                                                        phi_2516_ = _e2296.z;
+                                                                                    }
+                                                                                    let _e2317 = phi_2516_;
+                                                                                    let _e2319 = triangles.member[(0u + _e1964)].v2_;
+                                                                                    if (_e2303 > _e2319.x) {
+                                                                                        phi_2525_ = _e2303;
+                                                                                    } else {
+                                                                                        phi_2525_ = _e2319.x;
+                                                                                    }
+                                                                                    let _e2324 = phi_2525_;
+                                                                                    if (_e2310 > _e2319.y) {
+                                                                                        phi_2532_ = _e2310;
+                                                                                    } else {
+                                                                                        phi_2532_ = _e2319.y;
+                                                                                    }
+                                                                                    let _e2329 = phi_2532_;
+                                                                                    if (_e2317 > _e2319.z) {
+                                                                                        phi_2539_ = _e2317;
+                                                                                    } else {
+                                                                                        phi_2539_ = _e2319.z;
+                                                                                    }
+                                                                                    let _e2334 = phi_2539_;
+                                                                                    let _e2338 = ((_e2282 - _e1063) * _e1278);
+                                                                                    let _e2339 = ((_e2287 - _e1076) * _e1288);
+                                                                                    let _e2340 = ((_e2292 - _e1089) * _e1298);
+                                                                                    let _e2344 = ((_e2324 - _e1063) * _e1278);
+                                                                                    let _e2345 = ((_e2329 - _e1076) * _e1288);
+                                                                                    let _e2346 = ((_e2334 - _e1089) * _e1298);
+                                                                                    if (_e2338 < _e2344) {
+                                                                                        phi_2556_ = _e2338;
+                                                                                    } else {
+                                                                                        phi_2556_ = _e2344;
+                                                                                    }
+                                                                                    let _e2349 = phi_2556_;
+                                                                                    if (_e2339 < _e2345) {
+                                                                                        phi_2561_ = _e2339;
+                                                                                    } else {
+                                                                                        phi_2561_ = _e2345;
+                                                                                    }
+                                                                                    let _e2352 = phi_2561_;
+                                                                                    if (_e2340 < _e2346) {
+                                                                                        phi_2566_ = _e2340;
+                                                                                    } else {
+                                                                                        phi_2566_ = _e2346;
+                                                                                    }
+                                                                                    let _e2355 = phi_2566_;
+                                                                                    if (_e2338 > _e2344) {
+                                                                                        phi_2574_ = _e2338;
+                                                                                    } else {
+                                                                                        phi_2574_ = _e2344;
+                                                                                    }
+                                                                                    let _e2361 = phi_2574_;
+                                                                                    if (_e2339 > _e2345) {
+                                                                                        phi_2579_ = _e2339;
+                                                                                    } else {
+                                                                                        phi_2579_ = _e2345;
+                                                                                    }
+                                                                                    let _e2364 = phi_2579_;
+                                                                                    if (_e2340 > _e2346) {
+                                                                                        phi_2584_ = _e2340;
+                                                                                    } else {
+                                                                                        phi_2584_ = _e2346;
+                                                                                    }
+                                                                                    let _e2367 = phi_2584_;
+                                                                                    let _e2371 = core_intrinsics_maximum_number_nsz_f32_((_e2349 - _e1333), (_e2352 - _e1334));
+                                                                                    let _e2372 = core_intrinsics_maximum_number_nsz_f32_(_e2371, (_e2355 - _e1335));
+                                                                                    let _e2373 = core_intrinsics_minimum_number_nsz_f32_((_e2361 + _e1333), (_e2364 + _e1334));
+                                                                                    let _e2374 = core_intrinsics_minimum_number_nsz_f32_(_e2373, (_e2367 + _e1335));
+                                                                                    if (_e2372 > _e1038) {
+                                                                                        phi_2596_ = _e2372;
+                                                                                    } else {
+                                                                                        phi_2596_ = _e1038;
+                                                                                    }
+                                                                                    let _e2377 = phi_2596_;
+                                                                                    if (_e2374 < _e1040) {
+                                                                                        phi_2601_ = _e2374;
+                                                                                    } else {
+                                                                                        phi_2601_ = _e1040;
+                                                                                    }
+                                                                                    let _e2380 = phi_2601_;
+                                                                                    if (_e2248 < _e2377) {
+                                                                                        phi_2606_ = _e2377;
+                                                                                    } else {
+                                                                                        phi_2606_ = _e2248;
+                                                                                    }
+                                                                                    let _e2383 = phi_2606_;
+                                                                                    if (_e2383 > _e2380) {
+                                                                                        phi_2611_ = _e2380;
+                                                                                    } else {
+                                                                                        phi_2611_ = _e2383;
+                                                                                    }
+                                                                                    let _e2386 = phi_2611_;
+                                                                                    phi_2616_ = lt_bvh_triangle_Intersection(_e2386, (_e2089 / _e2148), (_e2110 / _e2148), (_e2377 <= _e2380));
+                                                                                    phi_2617_ = false;
+                                                                                } else {
+                                                                                    phi_2616_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2617_ = true;
+                                                                                }
+                                                                                let _e2392 = phi_2616_;
+                                                                                let _e2394 = phi_2617_;
+                                                                                phi_2618_ = _e2392;
+                                                                                phi_2619_ = _e2394;
+                                                                            } else {
+                                                                                phi_2618_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2619_ = true;
+                                                                            }
+                                                                            let _e2396 = phi_2618_;
+                                                                            let _e2398 = phi_2619_;
+                                                                            if _e2398 {
+                                                                            }
+                                                                            phi_2623_ = _e2396;
+                                                                            phi_2624_ = _e2398;
                                                                         }
-                                                                        let _e2315 = phi_2526_;
-                                                                        let _e2317 = phi_2527_;
-                                                                        phi_2528_ = _e2315;
-                                                                        phi_2529_ = _e2157;
-                                                                        phi_2530_ = _e2317;
+                                                                        let _e2400 = phi_2623_;
+                                                                        let _e2402 = phi_2624_;
+                                                                        phi_2625_ = _e2400;
+                                                                        phi_2626_ = _e2151;
+                                                                        phi_2627_ = _e2402;
                                                                     } else {
-                                                                        phi_2528_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2529_ = true;
-                                                                        phi_2530_ = false;
+                                                                        phi_2625_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2626_ = true;
+                                                                        phi_2627_ = false;
                                                                     }
-                                                                    let _e2319 = phi_2528_;
-                                                                    let _e2321 = phi_2529_;
-                                                                    let _e2323 = phi_2530_;
-                                                                    if _e2321 {
-                                                                        phi_2534_ = true;
+                                                                    let _e2404 = phi_2625_;
+                                                                    let _e2406 = phi_2626_;
+                                                                    let _e2408 = phi_2627_;
+                                                                    if _e2406 {
+                                                                        phi_2631_ = true;
                                                                     } else {
-                                                                        phi_2534_ = _e2323;
+                                                                        phi_2631_ = _e2408;
                                                                     }
-                                                                    let _e2325 = phi_2534_;
-                                                                    if _e2325 {
-                                                                        phi_2538_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2410 = phi_2631_;
+                                                                    if _e2410 {
+                                                                        phi_2635_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2538_ = _e2319;
+                                                                        phi_2635_ = _e2404;
                                                                     }
-                                                                    let _e2327 = phi_2538_;
-                                                                    if _e2327.is_hit {
-                                                                        if (_e2327.t > _e153.tmin) {
-                                                                            if (_e2327.t < _e1953.t) {
-                                                                                phi_2586_ = true;
+                                                                    let _e2412 = phi_2635_;
+                                                                    if _e2412.is_hit {
+                                                                        if (_e2412.t > _e153.tmin) {
+                                                                            if (_e2412.t < _e1953.t) {
+                                                                                phi_2683_ = true;
                                                                             } else {
-                                                                                if (_e2327.t == _e1953.t) {
+                                                                                if (_e2412.t == _e1953.t) {
                                                                                     if (_e1953.triangle != 4294967295u) {
                                                                                         if (_e1964 < _e1953.triangle) {
-                                                                                            phi_2577_ = true;
+                                                                                            phi_2674_ = true;
                                                                                         } else {
                                                                                             if (_e1964 == _e1953.triangle) {
-                                                                                                phi_2576_ = (_e979 < _e1953.instance);
+                                                                                                phi_2673_ = (_e979 < _e1953.instance);
                                                                                             } else {
-                                                                                                phi_2576_ = false;
+                                                                                                phi_2673_ = false;
                                                                                             }
-                                                                                            let _e2345 = phi_2576_;
-                                                                                            phi_2577_ = _e2345;
+                                                                                            let _e2430 = phi_2673_;
+                                                                                            phi_2674_ = _e2430;
                                                                                         }
-                                                                                        let _e2347 = phi_2577_;
-                                                                                        phi_2578_ = _e2347;
-                                                                                        phi_2579_ = false;
+                                                                                        let _e2432 = phi_2674_;
+                                                                                        phi_2675_ = _e2432;
+                                                                                        phi_2676_ = false;
                                                                                     } else {
-                                                                                        phi_2578_ = bool();
-                                                                                        phi_2579_ = true;
+                                                                                        phi_2675_ = bool();
+                                                                                        phi_2676_ = true;
                                                                                     }
-                                                                                    let _e2349 = phi_2578_;
-                                                                                    let _e2351 = phi_2579_;
-                                                                                    phi_2580_ = _e2349;
-                                                                                    phi_2581_ = _e2351;
+                                                                                    let _e2434 = phi_2675_;
+                                                                                    let _e2436 = phi_2676_;
+                                                                                    phi_2677_ = _e2434;
+                                                                                    phi_2678_ = _e2436;
                                                                                 } else {
-                                                                                    phi_2580_ = bool();
-                                                                                    phi_2581_ = true;
+                                                                                    phi_2677_ = bool();
+                                                                                    phi_2678_ = true;
                                                                                 }
-                                                                                let _e2353 = phi_2580_;
-                                                                                let _e2355 = phi_2581_;
-                                                                                if _e2355 {
-                                                                                    phi_2585_ = false;
+                                                                                let _e2438 = phi_2677_;
+                                                                                let _e2440 = phi_2678_;
+                                                                                if _e2440 {
+                                                                                    phi_2682_ = false;
                                                                                 } else {
-                                                                                    phi_2585_ = _e2353;
+                                                                                    phi_2682_ = _e2438;
                                                                                 }
-                                                                                let _e2357 = phi_2585_;
-                                                                                phi_2586_ = _e2357;
+                                                                                let _e2442 = phi_2682_;
+                                                                                phi_2683_ = _e2442;
                                                                             }
-                                                                            let _e2359 = phi_2586_;
-                                                                            if _e2359 {
-                                                                                let _e2361 = triangles.member[(0u + _e1964)].i0_;
-                                                                                if ((_e2361 & 2147483648u) == 0u) {
-                                                                                    phi_2600_ = true;
+                                                                            let _e2444 = phi_2683_;
+                                                                            if _e2444 {
+                                                                                let _e2446 = triangles.member[(0u + _e1964)].i0_;
+                                                                                if ((_e2446 & 2147483648u) == 0u) {
+                                                                                    phi_2697_ = true;
                                                                                 } else {
                                                                                     if true {
                                                                                     }
-                                                                                    phi_2600_ = true;
+                                                                                    phi_2697_ = true;
                                                                                 }
-                                                                                let _e2365 = phi_2600_;
-                                                                                if _e2365 {
-                                                                                    phi_2608_ = lt_bvh_Hit(_e2327.t, _e2327.u, _e2327.v, _e1964, _e979);
+                                                                                let _e2450 = phi_2697_;
+                                                                                if _e2450 {
+                                                                                    phi_2705_ = lt_bvh_Hit(_e2412.t, _e2412.u, _e2412.v, _e1964, _e979);
                                                                                 } else {
-                                                                                    phi_2608_ = _e1953;
+                                                                                    phi_2705_ = _e1953;
                                                                                 }
-                                                                                let _e2371 = phi_2608_;
-                                                                                phi_2609_ = _e2371;
+                                                                                let _e2456 = phi_2705_;
+                                                                                phi_2706_ = _e2456;
                                                                             } else {
-                                                                                phi_2609_ = _e1953;
+                                                                                phi_2706_ = _e1953;
                                                                             }
-                                                                            let _e2373 = phi_2609_;
-                                                                            phi_2610_ = _e2373;
+                                                                            let _e2458 = phi_2706_;
+                                                                            phi_2707_ = _e2458;
                                                                         } else {
-                                                                            phi_2610_ = _e1953;
+                                                                            phi_2707_ = _e1953;
                                                                         }
-                                                                        let _e2375 = phi_2610_;
-                                                                        phi_2611_ = _e2375;
+                                                                        let _e2460 = phi_2707_;
+                                                                        phi_2708_ = _e2460;
                                                                     } else {
-                                                                        phi_2611_ = _e1953;
+                                                                        phi_2708_ = _e1953;
                                                                     }
-                                                                    let _e2377 = phi_2611_;
-                                                                    phi_2065_ = _e2377;
+                                                                    let _e2462 = phi_2708_;
+                                                                    phi_2065_ = _e2462;
                                                                     phi_2068_ = (_e1955 & (_e1955 - 1u));
-                                                                    phi_2612_ = true;
+                                                                    phi_2709_ = true;
                                                                 }
-                                                                let _e2379 = phi_2065_;
-                                                                let _e2381 = phi_2068_;
-                                                                let _e2383 = phi_2612_;
+                                                                let _e2464 = phi_2065_;
+                                                                let _e2466 = phi_2068_;
+                                                                let _e2468 = phi_2709_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2064_ = _e2379;
-                                                                    phi_2067_ = _e2381;
-                                                                    break if !(_e2383);
+                                                                    phi_2064_ = _e2464;
+                                                                    phi_2067_ = _e2466;
+                                                                    break if !(_e2468);
                                                                 }
                                                             }
-                                                            let _e2386 = local.group_mask;
-                                                            if ((_e2386 & 4278190080u) == 0u) {
-                                                                let _e2390 = local.len;
-                                                                if (_e2390 == 0u) {
-                                                                    phi_2651_ = false;
+                                                            let _e2471 = local.group_mask;
+                                                            if ((_e2471 & 4278190080u) == 0u) {
+                                                                let _e2475 = local.len;
+                                                                if (_e2475 == 0u) {
+                                                                    phi_2748_ = false;
                                                                 } else {
-                                                                    let _e2394 = local.len;
-                                                                    local.len = (_e2394 - 1u);
-                                                                    let _e2397 = local.len;
-                                                                    if (_e2397 < 32u) {
+                                                                    let _e2479 = local.len;
+                                                                    local.len = (_e2479 - 1u);
+                                                                    let _e2482 = local.len;
+                                                                    if (_e2482 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2402 = local.first[(0u + _e2397)];
-                                                                    local.group = _e2402;
-                                                                    let _e2405 = local.len;
-                                                                    if (_e2405 < 32u) {
+                                                                    let _e2487 = local.first[(0u + _e2482)];
+                                                                    local.group = _e2487;
+                                                                    let _e2490 = local.len;
+                                                                    if (_e2490 < 32u) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e2410 = local.mask[(0u + _e2405)];
-                                                                    local.group_mask = _e2410;
-                                                                    phi_2651_ = true;
+                                                                    let _e2495 = local.mask[(0u + _e2490)];
+                                                                    local.group_mask = _e2495;
+                                                                    phi_2748_ = true;
                                                                 }
-                                                                let _e2413 = phi_2651_;
-                                                                phi_2652_ = _e2413;
+                                                                let _e2498 = phi_2748_;
+                                                                phi_2749_ = _e2498;
                                                             } else {
-                                                                phi_2652_ = true;
+                                                                phi_2749_ = true;
                                                             }
-                                                            let _e2415 = phi_2652_;
-                                                            if _e2415 {
-                                                                let _e2417 = local.group_mask;
-                                                                let _e2423 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2417)), 32u, (_e2417 == 0u)));
-                                                                let _e2427 = local.group_mask;
-                                                                let _e2441 = local.group_mask;
-                                                                local.group_mask = (_e2441 & ~((1u << bitcast<u32>((_e2423 & 31u)))));
-                                                                let _e2444 = local.group;
-                                                                phi_2683_ = (_e2444 + countOneBits(((_e2427 & ~((4294967295u << bitcast<u32>((((_e2423 - 24u) ^ _e1376) & 31u))))) & 255u)));
+                                                            let _e2500 = phi_2749_;
+                                                            if _e2500 {
+                                                                let _e2502 = local.group_mask;
+                                                                let _e2508 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2502)), 32u, (_e2502 == 0u)));
+                                                                let _e2512 = local.group_mask;
+                                                                let _e2526 = local.group_mask;
+                                                                local.group_mask = (_e2526 & ~((1u << bitcast<u32>((_e2508 & 31u)))));
+                                                                let _e2529 = local.group;
+                                                                phi_2780_ = (_e2529 + countOneBits(((_e2512 & ~((4294967295u << bitcast<u32>((((_e2508 - 24u) ^ _e1376) & 31u))))) & 255u)));
                                                             } else {
-                                                                phi_2683_ = 4294967295u;
+                                                                phi_2780_ = 4294967295u;
                                                             }
-                                                            let _e2447 = phi_2683_;
-                                                            let _e3619 = local_8;
-                                                            phi_1732_ = _e3619;
-                                                            phi_1735_ = _e2447;
+                                                            let _e2532 = phi_2780_;
+                                                            let _e3710 = local_8;
+                                                            phi_1732_ = _e3710;
+                                                            phi_1735_ = _e2532;
                                                         } else {
                                                             phi_1732_ = lt_bvh_Hit();
                                                             phi_1735_ = u32();
                                                         }
-                                                        let _e2449 = phi_1732_;
-                                                        let _e2451 = phi_1735_;
+                                                        let _e2534 = phi_1732_;
+                                                        let _e2536 = phi_1735_;
                                                         continue;
                                                         continuing {
-                                                            phi_1731_ = _e2449;
-                                                            phi_1734_ = _e2451;
+                                                            phi_1731_ = _e2534;
+                                                            phi_1734_ = _e2536;
                                                             break if !(_e1517);
                                                         }
                                                     }
-                                                    let _e3623 = local_9;
-                                                    phi_2684_ = _e3623;
+                                                    let _e3714 = local_9;
+                                                    phi_2781_ = _e3714;
                                                 }
-                                                let _e2454 = phi_2684_;
-                                                phi_2685_ = _e2454;
-                                                phi_2686_ = _e1202;
+                                                let _e2539 = phi_2781_;
+                                                phi_2782_ = _e2539;
+                                                phi_2783_ = _e1202;
                                             } else {
-                                                phi_2685_ = lt_bvh_Hit();
-                                                phi_2686_ = true;
+                                                phi_2782_ = lt_bvh_Hit();
+                                                phi_2783_ = true;
                                             }
-                                            let _e2456 = phi_2685_;
-                                            let _e2458 = phi_2686_;
-                                            if _e2458 {
-                                                phi_2690_ = _e971;
+                                            let _e2541 = phi_2782_;
+                                            let _e2543 = phi_2783_;
+                                            if _e2543 {
+                                                phi_2787_ = _e971;
                                             } else {
-                                                phi_2690_ = _e2456;
+                                                phi_2787_ = _e2541;
                                             }
-                                            let _e2460 = phi_2690_;
-                                            phi_2691_ = _e2460;
+                                            let _e2545 = phi_2787_;
+                                            phi_2788_ = _e2545;
                                         } else {
-                                            phi_2691_ = _e971;
+                                            phi_2788_ = _e971;
                                         }
-                                        let _e2462 = phi_2691_;
-                                        phi_2692_ = _e2462;
+                                        let _e2547 = phi_2788_;
+                                        phi_2789_ = _e2547;
                                     } else {
-                                        phi_2692_ = _e971;
+                                        phi_2789_ = _e971;
                                     }
-                                    let _e2464 = phi_2692_;
-                                    phi_2693_ = _e2464;
+                                    let _e2549 = phi_2789_;
+                                    phi_2790_ = _e2549;
                                 } else {
-                                    phi_2693_ = _e971;
+                                    phi_2790_ = _e971;
                                 }
-                                let _e2466 = phi_2693_;
+                                let _e2551 = phi_2790_;
                                 phi_1106_ = (_e969 & (_e969 - 1u));
-                                phi_1109_ = _e2466;
-                                phi_2694_ = true;
+                                phi_1109_ = _e2551;
+                                phi_2791_ = true;
                             }
-                            let _e2468 = phi_1106_;
-                            let _e2470 = phi_1109_;
-                            let _e2472 = phi_2694_;
+                            let _e2553 = phi_1106_;
+                            let _e2555 = phi_1109_;
+                            let _e2557 = phi_2791_;
                             continue;
                             continuing {
-                                phi_1105_ = _e2468;
-                                phi_1108_ = _e2470;
-                                break if !(_e2472);
+                                phi_1105_ = _e2553;
+                                phi_1108_ = _e2555;
+                                break if !(_e2557);
                             }
                         }
-                        let _e2475 = local_1.group_mask;
-                        if ((_e2475 & 4278190080u) == 0u) {
-                            let _e2479 = local_1.len;
-                            if (_e2479 == 0u) {
-                                phi_2733_ = false;
+                        let _e2560 = local_1.group_mask;
+                        if ((_e2560 & 4278190080u) == 0u) {
+                            let _e2564 = local_1.len;
+                            if (_e2564 == 0u) {
+                                phi_2830_ = false;
                             } else {
-                                let _e2483 = local_1.len;
-                                local_1.len = (_e2483 - 1u);
-                                let _e2486 = local_1.len;
-                                if (_e2486 < 32u) {
+                                let _e2568 = local_1.len;
+                                local_1.len = (_e2568 - 1u);
+                                let _e2571 = local_1.len;
+                                if (_e2571 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2491 = local_1.first[(0u + _e2486)];
-                                local_1.group = _e2491;
-                                let _e2494 = local_1.len;
-                                if (_e2494 < 32u) {
+                                let _e2576 = local_1.first[(0u + _e2571)];
+                                local_1.group = _e2576;
+                                let _e2579 = local_1.len;
+                                if (_e2579 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2499 = local_1.mask[(0u + _e2494)];
-                                local_1.group_mask = _e2499;
-                                phi_2733_ = true;
+                                let _e2584 = local_1.mask[(0u + _e2579)];
+                                local_1.group_mask = _e2584;
+                                phi_2830_ = true;
                             }
-                            let _e2502 = phi_2733_;
-                            phi_2734_ = _e2502;
+                            let _e2587 = phi_2830_;
+                            phi_2831_ = _e2587;
                         } else {
-                            phi_2734_ = true;
+                            phi_2831_ = true;
                         }
-                        let _e2504 = phi_2734_;
-                        if _e2504 {
-                            let _e2506 = local_1.group_mask;
-                            let _e2512 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2506)), 32u, (_e2506 == 0u)));
-                            let _e2516 = local_1.group_mask;
-                            let _e2530 = local_1.group_mask;
-                            local_1.group_mask = (_e2530 & ~((1u << bitcast<u32>((_e2512 & 31u)))));
-                            let _e2533 = local_1.group;
-                            phi_2765_ = (_e2533 + countOneBits(((_e2516 & ~((4294967295u << bitcast<u32>((((_e2512 - 24u) ^ _e388) & 31u))))) & 255u)));
+                        let _e2589 = phi_2831_;
+                        if _e2589 {
+                            let _e2591 = local_1.group_mask;
+                            let _e2597 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2591)), 32u, (_e2591 == 0u)));
+                            let _e2601 = local_1.group_mask;
+                            let _e2615 = local_1.group_mask;
+                            local_1.group_mask = (_e2615 & ~((1u << bitcast<u32>((_e2597 & 31u)))));
+                            let _e2618 = local_1.group;
+                            phi_2862_ = (_e2618 + countOneBits(((_e2601 & ~((4294967295u << bitcast<u32>((((_e2597 - 24u) ^ _e388) & 31u))))) & 255u)));
                         } else {
-                            phi_2765_ = 4294967295u;
+                            phi_2862_ = 4294967295u;
                         }
-                        let _e2536 = phi_2765_;
-                        phi_769_ = _e2536;
-                        let _e3639 = local_10;
-                        phi_772_ = _e3639;
+                        let _e2621 = phi_2862_;
+                        phi_769_ = _e2621;
+                        let _e3730 = local_10;
+                        phi_772_ = _e3730;
                     } else {
                         phi_769_ = u32();
                         phi_772_ = lt_bvh_Hit();
                     }
-                    let _e2538 = phi_769_;
-                    let _e2540 = phi_772_;
+                    let _e2623 = phi_769_;
+                    let _e2625 = phi_772_;
                     continue;
                     continuing {
-                        phi_768_ = _e2538;
-                        phi_771_ = _e2540;
+                        phi_768_ = _e2623;
+                        phi_771_ = _e2625;
                         break if !(_e529);
                     }
                 }
-                let _e3642 = local_11;
-                phi_2766_ = _e3642;
+                let _e3733 = local_11;
+                phi_2863_ = _e3733;
             }
-            let _e2543 = phi_2766_;
-            phi_2767_ = _e2543;
-            phi_2768_ = _e225;
+            let _e2628 = phi_2863_;
+            phi_2864_ = _e2628;
+            phi_2865_ = _e225;
         } else {
-            phi_2767_ = lt_bvh_Hit();
-            phi_2768_ = true;
+            phi_2864_ = lt_bvh_Hit();
+            phi_2865_ = true;
         }
-        let _e2545 = phi_2767_;
-        let _e2547 = phi_2768_;
-        if _e2547 {
-            phi_2772_ = _e155;
+        let _e2630 = phi_2864_;
+        let _e2632 = phi_2865_;
+        if _e2632 {
+            phi_2869_ = _e155;
         } else {
-            phi_2772_ = _e2545;
+            phi_2869_ = _e2630;
         }
-        let _e2549 = phi_2772_;
-        if (_e2549.triangle != 4294967295u) {
-            let _e2555 = ((1f - _e2549.u) - _e2549.v);
-            if (_e2549.triangle < _e72) {
+        let _e2634 = phi_2869_;
+        if (_e2634.triangle != 4294967295u) {
+            let _e2640 = ((1f - _e2634.u) - _e2634.v);
+            if (_e2634.triangle < _e72) {
             } else {
                 return;
             }
-            let _e2561 = triangles.member[(0u + _e2549.triangle)];
-            if (_e2549.instance < _e84) {
+            let _e2646 = triangles.member[(0u + _e2634.triangle)];
+            if (_e2634.instance < _e84) {
             } else {
                 return;
             }
-            let _e2572 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e2583 = ((((_e2572.x * _e2561.v0_.x) + (_e2572.y * _e2561.v0_.y)) + (_e2572.z * _e2561.v0_.z)) + (_e2572.w * 1f));
-            let _e2585 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e2596 = ((((_e2585.x * _e2561.v0_.x) + (_e2585.y * _e2561.v0_.y)) + (_e2585.z * _e2561.v0_.z)) + (_e2585.w * 1f));
-            let _e2598 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
-            let _e2609 = ((((_e2598.x * _e2561.v0_.x) + (_e2598.y * _e2561.v0_.y)) + (_e2598.z * _e2561.v0_.z)) + (_e2598.w * 1f));
-            let _e2616 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e2627 = ((((_e2616.x * _e2561.v1_.x) + (_e2616.y * _e2561.v1_.y)) + (_e2616.z * _e2561.v1_.z)) + (_e2616.w * 1f));
-            let _e2629 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e2640 = ((((_e2629.x * _e2561.v1_.x) + (_e2629.y * _e2561.v1_.y)) + (_e2629.z * _e2561.v1_.z)) + (_e2629.w * 1f));
-            let _e2642 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
-            let _e2653 = ((((_e2642.x * _e2561.v1_.x) + (_e2642.y * _e2561.v1_.y)) + (_e2642.z * _e2561.v1_.z)) + (_e2642.w * 1f));
-            let _e2660 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e2671 = ((((_e2660.x * _e2561.v2_.x) + (_e2660.y * _e2561.v2_.y)) + (_e2660.z * _e2561.v2_.z)) + (_e2660.w * 1f));
-            let _e2673 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e2684 = ((((_e2673.x * _e2561.v2_.x) + (_e2673.y * _e2561.v2_.y)) + (_e2673.z * _e2561.v2_.z)) + (_e2673.w * 1f));
-            let _e2686 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
-            let _e2697 = ((((_e2686.x * _e2561.v2_.x) + (_e2686.y * _e2561.v2_.y)) + (_e2686.z * _e2561.v2_.z)) + (_e2686.w * 1f));
-            let _e2710 = (((_e2583 * _e2555) + (_e2627 * _e2549.u)) + (_e2671 * _e2549.v));
-            let _e2711 = (((_e2596 * _e2555) + (_e2640 * _e2549.u)) + (_e2684 * _e2549.v));
-            let _e2712 = (((_e2609 * _e2555) + (_e2653 * _e2549.u)) + (_e2697 * _e2549.v));
-            let _e2714 = abs(_e2583);
-            let _e2715 = abs(_e2596);
-            let _e2716 = abs(_e2609);
-            let _e2717 = abs(_e2627);
-            let _e2718 = abs(_e2640);
-            let _e2719 = abs(_e2653);
-            if (_e2714 > _e2717) {
-                phi_2960_ = _e2714;
+            let _e2657 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e2668 = ((((_e2657.x * _e2646.v0_.x) + (_e2657.y * _e2646.v0_.y)) + (_e2657.z * _e2646.v0_.z)) + (_e2657.w * 1f));
+            let _e2670 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e2681 = ((((_e2670.x * _e2646.v0_.x) + (_e2670.y * _e2646.v0_.y)) + (_e2670.z * _e2646.v0_.z)) + (_e2670.w * 1f));
+            let _e2683 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            let _e2694 = ((((_e2683.x * _e2646.v0_.x) + (_e2683.y * _e2646.v0_.y)) + (_e2683.z * _e2646.v0_.z)) + (_e2683.w * 1f));
+            let _e2701 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e2712 = ((((_e2701.x * _e2646.v1_.x) + (_e2701.y * _e2646.v1_.y)) + (_e2701.z * _e2646.v1_.z)) + (_e2701.w * 1f));
+            let _e2714 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e2725 = ((((_e2714.x * _e2646.v1_.x) + (_e2714.y * _e2646.v1_.y)) + (_e2714.z * _e2646.v1_.z)) + (_e2714.w * 1f));
+            let _e2727 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            let _e2738 = ((((_e2727.x * _e2646.v1_.x) + (_e2727.y * _e2646.v1_.y)) + (_e2727.z * _e2646.v1_.z)) + (_e2727.w * 1f));
+            let _e2745 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e2756 = ((((_e2745.x * _e2646.v2_.x) + (_e2745.y * _e2646.v2_.y)) + (_e2745.z * _e2646.v2_.z)) + (_e2745.w * 1f));
+            let _e2758 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e2769 = ((((_e2758.x * _e2646.v2_.x) + (_e2758.y * _e2646.v2_.y)) + (_e2758.z * _e2646.v2_.z)) + (_e2758.w * 1f));
+            let _e2771 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            let _e2782 = ((((_e2771.x * _e2646.v2_.x) + (_e2771.y * _e2646.v2_.y)) + (_e2771.z * _e2646.v2_.z)) + (_e2771.w * 1f));
+            let _e2795 = (((_e2668 * _e2640) + (_e2712 * _e2634.u)) + (_e2756 * _e2634.v));
+            let _e2796 = (((_e2681 * _e2640) + (_e2725 * _e2634.u)) + (_e2769 * _e2634.v));
+            let _e2797 = (((_e2694 * _e2640) + (_e2738 * _e2634.u)) + (_e2782 * _e2634.v));
+            let _e2799 = abs(_e2668);
+            let _e2800 = abs(_e2681);
+            let _e2801 = abs(_e2694);
+            let _e2802 = abs(_e2712);
+            let _e2803 = abs(_e2725);
+            let _e2804 = abs(_e2738);
+            if (_e2799 > _e2802) {
+                phi_3057_ = _e2799;
             } else {
-                phi_2960_ = _e2717;
+                phi_3057_ = _e2802;
             }
-            let _e2722 = phi_2960_;
-            if (_e2715 > _e2718) {
-                phi_2965_ = _e2715;
+            let _e2807 = phi_3057_;
+            if (_e2800 > _e2803) {
+                phi_3062_ = _e2800;
             } else {
-                phi_2965_ = _e2718;
+                phi_3062_ = _e2803;
             }
-            let _e2725 = phi_2965_;
-            if (_e2716 > _e2719) {
-                phi_2970_ = _e2716;
+            let _e2810 = phi_3062_;
+            if (_e2801 > _e2804) {
+                phi_3067_ = _e2801;
             } else {
-                phi_2970_ = _e2719;
+                phi_3067_ = _e2804;
             }
-            let _e2728 = phi_2970_;
-            let _e2729 = abs(_e2671);
-            let _e2730 = abs(_e2684);
-            let _e2731 = abs(_e2697);
-            if (_e2722 > _e2729) {
-                phi_2978_ = _e2722;
+            let _e2813 = phi_3067_;
+            let _e2814 = abs(_e2756);
+            let _e2815 = abs(_e2769);
+            let _e2816 = abs(_e2782);
+            if (_e2807 > _e2814) {
+                phi_3075_ = _e2807;
             } else {
-                phi_2978_ = _e2729;
+                phi_3075_ = _e2814;
             }
-            let _e2734 = phi_2978_;
-            if (_e2725 > _e2730) {
-                phi_2983_ = _e2725;
+            let _e2819 = phi_3075_;
+            if (_e2810 > _e2815) {
+                phi_3080_ = _e2810;
             } else {
-                phi_2983_ = _e2730;
+                phi_3080_ = _e2815;
             }
-            let _e2737 = phi_2983_;
-            if (_e2728 > _e2731) {
-                phi_2988_ = _e2728;
+            let _e2822 = phi_3080_;
+            if (_e2813 > _e2816) {
+                phi_3085_ = _e2813;
             } else {
-                phi_2988_ = _e2731;
+                phi_3085_ = _e2816;
             }
-            let _e2740 = phi_2988_;
-            let _e2741 = (_e2627 - _e2583);
-            let _e2742 = (_e2640 - _e2596);
-            let _e2743 = (_e2653 - _e2609);
-            let _e2744 = (_e2671 - _e2583);
-            let _e2745 = (_e2684 - _e2596);
-            let _e2746 = (_e2697 - _e2609);
-            let _e2750 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2742), abs(_e2743));
-            let _e2751 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2741), _e2750);
-            let _e2752 = (_e2741 / _e2751);
-            let _e2753 = (_e2742 / _e2751);
-            let _e2754 = (_e2743 / _e2751);
-            let _e2758 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2745), abs(_e2746));
-            let _e2759 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2744), _e2758);
-            let _e2760 = (_e2744 / _e2759);
-            let _e2761 = (_e2745 / _e2759);
-            let _e2762 = (_e2746 / _e2759);
-            let _e2765 = ((_e2753 * _e2762) - (_e2761 * _e2754));
-            let _e2768 = ((_e2754 * _e2760) - (_e2762 * _e2752));
-            let _e2771 = ((_e2752 * _e2761) - (_e2760 * _e2753));
-            let _e2773 = p.member.eye;
-            let _e2786 = (1f / sqrt((((_e2765 * _e2765) + (_e2768 * _e2768)) + (_e2771 * _e2771))));
-            let _e2787 = (_e2765 * _e2786);
-            let _e2788 = (_e2768 * _e2786);
-            let _e2789 = (_e2771 * _e2786);
-            if ((((_e2787 * (_e2773.x - _e2710)) + (_e2788 * (_e2773.y - _e2711))) + (_e2789 * (_e2773.z - _e2712))) < 0f) {
-                phi_3052_ = vec3<f32>(-(_e2787), -(_e2788), -(_e2789));
+            let _e2825 = phi_3085_;
+            let _e2826 = (_e2712 - _e2668);
+            let _e2827 = (_e2725 - _e2681);
+            let _e2828 = (_e2738 - _e2694);
+            let _e2829 = (_e2756 - _e2668);
+            let _e2830 = (_e2769 - _e2681);
+            let _e2831 = (_e2782 - _e2694);
+            let _e2835 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2827), abs(_e2828));
+            let _e2836 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2826), _e2835);
+            let _e2837 = (_e2826 / _e2836);
+            let _e2838 = (_e2827 / _e2836);
+            let _e2839 = (_e2828 / _e2836);
+            let _e2843 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2830), abs(_e2831));
+            let _e2844 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e2829), _e2843);
+            let _e2845 = (_e2829 / _e2844);
+            let _e2846 = (_e2830 / _e2844);
+            let _e2847 = (_e2831 / _e2844);
+            let _e2850 = ((_e2838 * _e2847) - (_e2846 * _e2839));
+            let _e2853 = ((_e2839 * _e2845) - (_e2847 * _e2837));
+            let _e2856 = ((_e2837 * _e2846) - (_e2845 * _e2838));
+            let _e2858 = p.member.eye;
+            let _e2871 = (1f / sqrt((((_e2850 * _e2850) + (_e2853 * _e2853)) + (_e2856 * _e2856))));
+            let _e2872 = (_e2850 * _e2871);
+            let _e2873 = (_e2853 * _e2871);
+            let _e2874 = (_e2856 * _e2871);
+            if ((((_e2872 * (_e2858.x - _e2795)) + (_e2873 * (_e2858.y - _e2796))) + (_e2874 * (_e2858.z - _e2797))) < 0f) {
+                phi_3149_ = vec3<f32>(-(_e2872), -(_e2873), -(_e2874));
             } else {
-                phi_3052_ = vec3<f32>(_e2787, _e2788, _e2789);
+                phi_3149_ = vec3<f32>(_e2872, _e2873, _e2874);
             }
-            let _e2802 = phi_3052_;
-            if (_e2549.triangle < _e72) {
+            let _e2887 = phi_3149_;
+            if (_e2634.triangle < _e72) {
             } else {
                 return;
             }
-            let _e2807 = triangles.member[(0u + _e2549.triangle)];
-            let _e2809 = (_e2807.i0_ & 2147483647u);
-            if (_e2809 < _e75) {
+            let _e2892 = triangles.member[(0u + _e2634.triangle)];
+            let _e2894 = (_e2892.i0_ & 2147483647u);
+            if (_e2894 < _e75) {
             } else {
                 return;
             }
-            let _e2815 = vertices.member[(0u + _e2809)];
-            if (_e2807.i1_ < _e75) {
+            let _e2900 = vertices.member[(0u + _e2894)];
+            if (_e2892.i1_ < _e75) {
             } else {
                 return;
             }
-            let _e2819 = vertices.member[(0u + _e2807.i1_)];
-            if (_e2807.i2_ < _e75) {
+            let _e2904 = vertices.member[(0u + _e2892.i1_)];
+            if (_e2892.i2_ < _e75) {
             } else {
                 return;
             }
-            let _e2823 = vertices.member[(0u + _e2807.i2_)];
-            let _e2824 = array<abi_Vertex, 3>(_e2815, _e2819, _e2823);
-            if (_e2824[0].material < arrayLength((&materials.member))) {
+            let _e2908 = vertices.member[(0u + _e2892.i2_)];
+            let _e2909 = array<abi_Vertex, 3>(_e2900, _e2904, _e2908);
+            if (_e2909[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e2830 = materials.member[(0u + _e2824[0].material)];
-            let _e2847 = (1f / 255f);
-            let _e2866 = (1f / 255f);
-            let _e2888 = (1f / 255f);
-            let _e2901 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2555, _e2549.u, _e2549.v));
-            let _e2903 = ((_e2830.base_color.x * ((((f32((_e2824[0].color & 255u)) * _e2847) * _e2555) + ((f32((_e2824[1].color & 255u)) * _e2866) * _e2549.u)) + ((f32((_e2824[2].color & 255u)) * _e2888) * _e2549.v))) * _e2901.x);
-            let _e2905 = ((_e2830.base_color.y * ((((f32(((_e2824[0].color >> bitcast<u32>(8i)) & 255u)) * _e2847) * _e2555) + ((f32(((_e2824[1].color >> bitcast<u32>(8i)) & 255u)) * _e2866) * _e2549.u)) + ((f32(((_e2824[2].color >> bitcast<u32>(8i)) & 255u)) * _e2888) * _e2549.v))) * _e2901.y);
-            let _e2907 = ((_e2830.base_color.z * ((((f32(((_e2824[0].color >> bitcast<u32>(16i)) & 255u)) * _e2847) * _e2555) + ((f32(((_e2824[1].color >> bitcast<u32>(16i)) & 255u)) * _e2866) * _e2549.u)) + ((f32(((_e2824[2].color >> bitcast<u32>(16i)) & 255u)) * _e2888) * _e2549.v))) * _e2901.z);
-            let _e2908 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2737, _e2740);
-            let _e2909 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2734, _e2908);
-            if ((_e2830.flags & 2u) == 0u) {
-                phi_3173_ = 0u;
+            let _e2915 = materials.member[(0u + _e2909[0].material)];
+            let _e2932 = (1f / 255f);
+            let _e2951 = (1f / 255f);
+            let _e2973 = (1f / 255f);
+            let _e2986 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e2640, _e2634.u, _e2634.v));
+            let _e2988 = ((_e2915.base_color.x * ((((f32((_e2909[0].color & 255u)) * _e2932) * _e2640) + ((f32((_e2909[1].color & 255u)) * _e2951) * _e2634.u)) + ((f32((_e2909[2].color & 255u)) * _e2973) * _e2634.v))) * _e2986.x);
+            let _e2990 = ((_e2915.base_color.y * ((((f32(((_e2909[0].color >> bitcast<u32>(8i)) & 255u)) * _e2932) * _e2640) + ((f32(((_e2909[1].color >> bitcast<u32>(8i)) & 255u)) * _e2951) * _e2634.u)) + ((f32(((_e2909[2].color >> bitcast<u32>(8i)) & 255u)) * _e2973) * _e2634.v))) * _e2986.y);
+            let _e2992 = ((_e2915.base_color.z * ((((f32(((_e2909[0].color >> bitcast<u32>(16i)) & 255u)) * _e2932) * _e2640) + ((f32(((_e2909[1].color >> bitcast<u32>(16i)) & 255u)) * _e2951) * _e2634.u)) + ((f32(((_e2909[2].color >> bitcast<u32>(16i)) & 255u)) * _e2973) * _e2634.v))) * _e2986.z);
+            let _e2993 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2822, _e2825);
+            let _e2994 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e2819, _e2993);
+            if ((_e2915.flags & 2u) == 0u) {
+                phi_3270_ = 0u;
             } else {
-                phi_3173_ = 1u;
+                phi_3270_ = 1u;
             }
-            let _e2914 = phi_3173_;
-            if (_e2824[0].normal == 2147516416u) {
-                phi_3403_ = _e2802;
+            let _e2999 = phi_3270_;
+            if (_e2909[0].normal == 2147516416u) {
+                phi_3500_ = _e2887;
             } else {
-                let _e2927 = (f32((bitcast<i32>((_e2824[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2933 = (f32((bitcast<i32>(_e2824[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2937 = ((1f - abs(_e2927)) - abs(_e2933));
-                if (_e2937 < 0f) {
-                    phi_3200_ = -(_e2937);
+                let _e3012 = (f32((bitcast<i32>((_e2909[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3018 = (f32((bitcast<i32>(_e2909[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3022 = ((1f - abs(_e3012)) - abs(_e3018));
+                if (_e3022 < 0f) {
+                    phi_3297_ = -(_e3022);
                 } else {
-                    phi_3200_ = 0f;
+                    phi_3297_ = 0f;
                 }
-                let _e2941 = phi_3200_;
-                if (_e2927 < 0f) {
-                    phi_3207_ = (_e2927 + _e2941);
+                let _e3026 = phi_3297_;
+                if (_e3012 < 0f) {
+                    phi_3304_ = (_e3012 + _e3026);
                 } else {
-                    phi_3207_ = (_e2927 - _e2941);
+                    phi_3304_ = (_e3012 - _e3026);
                 }
-                let _e2946 = phi_3207_;
-                if (_e2933 < 0f) {
-                    phi_3214_ = (_e2933 + _e2941);
+                let _e3031 = phi_3304_;
+                if (_e3018 < 0f) {
+                    phi_3311_ = (_e3018 + _e3026);
                 } else {
-                    phi_3214_ = (_e2933 - _e2941);
+                    phi_3311_ = (_e3018 - _e3026);
                 }
-                let _e2951 = phi_3214_;
-                let _e2958 = (1f / sqrt((((_e2946 * _e2946) + (_e2951 * _e2951)) + (_e2937 * _e2937))));
-                let _e2974 = (f32((bitcast<i32>((_e2824[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2980 = (f32((bitcast<i32>(_e2824[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e2984 = ((1f - abs(_e2974)) - abs(_e2980));
-                if (_e2984 < 0f) {
-                    phi_3249_ = -(_e2984);
+                let _e3036 = phi_3311_;
+                let _e3043 = (1f / sqrt((((_e3031 * _e3031) + (_e3036 * _e3036)) + (_e3022 * _e3022))));
+                let _e3059 = (f32((bitcast<i32>((_e2909[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3065 = (f32((bitcast<i32>(_e2909[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3069 = ((1f - abs(_e3059)) - abs(_e3065));
+                if (_e3069 < 0f) {
+                    phi_3346_ = -(_e3069);
                 } else {
-                    phi_3249_ = 0f;
+                    phi_3346_ = 0f;
                 }
-                let _e2988 = phi_3249_;
-                if (_e2974 < 0f) {
-                    phi_3256_ = (_e2974 + _e2988);
+                let _e3073 = phi_3346_;
+                if (_e3059 < 0f) {
+                    phi_3353_ = (_e3059 + _e3073);
                 } else {
-                    phi_3256_ = (_e2974 - _e2988);
+                    phi_3353_ = (_e3059 - _e3073);
                 }
-                let _e2993 = phi_3256_;
-                if (_e2980 < 0f) {
-                    phi_3263_ = (_e2980 + _e2988);
+                let _e3078 = phi_3353_;
+                if (_e3065 < 0f) {
+                    phi_3360_ = (_e3065 + _e3073);
                 } else {
-                    phi_3263_ = (_e2980 - _e2988);
+                    phi_3360_ = (_e3065 - _e3073);
                 }
-                let _e2998 = phi_3263_;
-                let _e3005 = (1f / sqrt((((_e2993 * _e2993) + (_e2998 * _e2998)) + (_e2984 * _e2984))));
-                let _e3024 = (f32((bitcast<i32>((_e2824[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3030 = (f32((bitcast<i32>(_e2824[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e3034 = ((1f - abs(_e3024)) - abs(_e3030));
-                if (_e3034 < 0f) {
-                    phi_3301_ = -(_e3034);
+                let _e3083 = phi_3360_;
+                let _e3090 = (1f / sqrt((((_e3078 * _e3078) + (_e3083 * _e3083)) + (_e3069 * _e3069))));
+                let _e3109 = (f32((bitcast<i32>((_e2909[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3115 = (f32((bitcast<i32>(_e2909[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e3119 = ((1f - abs(_e3109)) - abs(_e3115));
+                if (_e3119 < 0f) {
+                    phi_3398_ = -(_e3119);
                 } else {
-                    phi_3301_ = 0f;
+                    phi_3398_ = 0f;
                 }
-                let _e3038 = phi_3301_;
-                if (_e3024 < 0f) {
-                    phi_3308_ = (_e3024 + _e3038);
+                let _e3123 = phi_3398_;
+                if (_e3109 < 0f) {
+                    phi_3405_ = (_e3109 + _e3123);
                 } else {
-                    phi_3308_ = (_e3024 - _e3038);
+                    phi_3405_ = (_e3109 - _e3123);
                 }
-                let _e3043 = phi_3308_;
-                if (_e3030 < 0f) {
-                    phi_3315_ = (_e3030 + _e3038);
+                let _e3128 = phi_3405_;
+                if (_e3115 < 0f) {
+                    phi_3412_ = (_e3115 + _e3123);
                 } else {
-                    phi_3315_ = (_e3030 - _e3038);
+                    phi_3412_ = (_e3115 - _e3123);
                 }
-                let _e3048 = phi_3315_;
-                let _e3055 = (1f / sqrt((((_e3043 * _e3043) + (_e3048 * _e3048)) + (_e3034 * _e3034))));
-                let _e3062 = ((((_e2946 * _e2958) * _e2555) + ((_e2993 * _e3005) * _e2549.u)) + ((_e3043 * _e3055) * _e2549.v));
-                let _e3063 = ((((_e2951 * _e2958) * _e2555) + ((_e2998 * _e3005) * _e2549.u)) + ((_e3048 * _e3055) * _e2549.v));
-                let _e3064 = ((((_e2937 * _e2958) * _e2555) + ((_e2984 * _e3005) * _e2549.u)) + ((_e3034 * _e3055) * _e2549.v));
-                if (_e2549.instance < _e84) {
+                let _e3133 = phi_3412_;
+                let _e3140 = (1f / sqrt((((_e3128 * _e3128) + (_e3133 * _e3133)) + (_e3119 * _e3119))));
+                let _e3147 = ((((_e3031 * _e3043) * _e2640) + ((_e3078 * _e3090) * _e2634.u)) + ((_e3128 * _e3140) * _e2634.v));
+                let _e3148 = ((((_e3036 * _e3043) * _e2640) + ((_e3083 * _e3090) * _e2634.u)) + ((_e3133 * _e3140) * _e2634.v));
+                let _e3149 = ((((_e3022 * _e3043) * _e2640) + ((_e3069 * _e3090) * _e2634.u)) + ((_e3119 * _e3140) * _e2634.v));
+                if (_e2634.instance < _e84) {
                 } else {
                     return;
                 }
-                let _e3071 = instances.member[(0u + _e2549.instance)].world_to_object[0u];
-                let _e3080 = instances.member[(0u + _e2549.instance)].world_to_object[1u];
-                let _e3092 = instances.member[(0u + _e2549.instance)].world_to_object[2u];
-                let _e3099 = (((_e3071.x * _e3062) + (_e3080.x * _e3063)) + (_e3092.x * _e3064));
-                let _e3100 = (((_e3071.y * _e3062) + (_e3080.y * _e3063)) + (_e3092.y * _e3064));
-                let _e3101 = (((_e3071.z * _e3062) + (_e3080.z * _e3063)) + (_e3092.z * _e3064));
-                let _e3107 = sqrt((((_e3099 * _e3099) + (_e3100 * _e3100)) + (_e3101 * _e3101)));
-                if (_e3107 > 0f) {
-                    let _e3109 = (_e3099 / _e3107);
-                    let _e3110 = (_e3100 / _e3107);
-                    let _e3111 = (_e3101 / _e3107);
-                    if ((((_e3109 * _e2802.x) + (_e3110 * _e2802.y)) + (_e3111 * _e2802.z)) < 0f) {
-                        phi_3401_ = vec3<f32>(-(_e3109), -(_e3110), -(_e3111));
+                let _e3156 = instances.member[(0u + _e2634.instance)].world_to_object[0u];
+                let _e3165 = instances.member[(0u + _e2634.instance)].world_to_object[1u];
+                let _e3177 = instances.member[(0u + _e2634.instance)].world_to_object[2u];
+                let _e3184 = (((_e3156.x * _e3147) + (_e3165.x * _e3148)) + (_e3177.x * _e3149));
+                let _e3185 = (((_e3156.y * _e3147) + (_e3165.y * _e3148)) + (_e3177.y * _e3149));
+                let _e3186 = (((_e3156.z * _e3147) + (_e3165.z * _e3148)) + (_e3177.z * _e3149));
+                let _e3192 = sqrt((((_e3184 * _e3184) + (_e3185 * _e3185)) + (_e3186 * _e3186)));
+                if (_e3192 > 0f) {
+                    let _e3194 = (_e3184 / _e3192);
+                    let _e3195 = (_e3185 / _e3192);
+                    let _e3196 = (_e3186 / _e3192);
+                    if ((((_e3194 * _e2887.x) + (_e3195 * _e2887.y)) + (_e3196 * _e2887.z)) < 0f) {
+                        phi_3498_ = vec3<f32>(-(_e3194), -(_e3195), -(_e3196));
                     } else {
-                        phi_3401_ = vec3<f32>(_e3109, _e3110, _e3111);
+                        phi_3498_ = vec3<f32>(_e3194, _e3195, _e3196);
                     }
-                    let _e3127 = phi_3401_;
-                    phi_3402_ = _e3127;
+                    let _e3212 = phi_3498_;
+                    phi_3499_ = _e3212;
                 } else {
-                    phi_3402_ = _e2802;
+                    phi_3499_ = _e2887;
                 }
-                let _e3129 = phi_3402_;
-                phi_3403_ = _e3129;
+                let _e3214 = phi_3499_;
+                phi_3500_ = _e3214;
             }
-            let _e3131 = phi_3403_;
-            if (_e2903 > 0f) {
-                if (_e2903 < 1f) {
-                    phi_3412_ = _e2903;
+            let _e3216 = phi_3500_;
+            if (_e2988 > 0f) {
+                if (_e2988 < 1f) {
+                    phi_3509_ = _e2988;
                 } else {
-                    phi_3412_ = 1f;
+                    phi_3509_ = 1f;
                 }
-                let _e3135 = phi_3412_;
-                phi_3413_ = _e3135;
+                let _e3220 = phi_3509_;
+                phi_3510_ = _e3220;
             } else {
-                phi_3413_ = 0f;
+                phi_3510_ = 0f;
             }
-            let _e3137 = phi_3413_;
-            if (_e2905 > 0f) {
-                if (_e2905 < 1f) {
-                    phi_3423_ = _e2905;
+            let _e3222 = phi_3510_;
+            if (_e2990 > 0f) {
+                if (_e2990 < 1f) {
+                    phi_3520_ = _e2990;
                 } else {
-                    phi_3423_ = 1f;
+                    phi_3520_ = 1f;
                 }
-                let _e3142 = phi_3423_;
-                phi_3424_ = _e3142;
+                let _e3227 = phi_3520_;
+                phi_3521_ = _e3227;
             } else {
-                phi_3424_ = 0f;
+                phi_3521_ = 0f;
             }
-            let _e3144 = phi_3424_;
-            if (_e2907 > 0f) {
-                if (_e2907 < 1f) {
-                    phi_3434_ = _e2907;
+            let _e3229 = phi_3521_;
+            if (_e2992 > 0f) {
+                if (_e2992 < 1f) {
+                    phi_3531_ = _e2992;
                 } else {
-                    phi_3434_ = 1f;
+                    phi_3531_ = 1f;
                 }
-                let _e3149 = phi_3434_;
-                phi_3435_ = _e3149;
+                let _e3234 = phi_3531_;
+                phi_3532_ = _e3234;
             } else {
-                phi_3435_ = 0f;
+                phi_3532_ = 0f;
             }
-            let _e3151 = phi_3435_;
-            let _e3154 = ((sqrt(_e3137) * 255f) + 0.5f);
-            let _e3163 = ((sqrt(_e3144) * 255f) + 0.5f);
-            let _e3175 = ((sqrt(_e3151) * 255f) + 0.5f);
-            phi_3470_ = abi_Sample(vec3<f32>(_e2710, _e2711, _e2712), _e2909, _e2802, _e2914, _e3131, ((select(select(u32(_e3154), 0u, (_e3154 < bitcast<f32>(0u))), 4294967295u, (_e3154 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3163), 0u, (_e3163 < bitcast<f32>(0u))), 4294967295u, (_e3163 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3175), 0u, (_e3175 < bitcast<f32>(0u))), 4294967295u, (_e3175 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e3236 = phi_3532_;
+            let _e3239 = ((sqrt(_e3222) * 255f) + 0.5f);
+            let _e3248 = ((sqrt(_e3229) * 255f) + 0.5f);
+            let _e3260 = ((sqrt(_e3236) * 255f) + 0.5f);
+            phi_3567_ = abi_Sample(vec3<f32>(_e2795, _e2796, _e2797), _e2994, _e2887, _e2999, _e3216, ((select(select(u32(_e3239), 0u, (_e3239 < bitcast<f32>(0u))), 4294967295u, (_e3239 > bitcast<f32>(1333788671u))) | (select(select(u32(_e3248), 0u, (_e3248 < bitcast<f32>(0u))), 4294967295u, (_e3248 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e3260), 0u, (_e3260 < bitcast<f32>(0u))), 4294967295u, (_e3260 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_3470_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_3567_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e3189 = phi_3470_;
+        let _e3274 = phi_3567_;
         if (_e96.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.first_primitive)] = _e3189;
-        if (_e2549.triangle != 4294967295u) {
-            let _e3198 = ((1f - _e2549.u) - _e2549.v);
-            if (_e2549.triangle < _e72) {
+        samples.member[(0u + _e96.first_primitive)] = _e3274;
+        if (_e2634.triangle != 4294967295u) {
+            let _e3283 = ((1f - _e2634.u) - _e2634.v);
+            if (_e2634.triangle < _e72) {
             } else {
                 return;
             }
-            let _e3203 = triangles.member[(0u + _e2549.triangle)];
-            if (_e3203.i0_ < _e87) {
+            let _e3288 = triangles.member[(0u + _e2634.triangle)];
+            if (_e3288.i0_ < _e87) {
             } else {
                 return;
             }
-            let _e3208 = before.member[(0u + _e3203.i0_)];
-            if (_e3203.i1_ < _e87) {
+            let _e3293 = before.member[(0u + _e3288.i0_)];
+            if (_e3288.i1_ < _e87) {
             } else {
                 return;
             }
-            let _e3213 = before.member[(0u + _e3203.i1_)];
-            if (_e3203.i2_ < _e87) {
+            let _e3298 = before.member[(0u + _e3288.i1_)];
+            if (_e3288.i2_ < _e87) {
             } else {
                 return;
             }
-            let _e3218 = before.member[(0u + _e3203.i2_)];
-            if (_e2549.instance < _e84) {
+            let _e3303 = before.member[(0u + _e3288.i2_)];
+            if (_e2634.instance < _e84) {
             } else {
                 return;
             }
-            let _e3228 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e3241 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e3254 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
-            if (_e2549.instance < _e84) {
+            let _e3313 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e3326 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e3339 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            if (_e2634.instance < _e84) {
             } else {
                 return;
             }
-            let _e3278 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e3291 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e3304 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
-            if (_e2549.instance < _e84) {
+            let _e3363 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e3376 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e3389 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            if (_e2634.instance < _e84) {
             } else {
                 return;
             }
-            let _e3331 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e3344 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e3357 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
-            phi_3692_ = vec3<f32>((((((((_e3228.x * _e3208.x) + (_e3228.y * _e3208.y)) + (_e3228.z * _e3208.z)) + (_e3228.w * 1f)) * _e3198) + (((((_e3278.x * _e3213.x) + (_e3278.y * _e3213.y)) + (_e3278.z * _e3213.z)) + (_e3278.w * 1f)) * _e2549.u)) + (((((_e3331.x * _e3218.x) + (_e3331.y * _e3218.y)) + (_e3331.z * _e3218.z)) + (_e3331.w * 1f)) * _e2549.v)), (((((((_e3241.x * _e3208.x) + (_e3241.y * _e3208.y)) + (_e3241.z * _e3208.z)) + (_e3241.w * 1f)) * _e3198) + (((((_e3291.x * _e3213.x) + (_e3291.y * _e3213.y)) + (_e3291.z * _e3213.z)) + (_e3291.w * 1f)) * _e2549.u)) + (((((_e3344.x * _e3218.x) + (_e3344.y * _e3218.y)) + (_e3344.z * _e3218.z)) + (_e3344.w * 1f)) * _e2549.v)), (((((((_e3254.x * _e3208.x) + (_e3254.y * _e3208.y)) + (_e3254.z * _e3208.z)) + (_e3254.w * 1f)) * _e3198) + (((((_e3304.x * _e3213.x) + (_e3304.y * _e3213.y)) + (_e3304.z * _e3213.z)) + (_e3304.w * 1f)) * _e2549.u)) + (((((_e3357.x * _e3218.x) + (_e3357.y * _e3218.y)) + (_e3357.z * _e3218.z)) + (_e3357.w * 1f)) * _e2549.v)));
+            let _e3416 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e3429 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e3442 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            phi_3789_ = vec3<f32>((((((((_e3313.x * _e3293.x) + (_e3313.y * _e3293.y)) + (_e3313.z * _e3293.z)) + (_e3313.w * 1f)) * _e3283) + (((((_e3363.x * _e3298.x) + (_e3363.y * _e3298.y)) + (_e3363.z * _e3298.z)) + (_e3363.w * 1f)) * _e2634.u)) + (((((_e3416.x * _e3303.x) + (_e3416.y * _e3303.y)) + (_e3416.z * _e3303.z)) + (_e3416.w * 1f)) * _e2634.v)), (((((((_e3326.x * _e3293.x) + (_e3326.y * _e3293.y)) + (_e3326.z * _e3293.z)) + (_e3326.w * 1f)) * _e3283) + (((((_e3376.x * _e3298.x) + (_e3376.y * _e3298.y)) + (_e3376.z * _e3298.z)) + (_e3376.w * 1f)) * _e2634.u)) + (((((_e3429.x * _e3303.x) + (_e3429.y * _e3303.y)) + (_e3429.z * _e3303.z)) + (_e3429.w * 1f)) * _e2634.v)), (((((((_e3339.x * _e3293.x) + (_e3339.y * _e3293.y)) + (_e3339.z * _e3293.z)) + (_e3339.w * 1f)) * _e3283) + (((((_e3389.x * _e3298.x) + (_e3389.y * _e3298.y)) + (_e3389.z * _e3298.z)) + (_e3389.w * 1f)) * _e2634.u)) + (((((_e3442.x * _e3303.x) + (_e3442.y * _e3303.y)) + (_e3442.z * _e3303.z)) + (_e3442.w * 1f)) * _e2634.v)));
         } else {
-            phi_3692_ = vec3<f32>(0f, 0f, 0f);
+            phi_3789_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3377 = phi_3692_;
+        let _e3462 = phi_3789_;
         if (_e96.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3377.x, _e3377.y, _e3377.z, 1f);
+        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3462.x, _e3462.y, _e3462.z, 1f);
     }
     return;
 }

@@ -321,132 +321,138 @@ fn function_() {
     var phi_1144_: u32;
     var phi_1190_: vec3<f32>;
     var phi_1191_: vec3<f32>;
-    var phi_1224_: vec3<f32>;
-    var phi_1225_: vec3<f32>;
-    var phi_1258_: vec3<f32>;
-    var phi_1259_: vec3<f32>;
-    var phi_1279_: bool;
-    var phi_1280_: bool;
-    var phi_1284_: f32;
-    var phi_1285_: f32;
-    var phi_1286_: f32;
-    var phi_1287_: f32;
-    var phi_1295_: f32;
-    var phi_1305_: bool;
-    var phi_1306_: bool;
-    var phi_1310_: f32;
-    var phi_1311_: f32;
-    var phi_1312_: f32;
-    var phi_1313_: f32;
-    var phi_1321_: f32;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1336_: f32;
-    var phi_1337_: f32;
-    var phi_1338_: f32;
-    var phi_1339_: f32;
-    var phi_1347_: f32;
-    var phi_1362_: f32;
-    var phi_1363_: bool;
-    var phi_1364_: f32;
-    var phi_1365_: bool;
-    var phi_1366_: f32;
-    var phi_1367_: bool;
-    var phi_1385_: f32;
-    var phi_1386_: bool;
-    var phi_1387_: bool;
-    var phi_1388_: f32;
-    var phi_1389_: bool;
+    var phi_1222_: vec3<f32>;
+    var phi_1223_: vec3<f32>;
+    var phi_1254_: vec3<f32>;
+    var phi_1255_: vec3<f32>;
+    var phi_1273_: bool;
+    var phi_1274_: bool;
+    var phi_1278_: f32;
+    var phi_1279_: f32;
+    var phi_1280_: f32;
+    var phi_1281_: f32;
+    var phi_1289_: f32;
+    var phi_1299_: bool;
+    var phi_1300_: bool;
+    var phi_1304_: f32;
+    var phi_1305_: f32;
+    var phi_1306_: f32;
+    var phi_1307_: f32;
+    var phi_1315_: f32;
+    var phi_1325_: bool;
+    var phi_1326_: bool;
+    var phi_1330_: f32;
+    var phi_1331_: f32;
+    var phi_1332_: f32;
+    var phi_1333_: f32;
+    var phi_1341_: f32;
+    var phi_1356_: f32;
+    var phi_1357_: bool;
+    var phi_1358_: f32;
+    var phi_1359_: bool;
+    var phi_1360_: f32;
+    var phi_1361_: bool;
+    var phi_1379_: f32;
+    var phi_1380_: bool;
+    var phi_1381_: bool;
+    var phi_1382_: f32;
+    var phi_1383_: bool;
+    var phi_1384_: bool;
+    var phi_1388_: bool;
+    var phi_1389_: f32;
     var phi_1390_: bool;
-    var phi_1394_: bool;
-    var phi_1395_: f32;
-    var phi_1396_: bool;
-    var phi_1432_: f32;
-    var phi_1441_: f32;
-    var phi_1450_: f32;
-    var phi_1459_: f32;
-    var phi_1466_: f32;
-    var phi_1473_: f32;
-    var phi_1486_: f32;
-    var phi_1495_: f32;
-    var phi_1504_: f32;
-    var phi_1513_: f32;
-    var phi_1520_: f32;
-    var phi_1527_: f32;
-    var phi_1550_: f32;
-    var phi_1555_: f32;
-    var phi_1560_: f32;
-    var phi_1568_: f32;
-    var phi_1573_: f32;
-    var phi_1578_: f32;
-    var phi_1590_: f32;
-    var phi_1595_: f32;
-    var phi_1600_: f32;
-    var phi_1605_: f32;
-    var phi_1610_: lt_bvh_triangle_Intersection;
-    var phi_1611_: bool;
-    var phi_1612_: lt_bvh_triangle_Intersection;
-    var phi_1613_: bool;
-    var phi_1617_: lt_bvh_triangle_Intersection;
-    var phi_1618_: bool;
-    var phi_1619_: lt_bvh_triangle_Intersection;
-    var phi_1620_: bool;
-    var phi_1621_: bool;
-    var phi_1625_: bool;
-    var phi_1629_: lt_bvh_triangle_Intersection;
-    var phi_1668_: bool;
-    var phi_1669_: bool;
-    var phi_1670_: bool;
-    var phi_1671_: bool;
-    var phi_1672_: bool;
-    var phi_1673_: bool;
-    var phi_1677_: bool;
-    var phi_1678_: bool;
-    var phi_1692_: bool;
-    var phi_1700_: lt_bvh_Hit;
-    var phi_1701_: lt_bvh_Hit;
-    var phi_1702_: lt_bvh_Hit;
-    var phi_1703_: lt_bvh_Hit;
+    var phi_1420_: vec3<f32>;
+    var phi_1421_: vec3<f32>;
+    var phi_1446_: vec3<f32>;
+    var phi_1447_: vec3<f32>;
+    var phi_1472_: vec3<f32>;
+    var phi_1473_: vec3<f32>;
+    var phi_1531_: f32;
+    var phi_1540_: f32;
+    var phi_1549_: f32;
+    var phi_1558_: f32;
+    var phi_1565_: f32;
+    var phi_1572_: f32;
+    var phi_1585_: f32;
+    var phi_1594_: f32;
+    var phi_1603_: f32;
+    var phi_1612_: f32;
+    var phi_1619_: f32;
+    var phi_1626_: f32;
+    var phi_1649_: f32;
+    var phi_1654_: f32;
+    var phi_1659_: f32;
+    var phi_1667_: f32;
+    var phi_1672_: f32;
+    var phi_1677_: f32;
+    var phi_1689_: f32;
+    var phi_1694_: f32;
+    var phi_1699_: f32;
+    var phi_1704_: f32;
+    var phi_1709_: lt_bvh_triangle_Intersection;
+    var phi_1710_: bool;
+    var phi_1711_: lt_bvh_triangle_Intersection;
+    var phi_1712_: bool;
+    var phi_1716_: lt_bvh_triangle_Intersection;
+    var phi_1717_: bool;
+    var phi_1718_: lt_bvh_triangle_Intersection;
+    var phi_1719_: bool;
+    var phi_1720_: bool;
+    var phi_1724_: bool;
+    var phi_1728_: lt_bvh_triangle_Intersection;
+    var phi_1767_: bool;
+    var phi_1768_: bool;
+    var phi_1769_: bool;
+    var phi_1770_: bool;
+    var phi_1771_: bool;
+    var phi_1772_: bool;
+    var phi_1776_: bool;
+    var phi_1777_: bool;
+    var phi_1791_: bool;
+    var phi_1799_: lt_bvh_Hit;
+    var phi_1800_: lt_bvh_Hit;
+    var phi_1801_: lt_bvh_Hit;
+    var phi_1802_: lt_bvh_Hit;
     var phi_1142_: lt_bvh_Hit;
     var phi_1145_: u32;
-    var phi_1704_: bool;
-    var phi_1743_: bool;
-    var phi_1744_: bool;
-    var phi_1775_: u32;
+    var phi_1803_: bool;
+    var phi_1842_: bool;
+    var phi_1843_: bool;
+    var phi_1874_: u32;
     var phi_805_: lt_bvh_Hit;
     var phi_808_: u32;
-    var phi_1776_: lt_bvh_Hit;
-    var phi_1777_: lt_bvh_Hit;
-    var phi_1778_: bool;
-    var phi_1782_: lt_bvh_Hit;
-    var phi_1847_: f32;
-    var phi_1852_: f32;
-    var phi_1857_: f32;
-    var phi_1868_: f32;
-    var phi_1873_: f32;
-    var phi_1878_: f32;
-    var phi_1954_: vec3<f32>;
-    var phi_2075_: u32;
-    var phi_2102_: f32;
-    var phi_2109_: f32;
-    var phi_2116_: f32;
-    var phi_2151_: f32;
-    var phi_2158_: f32;
-    var phi_2165_: f32;
-    var phi_2203_: f32;
-    var phi_2210_: f32;
-    var phi_2217_: f32;
-    var phi_2276_: vec3<f32>;
-    var phi_2277_: vec3<f32>;
-    var phi_2278_: vec3<f32>;
-    var phi_2287_: f32;
-    var phi_2288_: f32;
-    var phi_2298_: f32;
-    var phi_2299_: f32;
+    var phi_1875_: lt_bvh_Hit;
+    var phi_1876_: lt_bvh_Hit;
+    var phi_1877_: bool;
+    var phi_1881_: lt_bvh_Hit;
+    var phi_1946_: f32;
+    var phi_1951_: f32;
+    var phi_1956_: f32;
+    var phi_1967_: f32;
+    var phi_1972_: f32;
+    var phi_1977_: f32;
+    var phi_2053_: vec3<f32>;
+    var phi_2174_: u32;
+    var phi_2201_: f32;
+    var phi_2208_: f32;
+    var phi_2215_: f32;
+    var phi_2250_: f32;
+    var phi_2257_: f32;
+    var phi_2264_: f32;
+    var phi_2302_: f32;
     var phi_2309_: f32;
-    var phi_2310_: f32;
-    var phi_2345_: abi_Sample;
-    var phi_2435_: vec3<f32>;
+    var phi_2316_: f32;
+    var phi_2375_: vec3<f32>;
+    var phi_2376_: vec3<f32>;
+    var phi_2377_: vec3<f32>;
+    var phi_2386_: f32;
+    var phi_2387_: f32;
+    var phi_2397_: f32;
+    var phi_2398_: f32;
+    var phi_2408_: f32;
+    var phi_2409_: f32;
+    var phi_2444_: abi_Sample;
+    var phi_2534_: vec3<f32>;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
@@ -578,7 +584,7 @@ fn function_() {
         if _e217 {
             let _e218 = (0u >= _e67);
             if _e218 {
-                phi_1776_ = lt_bvh_Hit();
+                phi_1875_ = lt_bvh_Hit();
             } else {
                 if (0u < _e67) {
                 } else {
@@ -705,7 +711,6 @@ fn function_() {
                 let _e403 = phi_632_;
                 let _e407 = (_e403.x / _e403.z);
                 let _e410 = (_e403.y / _e403.z);
-                let _e412 = (1f / _e403.z);
                 if (_e300 < 0f) {
                     phi_646_ = 0u;
                 } else {
@@ -973,7 +978,7 @@ fn function_() {
                             if (_e1006 == 0u) {
                                 phi_1142_ = lt_bvh_Hit();
                                 phi_1145_ = u32();
-                                phi_1704_ = false;
+                                phi_1803_ = false;
                             } else {
                                 let _e1010 = nodes.member[(0u + _e563)].links[1u];
                                 let _e1015 = ((0u + _e1010) + select(firstTrailingBit(_e1006), 32u, (_e1006 == 0u)));
@@ -999,881 +1004,934 @@ fn function_() {
                                 let _e1040 = phi_1191_;
                                 let _e1044 = (_e1040.x - (_e407 * _e1040.z));
                                 let _e1048 = (_e1040.y - (_e410 * _e1040.z));
-                                let _e1052 = triangles.member[(0u + _e1015)].v1_;
-                                let _e1055 = (_e1052.x - _e146.origin.x);
-                                let _e1058 = (_e1052.y - _e146.origin.y);
-                                let _e1061 = (_e1052.z - _e146.origin.z);
+                                let _e1050 = triangles.member[(0u + _e1015)].v1_;
+                                let _e1053 = (_e1050.x - _e146.origin.x);
+                                let _e1056 = (_e1050.y - _e146.origin.y);
+                                let _e1059 = (_e1050.z - _e146.origin.z);
                                 if (_e388 == 0u) {
-                                    phi_1225_ = vec3<f32>(_e1058, _e1061, _e1055);
+                                    phi_1223_ = vec3<f32>(_e1056, _e1059, _e1053);
                                 } else {
                                     if (_e388 == 1u) {
-                                        phi_1224_ = vec3<f32>(_e1061, _e1055, _e1058);
+                                        phi_1222_ = vec3<f32>(_e1059, _e1053, _e1056);
                                     } else {
-                                        phi_1224_ = (_e1052 - _e146.origin);
+                                        phi_1222_ = (_e1050 - _e146.origin);
                                     }
-                                    let _e1068 = phi_1224_;
-                                    phi_1225_ = _e1068;
+                                    let _e1066 = phi_1222_;
+                                    phi_1223_ = _e1066;
                                 }
-                                let _e1070 = phi_1225_;
-                                let _e1074 = (_e1070.x - (_e407 * _e1070.z));
-                                let _e1078 = (_e1070.y - (_e410 * _e1070.z));
-                                let _e1082 = triangles.member[(0u + _e1015)].v2_;
-                                let _e1085 = (_e1082.x - _e146.origin.x);
-                                let _e1088 = (_e1082.y - _e146.origin.y);
-                                let _e1091 = (_e1082.z - _e146.origin.z);
+                                let _e1068 = phi_1223_;
+                                let _e1072 = (_e1068.x - (_e407 * _e1068.z));
+                                let _e1076 = (_e1068.y - (_e410 * _e1068.z));
+                                let _e1078 = triangles.member[(0u + _e1015)].v2_;
+                                let _e1081 = (_e1078.x - _e146.origin.x);
+                                let _e1084 = (_e1078.y - _e146.origin.y);
+                                let _e1087 = (_e1078.z - _e146.origin.z);
                                 if (_e388 == 0u) {
-                                    phi_1259_ = vec3<f32>(_e1088, _e1091, _e1085);
+                                    phi_1255_ = vec3<f32>(_e1084, _e1087, _e1081);
                                 } else {
                                     if (_e388 == 1u) {
-                                        phi_1258_ = vec3<f32>(_e1091, _e1085, _e1088);
+                                        phi_1254_ = vec3<f32>(_e1087, _e1081, _e1084);
                                     } else {
-                                        phi_1258_ = (_e1082 - _e146.origin);
+                                        phi_1254_ = (_e1078 - _e146.origin);
                                     }
-                                    let _e1098 = phi_1258_;
-                                    phi_1259_ = _e1098;
+                                    let _e1094 = phi_1254_;
+                                    phi_1255_ = _e1094;
                                 }
-                                let _e1100 = phi_1259_;
-                                let _e1104 = (_e1100.x - (_e407 * _e1100.z));
-                                let _e1108 = (_e1100.y - (_e410 * _e1100.z));
-                                if (_e1074 < _e1104) {
-                                    phi_1280_ = true;
+                                let _e1096 = phi_1255_;
+                                let _e1100 = (_e1096.x - (_e407 * _e1096.z));
+                                let _e1104 = (_e1096.y - (_e410 * _e1096.z));
+                                if (_e1072 < _e1100) {
+                                    phi_1274_ = true;
                                 } else {
-                                    if (_e1074 == _e1104) {
-                                        phi_1279_ = (_e1078 < _e1108);
+                                    if (_e1072 == _e1100) {
+                                        phi_1273_ = (_e1076 < _e1104);
                                     } else {
-                                        phi_1279_ = false;
+                                        phi_1273_ = false;
                                     }
-                                    let _e1115 = phi_1279_;
-                                    phi_1280_ = _e1115;
+                                    let _e1109 = phi_1273_;
+                                    phi_1274_ = _e1109;
                                 }
+                                let _e1111 = phi_1274_;
+                                if _e1111 {
+                                    phi_1278_ = _e1104;
+                                    phi_1279_ = _e1100;
+                                    phi_1280_ = _e1076;
+                                    phi_1281_ = _e1072;
+                                } else {
+                                    phi_1278_ = _e1076;
+                                    phi_1279_ = _e1072;
+                                    phi_1280_ = _e1104;
+                                    phi_1281_ = _e1100;
+                                }
+                                let _e1113 = phi_1278_;
+                                let _e1115 = phi_1279_;
                                 let _e1117 = phi_1280_;
-                                if _e1117 {
-                                    phi_1284_ = _e1108;
-                                    phi_1285_ = _e1104;
-                                    phi_1286_ = _e1078;
-                                    phi_1287_ = _e1074;
+                                let _e1119 = phi_1281_;
+                                let _e1122 = ((_e1119 * _e1113) - (_e1117 * _e1115));
+                                if _e1111 {
+                                    phi_1289_ = -(_e1122);
                                 } else {
-                                    phi_1284_ = _e1078;
-                                    phi_1285_ = _e1074;
-                                    phi_1286_ = _e1108;
-                                    phi_1287_ = _e1104;
+                                    phi_1289_ = _e1122;
                                 }
-                                let _e1119 = phi_1284_;
-                                let _e1121 = phi_1285_;
-                                let _e1123 = phi_1286_;
-                                let _e1125 = phi_1287_;
-                                let _e1128 = ((_e1125 * _e1119) - (_e1123 * _e1121));
-                                if _e1117 {
-                                    phi_1295_ = -(_e1128);
+                                let _e1125 = phi_1289_;
+                                if (_e1100 < _e1044) {
+                                    phi_1300_ = true;
                                 } else {
-                                    phi_1295_ = _e1128;
-                                }
-                                let _e1131 = phi_1295_;
-                                if (_e1104 < _e1044) {
-                                    phi_1306_ = true;
-                                } else {
-                                    if (_e1104 == _e1044) {
-                                        phi_1305_ = (_e1108 < _e1048);
+                                    if (_e1100 == _e1044) {
+                                        phi_1299_ = (_e1104 < _e1048);
                                     } else {
-                                        phi_1305_ = false;
+                                        phi_1299_ = false;
                                     }
-                                    let _e1136 = phi_1305_;
-                                    phi_1306_ = _e1136;
+                                    let _e1130 = phi_1299_;
+                                    phi_1300_ = _e1130;
                                 }
+                                let _e1132 = phi_1300_;
+                                if _e1132 {
+                                    phi_1304_ = _e1048;
+                                    phi_1305_ = _e1044;
+                                    phi_1306_ = _e1104;
+                                    phi_1307_ = _e1100;
+                                } else {
+                                    phi_1304_ = _e1104;
+                                    phi_1305_ = _e1100;
+                                    phi_1306_ = _e1048;
+                                    phi_1307_ = _e1044;
+                                }
+                                let _e1134 = phi_1304_;
+                                let _e1136 = phi_1305_;
                                 let _e1138 = phi_1306_;
-                                if _e1138 {
-                                    phi_1310_ = _e1048;
-                                    phi_1311_ = _e1044;
-                                    phi_1312_ = _e1108;
-                                    phi_1313_ = _e1104;
+                                let _e1140 = phi_1307_;
+                                let _e1143 = ((_e1140 * _e1134) - (_e1138 * _e1136));
+                                if _e1132 {
+                                    phi_1315_ = -(_e1143);
                                 } else {
-                                    phi_1310_ = _e1108;
-                                    phi_1311_ = _e1104;
-                                    phi_1312_ = _e1048;
-                                    phi_1313_ = _e1044;
+                                    phi_1315_ = _e1143;
                                 }
-                                let _e1140 = phi_1310_;
-                                let _e1142 = phi_1311_;
-                                let _e1144 = phi_1312_;
-                                let _e1146 = phi_1313_;
-                                let _e1149 = ((_e1146 * _e1140) - (_e1144 * _e1142));
-                                if _e1138 {
-                                    phi_1321_ = -(_e1149);
+                                let _e1146 = phi_1315_;
+                                if (_e1044 < _e1072) {
+                                    phi_1326_ = true;
                                 } else {
-                                    phi_1321_ = _e1149;
-                                }
-                                let _e1152 = phi_1321_;
-                                if (_e1044 < _e1074) {
-                                    phi_1332_ = true;
-                                } else {
-                                    if (_e1044 == _e1074) {
-                                        phi_1331_ = (_e1048 < _e1078);
+                                    if (_e1044 == _e1072) {
+                                        phi_1325_ = (_e1048 < _e1076);
                                     } else {
-                                        phi_1331_ = false;
+                                        phi_1325_ = false;
                                     }
-                                    let _e1157 = phi_1331_;
-                                    phi_1332_ = _e1157;
+                                    let _e1151 = phi_1325_;
+                                    phi_1326_ = _e1151;
                                 }
+                                let _e1153 = phi_1326_;
+                                if _e1153 {
+                                    phi_1330_ = _e1076;
+                                    phi_1331_ = _e1072;
+                                    phi_1332_ = _e1048;
+                                    phi_1333_ = _e1044;
+                                } else {
+                                    phi_1330_ = _e1048;
+                                    phi_1331_ = _e1044;
+                                    phi_1332_ = _e1076;
+                                    phi_1333_ = _e1072;
+                                }
+                                let _e1155 = phi_1330_;
+                                let _e1157 = phi_1331_;
                                 let _e1159 = phi_1332_;
-                                if _e1159 {
-                                    phi_1336_ = _e1078;
-                                    phi_1337_ = _e1074;
-                                    phi_1338_ = _e1048;
-                                    phi_1339_ = _e1044;
+                                let _e1161 = phi_1333_;
+                                let _e1164 = ((_e1161 * _e1155) - (_e1159 * _e1157));
+                                if _e1153 {
+                                    phi_1341_ = -(_e1164);
                                 } else {
-                                    phi_1336_ = _e1048;
-                                    phi_1337_ = _e1044;
-                                    phi_1338_ = _e1078;
-                                    phi_1339_ = _e1074;
+                                    phi_1341_ = _e1164;
                                 }
-                                let _e1161 = phi_1336_;
-                                let _e1163 = phi_1337_;
-                                let _e1165 = phi_1338_;
-                                let _e1167 = phi_1339_;
-                                let _e1170 = ((_e1167 * _e1161) - (_e1165 * _e1163));
-                                if _e1159 {
-                                    phi_1347_ = -(_e1170);
-                                } else {
-                                    phi_1347_ = _e1170;
-                                }
-                                let _e1173 = phi_1347_;
-                                if (_e1131 >= 0f) {
-                                    if (_e1152 >= 0f) {
-                                        if (_e1173 >= 0f) {
-                                            phi_1362_ = ((_e1131 + _e1152) + _e1173);
-                                            phi_1363_ = false;
+                                let _e1167 = phi_1341_;
+                                if (_e1125 >= 0f) {
+                                    if (_e1146 >= 0f) {
+                                        if (_e1167 >= 0f) {
+                                            phi_1356_ = ((_e1125 + _e1146) + _e1167);
+                                            phi_1357_ = false;
                                         } else {
-                                            phi_1362_ = f32();
-                                            phi_1363_ = true;
+                                            phi_1356_ = f32();
+                                            phi_1357_ = true;
                                         }
-                                        let _e1180 = phi_1362_;
-                                        let _e1182 = phi_1363_;
-                                        phi_1364_ = _e1180;
-                                        phi_1365_ = _e1182;
+                                        let _e1174 = phi_1356_;
+                                        let _e1176 = phi_1357_;
+                                        phi_1358_ = _e1174;
+                                        phi_1359_ = _e1176;
                                     } else {
-                                        phi_1364_ = f32();
-                                        phi_1365_ = true;
+                                        phi_1358_ = f32();
+                                        phi_1359_ = true;
                                     }
-                                    let _e1184 = phi_1364_;
-                                    let _e1186 = phi_1365_;
-                                    phi_1366_ = _e1184;
-                                    phi_1367_ = _e1186;
+                                    let _e1178 = phi_1358_;
+                                    let _e1180 = phi_1359_;
+                                    phi_1360_ = _e1178;
+                                    phi_1361_ = _e1180;
                                 } else {
-                                    phi_1366_ = f32();
-                                    phi_1367_ = true;
+                                    phi_1360_ = f32();
+                                    phi_1361_ = true;
                                 }
-                                let _e1188 = phi_1366_;
-                                let _e1190 = phi_1367_;
-                                if _e1190 {
-                                    if (_e1131 <= 0f) {
-                                        if (_e1152 <= 0f) {
-                                            let _e1193 = (_e1173 <= 0f);
-                                            if _e1193 {
+                                let _e1182 = phi_1360_;
+                                let _e1184 = phi_1361_;
+                                if _e1184 {
+                                    if (_e1125 <= 0f) {
+                                        if (_e1146 <= 0f) {
+                                            let _e1187 = (_e1167 <= 0f);
+                                            if _e1187 {
                                             }
-                                            phi_1385_ = ((_e1131 + _e1152) + _e1173);
-                                            phi_1386_ = false;
-                                            phi_1387_ = _e1193;
+                                            phi_1379_ = ((_e1125 + _e1146) + _e1167);
+                                            phi_1380_ = false;
+                                            phi_1381_ = _e1187;
                                         } else {
-                                            phi_1385_ = f32();
-                                            phi_1386_ = true;
-                                            phi_1387_ = false;
+                                            phi_1379_ = f32();
+                                            phi_1380_ = true;
+                                            phi_1381_ = false;
                                         }
-                                        let _e1197 = phi_1385_;
-                                        let _e1199 = phi_1386_;
-                                        let _e1201 = phi_1387_;
-                                        phi_1388_ = _e1197;
-                                        phi_1389_ = _e1199;
-                                        phi_1390_ = _e1201;
+                                        let _e1191 = phi_1379_;
+                                        let _e1193 = phi_1380_;
+                                        let _e1195 = phi_1381_;
+                                        phi_1382_ = _e1191;
+                                        phi_1383_ = _e1193;
+                                        phi_1384_ = _e1195;
                                     } else {
-                                        phi_1388_ = f32();
-                                        phi_1389_ = true;
-                                        phi_1390_ = false;
+                                        phi_1382_ = f32();
+                                        phi_1383_ = true;
+                                        phi_1384_ = false;
+                                    }
+                                    let _e1197 = phi_1382_;
+                                    let _e1199 = phi_1383_;
+                                    let _e1201 = phi_1384_;
+                                    if _e1199 {
+                                        phi_1388_ = false;
+                                    } else {
+                                        phi_1388_ = _e1201;
                                     }
                                     let _e1203 = phi_1388_;
-                                    let _e1205 = phi_1389_;
-                                    let _e1207 = phi_1390_;
-                                    if _e1205 {
-                                        phi_1394_ = false;
-                                    } else {
-                                        phi_1394_ = _e1207;
-                                    }
-                                    let _e1209 = phi_1394_;
-                                    phi_1395_ = _e1203;
-                                    phi_1396_ = _e1209;
+                                    phi_1389_ = _e1197;
+                                    phi_1390_ = _e1203;
                                 } else {
-                                    phi_1395_ = _e1188;
-                                    phi_1396_ = true;
+                                    phi_1389_ = _e1182;
+                                    phi_1390_ = true;
                                 }
-                                let _e1211 = phi_1395_;
-                                let _e1213 = phi_1396_;
-                                if _e1213 {
-                                    let _e1214 = (_e1211 == 0f);
-                                    if _e1214 {
-                                        phi_1617_ = lt_bvh_triangle_Intersection();
-                                        phi_1618_ = false;
+                                let _e1205 = phi_1389_;
+                                let _e1207 = phi_1390_;
+                                if _e1207 {
+                                    let _e1208 = (_e1205 == 0f);
+                                    if _e1208 {
+                                        phi_1716_ = lt_bvh_triangle_Intersection();
+                                        phi_1717_ = false;
                                     } else {
-                                        let _e1220 = ((((_e1131 * (_e412 * _e1040.z)) + (_e1152 * (_e412 * _e1070.z))) + (_e1173 * (_e412 * _e1100.z))) / _e1211);
-                                        if (_e1220 > _e146.tmin) {
-                                            if (_e1220 < _e146.tmax) {
-                                                let _e1226 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1228 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1226.x < _e1228.x) {
-                                                    phi_1432_ = _e1226.x;
-                                                } else {
-                                                    phi_1432_ = _e1228.x;
-                                                }
-                                                let _e1235 = phi_1432_;
-                                                if (_e1226.y < _e1228.y) {
-                                                    phi_1441_ = _e1226.y;
-                                                } else {
-                                                    phi_1441_ = _e1228.y;
-                                                }
-                                                let _e1242 = phi_1441_;
-                                                if (_e1226.z < _e1228.z) {
-                                                    phi_1450_ = _e1226.z;
-                                                } else {
-                                                    phi_1450_ = _e1228.z;
-                                                }
-                                                let _e1249 = phi_1450_;
-                                                let _e1251 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1235 < _e1251.x) {
-                                                    phi_1459_ = _e1235;
-                                                } else {
-                                                    phi_1459_ = _e1251.x;
-                                                }
-                                                let _e1256 = phi_1459_;
-                                                if (_e1242 < _e1251.y) {
-                                                    phi_1466_ = _e1242;
-                                                } else {
-                                                    phi_1466_ = _e1251.y;
-                                                }
-                                                let _e1261 = phi_1466_;
-                                                if (_e1249 < _e1251.z) {
-                                                    phi_1473_ = _e1249;
-                                                } else {
-                                                    phi_1473_ = _e1251.z;
-                                                }
-                                                let _e1266 = phi_1473_;
-                                                let _e1268 = triangles.member[(0u + _e1015)].v0_;
-                                                let _e1270 = triangles.member[(0u + _e1015)].v1_;
-                                                if (_e1268.x > _e1270.x) {
-                                                    phi_1486_ = _e1268.x;
-                                                } else {
-                                                    phi_1486_ = _e1270.x;
-                                                }
-                                                let _e1277 = phi_1486_;
-                                                if (_e1268.y > _e1270.y) {
-                                                    phi_1495_ = _e1268.y;
-                                                } else {
-                                                    phi_1495_ = _e1270.y;
-                                                }
-                                                let _e1284 = phi_1495_;
-                                                if (_e1268.z > _e1270.z) {
-                                                    phi_1504_ = _e1268.z;
-                                                } else {
-                                                    phi_1504_ = _e1270.z;
-                                                }
-                                                let _e1291 = phi_1504_;
-                                                let _e1293 = triangles.member[(0u + _e1015)].v2_;
-                                                if (_e1277 > _e1293.x) {
-                                                    phi_1513_ = _e1277;
-                                                } else {
-                                                    phi_1513_ = _e1293.x;
-                                                }
-                                                let _e1298 = phi_1513_;
-                                                if (_e1284 > _e1293.y) {
-                                                    phi_1520_ = _e1284;
-                                                } else {
-                                                    phi_1520_ = _e1293.y;
-                                                }
-                                                let _e1303 = phi_1520_;
-                                                if (_e1291 > _e1293.z) {
-                                                    phi_1527_ = _e1291;
-                                                } else {
-                                                    phi_1527_ = _e1293.z;
-                                                }
-                                                let _e1308 = phi_1527_;
-                                                let _e1315 = ((_e1256 - _e146.origin.x) * _e300);
-                                                let _e1316 = ((_e1261 - _e146.origin.y) * _e312);
-                                                let _e1317 = ((_e1266 - _e146.origin.z) * _e324);
-                                                let _e1324 = ((_e1298 - _e146.origin.x) * _e300);
-                                                let _e1325 = ((_e1303 - _e146.origin.y) * _e312);
-                                                let _e1326 = ((_e1308 - _e146.origin.z) * _e324);
-                                                if (_e1315 < _e1324) {
-                                                    phi_1550_ = _e1315;
-                                                } else {
-                                                    phi_1550_ = _e1324;
-                                                }
-                                                let _e1329 = phi_1550_;
-                                                if (_e1316 < _e1325) {
-                                                    phi_1555_ = _e1316;
-                                                } else {
-                                                    phi_1555_ = _e1325;
-                                                }
-                                                let _e1332 = phi_1555_;
-                                                if (_e1317 < _e1326) {
-                                                    phi_1560_ = _e1317;
-                                                } else {
-                                                    phi_1560_ = _e1326;
-                                                }
-                                                let _e1335 = phi_1560_;
-                                                if (_e1315 > _e1324) {
-                                                    phi_1568_ = _e1315;
-                                                } else {
-                                                    phi_1568_ = _e1324;
-                                                }
-                                                let _e1341 = phi_1568_;
-                                                if (_e1316 > _e1325) {
-                                                    phi_1573_ = _e1316;
-                                                } else {
-                                                    phi_1573_ = _e1325;
-                                                }
-                                                let _e1344 = phi_1573_;
-                                                if (_e1317 > _e1326) {
-                                                    phi_1578_ = _e1317;
-                                                } else {
-                                                    phi_1578_ = _e1326;
-                                                }
-                                                let _e1347 = phi_1578_;
-                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_((_e1329 - _e368), (_e1332 - _e369));
-                                                let _e1352 = core_intrinsics_maximum_number_nsz_f32_(_e1351, (_e1335 - _e370));
-                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_((_e1341 + _e368), (_e1344 + _e369));
-                                                let _e1354 = core_intrinsics_minimum_number_nsz_f32_(_e1353, (_e1347 + _e370));
-                                                if (_e1352 > -300000000000000000000000000000000000000f) {
-                                                    phi_1590_ = _e1352;
-                                                } else {
-                                                    phi_1590_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1357 = phi_1590_;
-                                                if (_e1354 < 300000000000000000000000000000000000000f) {
-                                                    phi_1595_ = _e1354;
-                                                } else {
-                                                    phi_1595_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1360 = phi_1595_;
-                                                if (_e1220 < _e1357) {
-                                                    phi_1600_ = _e1357;
-                                                } else {
-                                                    phi_1600_ = _e1220;
-                                                }
-                                                let _e1363 = phi_1600_;
-                                                if (_e1363 > _e1360) {
-                                                    phi_1605_ = _e1360;
-                                                } else {
-                                                    phi_1605_ = _e1363;
-                                                }
-                                                let _e1366 = phi_1605_;
-                                                phi_1610_ = lt_bvh_triangle_Intersection(_e1366, (_e1152 / _e1211), (_e1173 / _e1211), (_e1357 <= _e1360));
-                                                phi_1611_ = false;
+                                        let _e1210 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1213 = (_e1210.x - _e146.origin.x);
+                                        let _e1216 = (_e1210.y - _e146.origin.y);
+                                        let _e1219 = (_e1210.z - _e146.origin.z);
+                                        if (_e388 == 0u) {
+                                            phi_1421_ = vec3<f32>(_e1216, _e1219, _e1213);
+                                        } else {
+                                            if (_e388 == 1u) {
+                                                phi_1420_ = vec3<f32>(_e1219, _e1213, _e1216);
                                             } else {
-                                                phi_1610_ = lt_bvh_triangle_Intersection();
-                                                phi_1611_ = true;
+                                                phi_1420_ = (_e1210 - _e146.origin);
                                             }
-                                            let _e1372 = phi_1610_;
-                                            let _e1374 = phi_1611_;
-                                            phi_1612_ = _e1372;
-                                            phi_1613_ = _e1374;
+                                            let _e1226 = phi_1420_;
+                                            phi_1421_ = _e1226;
+                                        }
+                                        let _e1228 = phi_1421_;
+                                        let _e1230 = triangles.member[(0u + _e1015)].v1_;
+                                        let _e1232 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1235 = (_e1230.x - _e1232.x);
+                                        let _e1238 = (_e1230.y - _e1232.y);
+                                        let _e1241 = (_e1230.z - _e1232.z);
+                                        if (_e388 == 0u) {
+                                            phi_1447_ = vec3<f32>(_e1238, _e1241, _e1235);
                                         } else {
-                                            phi_1612_ = lt_bvh_triangle_Intersection();
-                                            phi_1613_ = true;
+                                            if (_e388 == 1u) {
+                                                phi_1446_ = vec3<f32>(_e1241, _e1235, _e1238);
+                                            } else {
+                                                phi_1446_ = (_e1230 - _e1232);
+                                            }
+                                            let _e1248 = phi_1446_;
+                                            phi_1447_ = _e1248;
                                         }
-                                        let _e1376 = phi_1612_;
-                                        let _e1378 = phi_1613_;
-                                        if _e1378 {
+                                        let _e1250 = phi_1447_;
+                                        let _e1252 = triangles.member[(0u + _e1015)].v2_;
+                                        let _e1254 = triangles.member[(0u + _e1015)].v0_;
+                                        let _e1257 = (_e1252.x - _e1254.x);
+                                        let _e1260 = (_e1252.y - _e1254.y);
+                                        let _e1263 = (_e1252.z - _e1254.z);
+                                        if (_e388 == 0u) {
+                                            phi_1473_ = vec3<f32>(_e1260, _e1263, _e1257);
+                                        } else {
+                                            if (_e388 == 1u) {
+                                                phi_1472_ = vec3<f32>(_e1263, _e1257, _e1260);
+                                            } else {
+                                                phi_1472_ = (_e1252 - _e1254);
+                                            }
+                                            let _e1270 = phi_1472_;
+                                            phi_1473_ = _e1270;
                                         }
-                                        phi_1617_ = _e1376;
-                                        phi_1618_ = _e1378;
+                                        let _e1272 = phi_1473_;
+                                        let _e1279 = ((_e1250.y * _e1272.z) - (_e1250.z * _e1272.y));
+                                        let _e1286 = ((_e1250.z * _e1272.x) - (_e1250.x * _e1272.z));
+                                        let _e1293 = ((_e1250.x * _e1272.y) - (_e1250.y * _e1272.x));
+                                        let _e1307 = (((1f / _e403.z) * (((_e1279 * _e1228.x) + (_e1286 * _e1228.y)) + (_e1293 * _e1228.z))) / (((_e1279 * _e407) + (_e1286 * _e410)) + _e1293));
+                                        if (_e1307 > _e146.tmin) {
+                                            if (_e1307 < _e146.tmax) {
+                                                let _e1313 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1315 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1313.x < _e1315.x) {
+                                                    phi_1531_ = _e1313.x;
+                                                } else {
+                                                    phi_1531_ = _e1315.x;
+                                                }
+                                                let _e1322 = phi_1531_;
+                                                if (_e1313.y < _e1315.y) {
+                                                    phi_1540_ = _e1313.y;
+                                                } else {
+                                                    phi_1540_ = _e1315.y;
+                                                }
+                                                let _e1329 = phi_1540_;
+                                                if (_e1313.z < _e1315.z) {
+                                                    phi_1549_ = _e1313.z;
+                                                } else {
+                                                    phi_1549_ = _e1315.z;
+                                                }
+                                                let _e1336 = phi_1549_;
+                                                let _e1338 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1322 < _e1338.x) {
+                                                    phi_1558_ = _e1322;
+                                                } else {
+                                                    phi_1558_ = _e1338.x;
+                                                }
+                                                let _e1343 = phi_1558_;
+                                                if (_e1329 < _e1338.y) {
+                                                    phi_1565_ = _e1329;
+                                                } else {
+                                                    phi_1565_ = _e1338.y;
+                                                }
+                                                let _e1348 = phi_1565_;
+                                                if (_e1336 < _e1338.z) {
+                                                    phi_1572_ = _e1336;
+                                                } else {
+                                                    phi_1572_ = _e1338.z;
+                                                }
+                                                let _e1353 = phi_1572_;
+                                                let _e1355 = triangles.member[(0u + _e1015)].v0_;
+                                                let _e1357 = triangles.member[(0u + _e1015)].v1_;
+                                                if (_e1355.x > _e1357.x) {
+                                                    phi_1585_ = _e1355.x;
+                                                } else {
+                                                    phi_1585_ = _e1357.x;
+                                                }
+                                                let _e1364 = phi_1585_;
+                                                if (_e1355.y > _e1357.y) {
+                                                    phi_1594_ = _e1355.y;
+                                                } else {
+                                                    phi_1594_ = _e1357.y;
+                                                }
+                                                let _e1371 = phi_1594_;
+                                                if (_e1355.z > _e1357.z) {
+                                                    phi_1603_ = _e1355.z;
+                                                } else {
+                                                    phi_1603_ = _e1357.z;
+                                                }
+                                                let _e1378 = phi_1603_;
+                                                let _e1380 = triangles.member[(0u + _e1015)].v2_;
+                                                if (_e1364 > _e1380.x) {
+                                                    phi_1612_ = _e1364;
+                                                } else {
+                                                    phi_1612_ = _e1380.x;
+                                                }
+                                                let _e1385 = phi_1612_;
+                                                if (_e1371 > _e1380.y) {
+                                                    phi_1619_ = _e1371;
+                                                } else {
+                                                    phi_1619_ = _e1380.y;
+                                                }
+                                                let _e1390 = phi_1619_;
+                                                if (_e1378 > _e1380.z) {
+                                                    phi_1626_ = _e1378;
+                                                } else {
+                                                    phi_1626_ = _e1380.z;
+                                                }
+                                                let _e1395 = phi_1626_;
+                                                let _e1402 = ((_e1343 - _e146.origin.x) * _e300);
+                                                let _e1403 = ((_e1348 - _e146.origin.y) * _e312);
+                                                let _e1404 = ((_e1353 - _e146.origin.z) * _e324);
+                                                let _e1411 = ((_e1385 - _e146.origin.x) * _e300);
+                                                let _e1412 = ((_e1390 - _e146.origin.y) * _e312);
+                                                let _e1413 = ((_e1395 - _e146.origin.z) * _e324);
+                                                if (_e1402 < _e1411) {
+                                                    phi_1649_ = _e1402;
+                                                } else {
+                                                    phi_1649_ = _e1411;
+                                                }
+                                                let _e1416 = phi_1649_;
+                                                if (_e1403 < _e1412) {
+                                                    phi_1654_ = _e1403;
+                                                } else {
+                                                    phi_1654_ = _e1412;
+                                                }
+                                                let _e1419 = phi_1654_;
+                                                if (_e1404 < _e1413) {
+                                                    phi_1659_ = _e1404;
+                                                } else {
+                                                    phi_1659_ = _e1413;
+                                                }
+                                                let _e1422 = phi_1659_;
+                                                if (_e1402 > _e1411) {
+                                                    phi_1667_ = _e1402;
+                                                } else {
+                                                    phi_1667_ = _e1411;
+                                                }
+                                                let _e1428 = phi_1667_;
+                                                if (_e1403 > _e1412) {
+                                                    phi_1672_ = _e1403;
+                                                } else {
+                                                    phi_1672_ = _e1412;
+                                                }
+                                                let _e1431 = phi_1672_;
+                                                if (_e1404 > _e1413) {
+                                                    phi_1677_ = _e1404;
+                                                } else {
+                                                    phi_1677_ = _e1413;
+                                                }
+                                                let _e1434 = phi_1677_;
+                                                let _e1438 = core_intrinsics_maximum_number_nsz_f32_((_e1416 - _e368), (_e1419 - _e369));
+                                                let _e1439 = core_intrinsics_maximum_number_nsz_f32_(_e1438, (_e1422 - _e370));
+                                                let _e1440 = core_intrinsics_minimum_number_nsz_f32_((_e1428 + _e368), (_e1431 + _e369));
+                                                let _e1441 = core_intrinsics_minimum_number_nsz_f32_(_e1440, (_e1434 + _e370));
+                                                if (_e1439 > -300000000000000000000000000000000000000f) {
+                                                    phi_1689_ = _e1439;
+                                                } else {
+                                                    phi_1689_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1444 = phi_1689_;
+                                                if (_e1441 < 300000000000000000000000000000000000000f) {
+                                                    phi_1694_ = _e1441;
+                                                } else {
+                                                    phi_1694_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1447 = phi_1694_;
+                                                if (_e1307 < _e1444) {
+                                                    phi_1699_ = _e1444;
+                                                } else {
+                                                    phi_1699_ = _e1307;
+                                                }
+                                                let _e1450 = phi_1699_;
+                                                if (_e1450 > _e1447) {
+                                                    phi_1704_ = _e1447;
+                                                } else {
+                                                    phi_1704_ = _e1450;
+                                                }
+                                                let _e1453 = phi_1704_;
+                                                phi_1709_ = lt_bvh_triangle_Intersection(_e1453, (_e1146 / _e1205), (_e1167 / _e1205), (_e1444 <= _e1447));
+                                                phi_1710_ = false;
+                                            } else {
+                                                phi_1709_ = lt_bvh_triangle_Intersection();
+                                                phi_1710_ = true;
+                                            }
+                                            let _e1459 = phi_1709_;
+                                            let _e1461 = phi_1710_;
+                                            phi_1711_ = _e1459;
+                                            phi_1712_ = _e1461;
+                                        } else {
+                                            phi_1711_ = lt_bvh_triangle_Intersection();
+                                            phi_1712_ = true;
+                                        }
+                                        let _e1463 = phi_1711_;
+                                        let _e1465 = phi_1712_;
+                                        if _e1465 {
+                                        }
+                                        phi_1716_ = _e1463;
+                                        phi_1717_ = _e1465;
                                     }
-                                    let _e1380 = phi_1617_;
-                                    let _e1382 = phi_1618_;
-                                    phi_1619_ = _e1380;
-                                    phi_1620_ = _e1214;
-                                    phi_1621_ = _e1382;
+                                    let _e1467 = phi_1716_;
+                                    let _e1469 = phi_1717_;
+                                    phi_1718_ = _e1467;
+                                    phi_1719_ = _e1208;
+                                    phi_1720_ = _e1469;
                                 } else {
-                                    phi_1619_ = lt_bvh_triangle_Intersection();
-                                    phi_1620_ = true;
-                                    phi_1621_ = false;
+                                    phi_1718_ = lt_bvh_triangle_Intersection();
+                                    phi_1719_ = true;
+                                    phi_1720_ = false;
                                 }
-                                let _e1384 = phi_1619_;
-                                let _e1386 = phi_1620_;
-                                let _e1388 = phi_1621_;
-                                if _e1386 {
-                                    phi_1625_ = true;
+                                let _e1471 = phi_1718_;
+                                let _e1473 = phi_1719_;
+                                let _e1475 = phi_1720_;
+                                if _e1473 {
+                                    phi_1724_ = true;
                                 } else {
-                                    phi_1625_ = _e1388;
+                                    phi_1724_ = _e1475;
                                 }
-                                let _e1390 = phi_1625_;
-                                if _e1390 {
-                                    phi_1629_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1477 = phi_1724_;
+                                if _e1477 {
+                                    phi_1728_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1629_ = _e1384;
+                                    phi_1728_ = _e1471;
                                 }
-                                let _e1392 = phi_1629_;
-                                if _e1392.is_hit {
-                                    if (_e1392.t > _e146.tmin) {
-                                        if (_e1392.t < _e1004.t) {
-                                            phi_1678_ = true;
+                                let _e1479 = phi_1728_;
+                                if _e1479.is_hit {
+                                    if (_e1479.t > _e146.tmin) {
+                                        if (_e1479.t < _e1004.t) {
+                                            phi_1777_ = true;
                                         } else {
-                                            if (_e1392.t == _e1004.t) {
+                                            if (_e1479.t == _e1004.t) {
                                                 if (_e1004.triangle != 4294967295u) {
                                                     if (_e1015 < _e1004.triangle) {
-                                                        phi_1669_ = true;
+                                                        phi_1768_ = true;
                                                     } else {
                                                         if (_e1015 == _e1004.triangle) {
-                                                            phi_1668_ = (4294967295u < _e1004.instance);
+                                                            phi_1767_ = (4294967295u < _e1004.instance);
                                                         } else {
-                                                            phi_1668_ = false;
+                                                            phi_1767_ = false;
                                                         }
-                                                        let _e1411 = phi_1668_;
-                                                        phi_1669_ = _e1411;
+                                                        let _e1498 = phi_1767_;
+                                                        phi_1768_ = _e1498;
                                                     }
-                                                    let _e1413 = phi_1669_;
-                                                    phi_1670_ = _e1413;
-                                                    phi_1671_ = false;
+                                                    let _e1500 = phi_1768_;
+                                                    phi_1769_ = _e1500;
+                                                    phi_1770_ = false;
                                                 } else {
-                                                    phi_1670_ = bool();
-                                                    phi_1671_ = true;
+                                                    phi_1769_ = bool();
+                                                    phi_1770_ = true;
                                                 }
-                                                let _e1415 = phi_1670_;
-                                                let _e1417 = phi_1671_;
-                                                phi_1672_ = _e1415;
-                                                phi_1673_ = _e1417;
+                                                let _e1502 = phi_1769_;
+                                                let _e1504 = phi_1770_;
+                                                phi_1771_ = _e1502;
+                                                phi_1772_ = _e1504;
                                             } else {
-                                                phi_1672_ = bool();
-                                                phi_1673_ = true;
+                                                phi_1771_ = bool();
+                                                phi_1772_ = true;
                                             }
-                                            let _e1419 = phi_1672_;
-                                            let _e1421 = phi_1673_;
-                                            if _e1421 {
-                                                phi_1677_ = false;
+                                            let _e1506 = phi_1771_;
+                                            let _e1508 = phi_1772_;
+                                            if _e1508 {
+                                                phi_1776_ = false;
                                             } else {
-                                                phi_1677_ = _e1419;
+                                                phi_1776_ = _e1506;
                                             }
-                                            let _e1423 = phi_1677_;
-                                            phi_1678_ = _e1423;
+                                            let _e1510 = phi_1776_;
+                                            phi_1777_ = _e1510;
                                         }
-                                        let _e1425 = phi_1678_;
-                                        if _e1425 {
-                                            let _e1427 = triangles.member[(0u + _e1015)].i0_;
-                                            if ((_e1427 & 2147483648u) == 0u) {
-                                                phi_1692_ = true;
+                                        let _e1512 = phi_1777_;
+                                        if _e1512 {
+                                            let _e1514 = triangles.member[(0u + _e1015)].i0_;
+                                            if ((_e1514 & 2147483648u) == 0u) {
+                                                phi_1791_ = true;
                                             } else {
                                                 if true {
                                                 }
-                                                phi_1692_ = true;
+                                                phi_1791_ = true;
                                             }
-                                            let _e1431 = phi_1692_;
-                                            if _e1431 {
-                                                phi_1700_ = lt_bvh_Hit(_e1392.t, _e1392.u, _e1392.v, _e1015, 4294967295u);
+                                            let _e1518 = phi_1791_;
+                                            if _e1518 {
+                                                phi_1799_ = lt_bvh_Hit(_e1479.t, _e1479.u, _e1479.v, _e1015, 4294967295u);
                                             } else {
-                                                phi_1700_ = _e1004;
+                                                phi_1799_ = _e1004;
                                             }
-                                            let _e1437 = phi_1700_;
-                                            phi_1701_ = _e1437;
+                                            let _e1524 = phi_1799_;
+                                            phi_1800_ = _e1524;
                                         } else {
-                                            phi_1701_ = _e1004;
+                                            phi_1800_ = _e1004;
                                         }
-                                        let _e1439 = phi_1701_;
-                                        phi_1702_ = _e1439;
+                                        let _e1526 = phi_1800_;
+                                        phi_1801_ = _e1526;
                                     } else {
-                                        phi_1702_ = _e1004;
+                                        phi_1801_ = _e1004;
                                     }
-                                    let _e1441 = phi_1702_;
-                                    phi_1703_ = _e1441;
+                                    let _e1528 = phi_1801_;
+                                    phi_1802_ = _e1528;
                                 } else {
-                                    phi_1703_ = _e1004;
+                                    phi_1802_ = _e1004;
                                 }
-                                let _e1443 = phi_1703_;
-                                phi_1142_ = _e1443;
+                                let _e1530 = phi_1802_;
+                                phi_1142_ = _e1530;
                                 phi_1145_ = (_e1006 & (_e1006 - 1u));
-                                phi_1704_ = true;
+                                phi_1803_ = true;
                             }
-                            let _e1445 = phi_1142_;
-                            let _e1447 = phi_1145_;
-                            let _e1449 = phi_1704_;
+                            let _e1532 = phi_1142_;
+                            let _e1534 = phi_1145_;
+                            let _e1536 = phi_1803_;
                             continue;
                             continuing {
-                                phi_1141_ = _e1445;
-                                phi_1144_ = _e1447;
-                                break if !(_e1449);
+                                phi_1141_ = _e1532;
+                                phi_1144_ = _e1534;
+                                break if !(_e1536);
                             }
                         }
-                        let _e1452 = local.group_mask;
-                        if ((_e1452 & 4278190080u) == 0u) {
-                            let _e1456 = local.len;
-                            if (_e1456 == 0u) {
-                                phi_1743_ = false;
+                        let _e1539 = local.group_mask;
+                        if ((_e1539 & 4278190080u) == 0u) {
+                            let _e1543 = local.len;
+                            if (_e1543 == 0u) {
+                                phi_1842_ = false;
                             } else {
-                                let _e1460 = local.len;
-                                local.len = (_e1460 - 1u);
-                                let _e1463 = local.len;
-                                if (_e1463 < 32u) {
+                                let _e1547 = local.len;
+                                local.len = (_e1547 - 1u);
+                                let _e1550 = local.len;
+                                if (_e1550 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1468 = local.first[(0u + _e1463)];
-                                local.group = _e1468;
-                                let _e1471 = local.len;
-                                if (_e1471 < 32u) {
+                                let _e1555 = local.first[(0u + _e1550)];
+                                local.group = _e1555;
+                                let _e1558 = local.len;
+                                if (_e1558 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e1476 = local.mask[(0u + _e1471)];
-                                local.group_mask = _e1476;
-                                phi_1743_ = true;
+                                let _e1563 = local.mask[(0u + _e1558)];
+                                local.group_mask = _e1563;
+                                phi_1842_ = true;
                             }
-                            let _e1479 = phi_1743_;
-                            phi_1744_ = _e1479;
+                            let _e1566 = phi_1842_;
+                            phi_1843_ = _e1566;
                         } else {
-                            phi_1744_ = true;
+                            phi_1843_ = true;
                         }
-                        let _e1481 = phi_1744_;
-                        if _e1481 {
-                            let _e1483 = local.group_mask;
-                            let _e1489 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1483)), 32u, (_e1483 == 0u)));
-                            let _e1493 = local.group_mask;
-                            let _e1507 = local.group_mask;
-                            local.group_mask = (_e1507 & ~((1u << bitcast<u32>((_e1489 & 31u)))));
-                            let _e1510 = local.group;
-                            phi_1775_ = (_e1510 + countOneBits(((_e1493 & ~((4294967295u << bitcast<u32>((((_e1489 - 24u) ^ _e423) & 31u))))) & 255u)));
+                        let _e1568 = phi_1843_;
+                        if _e1568 {
+                            let _e1570 = local.group_mask;
+                            let _e1576 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1570)), 32u, (_e1570 == 0u)));
+                            let _e1580 = local.group_mask;
+                            let _e1594 = local.group_mask;
+                            local.group_mask = (_e1594 & ~((1u << bitcast<u32>((_e1576 & 31u)))));
+                            let _e1597 = local.group;
+                            phi_1874_ = (_e1597 + countOneBits(((_e1580 & ~((4294967295u << bitcast<u32>((((_e1576 - 24u) ^ _e423) & 31u))))) & 255u)));
                         } else {
-                            phi_1775_ = 4294967295u;
+                            phi_1874_ = 4294967295u;
                         }
-                        let _e1513 = phi_1775_;
-                        let _e2282 = local_4;
-                        phi_805_ = _e2282;
-                        phi_808_ = _e1513;
+                        let _e1600 = phi_1874_;
+                        let _e2375 = local_4;
+                        phi_805_ = _e2375;
+                        phi_808_ = _e1600;
                     } else {
                         phi_805_ = lt_bvh_Hit();
                         phi_808_ = u32();
                     }
-                    let _e1515 = phi_805_;
-                    let _e1517 = phi_808_;
+                    let _e1602 = phi_805_;
+                    let _e1604 = phi_808_;
                     continue;
                     continuing {
-                        phi_804_ = _e1515;
-                        phi_807_ = _e1517;
+                        phi_804_ = _e1602;
+                        phi_807_ = _e1604;
                         break if !(_e564);
                     }
                 }
-                let _e2286 = local_5;
-                phi_1776_ = _e2286;
+                let _e2379 = local_5;
+                phi_1875_ = _e2379;
             }
-            let _e1520 = phi_1776_;
-            phi_1777_ = _e1520;
-            phi_1778_ = _e218;
+            let _e1607 = phi_1875_;
+            phi_1876_ = _e1607;
+            phi_1877_ = _e218;
         } else {
-            phi_1777_ = lt_bvh_Hit();
-            phi_1778_ = true;
+            phi_1876_ = lt_bvh_Hit();
+            phi_1877_ = true;
         }
-        let _e1522 = phi_1777_;
-        let _e1524 = phi_1778_;
-        if _e1524 {
-            phi_1782_ = _e148;
+        let _e1609 = phi_1876_;
+        let _e1611 = phi_1877_;
+        if _e1611 {
+            phi_1881_ = _e148;
         } else {
-            phi_1782_ = _e1522;
+            phi_1881_ = _e1609;
         }
-        let _e1526 = phi_1782_;
-        if (_e1526.triangle != 4294967295u) {
-            let _e1532 = ((1f - _e1526.u) - _e1526.v);
-            if (_e1526.triangle < _e70) {
+        let _e1613 = phi_1881_;
+        if (_e1613.triangle != 4294967295u) {
+            let _e1619 = ((1f - _e1613.u) - _e1613.v);
+            if (_e1613.triangle < _e70) {
             } else {
                 return;
             }
-            let _e1538 = triangles.member[(0u + _e1526.triangle)];
-            let _e1563 = (((_e1538.v0_.x * _e1532) + (_e1538.v1_.x * _e1526.u)) + (_e1538.v2_.x * _e1526.v));
-            let _e1564 = (((_e1538.v0_.y * _e1532) + (_e1538.v1_.y * _e1526.u)) + (_e1538.v2_.y * _e1526.v));
-            let _e1565 = (((_e1538.v0_.z * _e1532) + (_e1538.v1_.z * _e1526.u)) + (_e1538.v2_.z * _e1526.v));
-            let _e1568 = abs(_e1538.v0_.x);
-            let _e1570 = abs(_e1538.v0_.y);
-            let _e1572 = abs(_e1538.v0_.z);
-            let _e1574 = abs(_e1538.v1_.x);
-            let _e1576 = abs(_e1538.v1_.y);
-            let _e1578 = abs(_e1538.v1_.z);
-            if (_e1568 > _e1574) {
-                phi_1847_ = _e1568;
+            let _e1625 = triangles.member[(0u + _e1613.triangle)];
+            let _e1650 = (((_e1625.v0_.x * _e1619) + (_e1625.v1_.x * _e1613.u)) + (_e1625.v2_.x * _e1613.v));
+            let _e1651 = (((_e1625.v0_.y * _e1619) + (_e1625.v1_.y * _e1613.u)) + (_e1625.v2_.y * _e1613.v));
+            let _e1652 = (((_e1625.v0_.z * _e1619) + (_e1625.v1_.z * _e1613.u)) + (_e1625.v2_.z * _e1613.v));
+            let _e1655 = abs(_e1625.v0_.x);
+            let _e1657 = abs(_e1625.v0_.y);
+            let _e1659 = abs(_e1625.v0_.z);
+            let _e1661 = abs(_e1625.v1_.x);
+            let _e1663 = abs(_e1625.v1_.y);
+            let _e1665 = abs(_e1625.v1_.z);
+            if (_e1655 > _e1661) {
+                phi_1946_ = _e1655;
             } else {
-                phi_1847_ = _e1574;
+                phi_1946_ = _e1661;
             }
-            let _e1581 = phi_1847_;
-            if (_e1570 > _e1576) {
-                phi_1852_ = _e1570;
+            let _e1668 = phi_1946_;
+            if (_e1657 > _e1663) {
+                phi_1951_ = _e1657;
             } else {
-                phi_1852_ = _e1576;
+                phi_1951_ = _e1663;
             }
-            let _e1584 = phi_1852_;
-            if (_e1572 > _e1578) {
-                phi_1857_ = _e1572;
+            let _e1671 = phi_1951_;
+            if (_e1659 > _e1665) {
+                phi_1956_ = _e1659;
             } else {
-                phi_1857_ = _e1578;
+                phi_1956_ = _e1665;
             }
-            let _e1587 = phi_1857_;
-            let _e1589 = abs(_e1538.v2_.x);
-            let _e1591 = abs(_e1538.v2_.y);
-            let _e1593 = abs(_e1538.v2_.z);
-            if (_e1581 > _e1589) {
-                phi_1868_ = _e1581;
+            let _e1674 = phi_1956_;
+            let _e1676 = abs(_e1625.v2_.x);
+            let _e1678 = abs(_e1625.v2_.y);
+            let _e1680 = abs(_e1625.v2_.z);
+            if (_e1668 > _e1676) {
+                phi_1967_ = _e1668;
             } else {
-                phi_1868_ = _e1589;
+                phi_1967_ = _e1676;
             }
-            let _e1596 = phi_1868_;
-            if (_e1584 > _e1591) {
-                phi_1873_ = _e1584;
+            let _e1683 = phi_1967_;
+            if (_e1671 > _e1678) {
+                phi_1972_ = _e1671;
             } else {
-                phi_1873_ = _e1591;
+                phi_1972_ = _e1678;
             }
-            let _e1599 = phi_1873_;
-            if (_e1587 > _e1593) {
-                phi_1878_ = _e1587;
+            let _e1686 = phi_1972_;
+            if (_e1674 > _e1680) {
+                phi_1977_ = _e1674;
             } else {
-                phi_1878_ = _e1593;
+                phi_1977_ = _e1680;
             }
-            let _e1602 = phi_1878_;
-            let _e1605 = (_e1538.v1_.x - _e1538.v0_.x);
-            let _e1608 = (_e1538.v1_.y - _e1538.v0_.y);
-            let _e1611 = (_e1538.v1_.z - _e1538.v0_.z);
-            let _e1614 = (_e1538.v2_.x - _e1538.v0_.x);
-            let _e1617 = (_e1538.v2_.y - _e1538.v0_.y);
-            let _e1620 = (_e1538.v2_.z - _e1538.v0_.z);
-            let _e1624 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1608), abs(_e1611));
-            let _e1625 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1605), _e1624);
-            let _e1626 = (_e1605 / _e1625);
-            let _e1627 = (_e1608 / _e1625);
-            let _e1628 = (_e1611 / _e1625);
-            let _e1632 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1617), abs(_e1620));
-            let _e1633 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1614), _e1632);
-            let _e1634 = (_e1614 / _e1633);
-            let _e1635 = (_e1617 / _e1633);
-            let _e1636 = (_e1620 / _e1633);
-            let _e1639 = ((_e1627 * _e1636) - (_e1635 * _e1628));
-            let _e1642 = ((_e1628 * _e1634) - (_e1636 * _e1626));
-            let _e1645 = ((_e1626 * _e1635) - (_e1634 * _e1627));
-            let _e1647 = p.member.eye;
-            let _e1660 = (1f / sqrt((((_e1639 * _e1639) + (_e1642 * _e1642)) + (_e1645 * _e1645))));
-            let _e1661 = (_e1639 * _e1660);
-            let _e1662 = (_e1642 * _e1660);
-            let _e1663 = (_e1645 * _e1660);
-            if ((((_e1661 * (_e1647.x - _e1563)) + (_e1662 * (_e1647.y - _e1564))) + (_e1663 * (_e1647.z - _e1565))) < 0f) {
-                phi_1954_ = vec3<f32>(-(_e1661), -(_e1662), -(_e1663));
+            let _e1689 = phi_1977_;
+            let _e1692 = (_e1625.v1_.x - _e1625.v0_.x);
+            let _e1695 = (_e1625.v1_.y - _e1625.v0_.y);
+            let _e1698 = (_e1625.v1_.z - _e1625.v0_.z);
+            let _e1701 = (_e1625.v2_.x - _e1625.v0_.x);
+            let _e1704 = (_e1625.v2_.y - _e1625.v0_.y);
+            let _e1707 = (_e1625.v2_.z - _e1625.v0_.z);
+            let _e1711 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1695), abs(_e1698));
+            let _e1712 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1692), _e1711);
+            let _e1713 = (_e1692 / _e1712);
+            let _e1714 = (_e1695 / _e1712);
+            let _e1715 = (_e1698 / _e1712);
+            let _e1719 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1704), abs(_e1707));
+            let _e1720 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(abs(_e1701), _e1719);
+            let _e1721 = (_e1701 / _e1720);
+            let _e1722 = (_e1704 / _e1720);
+            let _e1723 = (_e1707 / _e1720);
+            let _e1726 = ((_e1714 * _e1723) - (_e1722 * _e1715));
+            let _e1729 = ((_e1715 * _e1721) - (_e1723 * _e1713));
+            let _e1732 = ((_e1713 * _e1722) - (_e1721 * _e1714));
+            let _e1734 = p.member.eye;
+            let _e1747 = (1f / sqrt((((_e1726 * _e1726) + (_e1729 * _e1729)) + (_e1732 * _e1732))));
+            let _e1748 = (_e1726 * _e1747);
+            let _e1749 = (_e1729 * _e1747);
+            let _e1750 = (_e1732 * _e1747);
+            if ((((_e1748 * (_e1734.x - _e1650)) + (_e1749 * (_e1734.y - _e1651))) + (_e1750 * (_e1734.z - _e1652))) < 0f) {
+                phi_2053_ = vec3<f32>(-(_e1748), -(_e1749), -(_e1750));
             } else {
-                phi_1954_ = vec3<f32>(_e1661, _e1662, _e1663);
+                phi_2053_ = vec3<f32>(_e1748, _e1749, _e1750);
             }
-            let _e1676 = phi_1954_;
-            if (_e1526.triangle < _e70) {
+            let _e1763 = phi_2053_;
+            if (_e1613.triangle < _e70) {
             } else {
                 return;
             }
-            let _e1681 = triangles.member[(0u + _e1526.triangle)];
-            let _e1683 = (_e1681.i0_ & 2147483647u);
-            if (_e1683 < _e73) {
+            let _e1768 = triangles.member[(0u + _e1613.triangle)];
+            let _e1770 = (_e1768.i0_ & 2147483647u);
+            if (_e1770 < _e73) {
             } else {
                 return;
             }
-            let _e1689 = vertices.member[(0u + _e1683)];
-            if (_e1681.i1_ < _e73) {
+            let _e1776 = vertices.member[(0u + _e1770)];
+            if (_e1768.i1_ < _e73) {
             } else {
                 return;
             }
-            let _e1693 = vertices.member[(0u + _e1681.i1_)];
-            if (_e1681.i2_ < _e73) {
+            let _e1780 = vertices.member[(0u + _e1768.i1_)];
+            if (_e1768.i2_ < _e73) {
             } else {
                 return;
             }
-            let _e1697 = vertices.member[(0u + _e1681.i2_)];
-            let _e1698 = array<abi_Vertex, 3>(_e1689, _e1693, _e1697);
-            if (_e1698[0].material < arrayLength((&materials.member))) {
+            let _e1784 = vertices.member[(0u + _e1768.i2_)];
+            let _e1785 = array<abi_Vertex, 3>(_e1776, _e1780, _e1784);
+            if (_e1785[0].material < arrayLength((&materials.member))) {
             } else {
                 return;
             }
-            let _e1704 = materials.member[(0u + _e1698[0].material)];
-            let _e1721 = (1f / 255f);
-            let _e1740 = (1f / 255f);
-            let _e1762 = (1f / 255f);
-            let _e1775 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1532, _e1526.u, _e1526.v));
-            let _e1777 = ((_e1704.base_color.x * ((((f32((_e1698[0].color & 255u)) * _e1721) * _e1532) + ((f32((_e1698[1].color & 255u)) * _e1740) * _e1526.u)) + ((f32((_e1698[2].color & 255u)) * _e1762) * _e1526.v))) * _e1775.x);
-            let _e1779 = ((_e1704.base_color.y * ((((f32(((_e1698[0].color >> bitcast<u32>(8i)) & 255u)) * _e1721) * _e1532) + ((f32(((_e1698[1].color >> bitcast<u32>(8i)) & 255u)) * _e1740) * _e1526.u)) + ((f32(((_e1698[2].color >> bitcast<u32>(8i)) & 255u)) * _e1762) * _e1526.v))) * _e1775.y);
-            let _e1781 = ((_e1704.base_color.z * ((((f32(((_e1698[0].color >> bitcast<u32>(16i)) & 255u)) * _e1721) * _e1532) + ((f32(((_e1698[1].color >> bitcast<u32>(16i)) & 255u)) * _e1740) * _e1526.u)) + ((f32(((_e1698[2].color >> bitcast<u32>(16i)) & 255u)) * _e1762) * _e1526.v))) * _e1775.z);
-            let _e1782 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1599, _e1602);
-            let _e1783 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1596, _e1782);
-            if ((_e1704.flags & 2u) == 0u) {
-                phi_2075_ = 0u;
+            let _e1791 = materials.member[(0u + _e1785[0].material)];
+            let _e1808 = (1f / 255f);
+            let _e1827 = (1f / 255f);
+            let _e1849 = (1f / 255f);
+            let _e1862 = _lt_shaders_camera_NoColorTextures_u0020_as_u0020_lt_shaders_camera_ColorSource_texture_color(vec3<f32>(_e1619, _e1613.u, _e1613.v));
+            let _e1864 = ((_e1791.base_color.x * ((((f32((_e1785[0].color & 255u)) * _e1808) * _e1619) + ((f32((_e1785[1].color & 255u)) * _e1827) * _e1613.u)) + ((f32((_e1785[2].color & 255u)) * _e1849) * _e1613.v))) * _e1862.x);
+            let _e1866 = ((_e1791.base_color.y * ((((f32(((_e1785[0].color >> bitcast<u32>(8i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(8i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(8i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.y);
+            let _e1868 = ((_e1791.base_color.z * ((((f32(((_e1785[0].color >> bitcast<u32>(16i)) & 255u)) * _e1808) * _e1619) + ((f32(((_e1785[1].color >> bitcast<u32>(16i)) & 255u)) * _e1827) * _e1613.u)) + ((f32(((_e1785[2].color >> bitcast<u32>(16i)) & 255u)) * _e1849) * _e1613.v))) * _e1862.z);
+            let _e1869 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1686, _e1689);
+            let _e1870 = _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(_e1683, _e1869);
+            if ((_e1791.flags & 2u) == 0u) {
+                phi_2174_ = 0u;
             } else {
-                phi_2075_ = 1u;
+                phi_2174_ = 1u;
             }
-            let _e1788 = phi_2075_;
-            if (_e1698[0].normal == 2147516416u) {
-                phi_2278_ = _e1676;
+            let _e1875 = phi_2174_;
+            if (_e1785[0].normal == 2147516416u) {
+                phi_2377_ = _e1763;
             } else {
-                let _e1801 = (f32((bitcast<i32>((_e1698[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1807 = (f32((bitcast<i32>(_e1698[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1811 = ((1f - abs(_e1801)) - abs(_e1807));
-                if (_e1811 < 0f) {
-                    phi_2102_ = -(_e1811);
-                } else {
-                    phi_2102_ = 0f;
-                }
-                let _e1815 = phi_2102_;
-                if (_e1801 < 0f) {
-                    phi_2109_ = (_e1801 + _e1815);
-                } else {
-                    phi_2109_ = (_e1801 - _e1815);
-                }
-                let _e1820 = phi_2109_;
-                if (_e1807 < 0f) {
-                    phi_2116_ = (_e1807 + _e1815);
-                } else {
-                    phi_2116_ = (_e1807 - _e1815);
-                }
-                let _e1825 = phi_2116_;
-                let _e1832 = (1f / sqrt((((_e1820 * _e1820) + (_e1825 * _e1825)) + (_e1811 * _e1811))));
-                let _e1848 = (f32((bitcast<i32>((_e1698[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1854 = (f32((bitcast<i32>(_e1698[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1858 = ((1f - abs(_e1848)) - abs(_e1854));
-                if (_e1858 < 0f) {
-                    phi_2151_ = -(_e1858);
-                } else {
-                    phi_2151_ = 0f;
-                }
-                let _e1862 = phi_2151_;
-                if (_e1848 < 0f) {
-                    phi_2158_ = (_e1848 + _e1862);
-                } else {
-                    phi_2158_ = (_e1848 - _e1862);
-                }
-                let _e1867 = phi_2158_;
-                if (_e1854 < 0f) {
-                    phi_2165_ = (_e1854 + _e1862);
-                } else {
-                    phi_2165_ = (_e1854 - _e1862);
-                }
-                let _e1872 = phi_2165_;
-                let _e1879 = (1f / sqrt((((_e1867 * _e1867) + (_e1872 * _e1872)) + (_e1858 * _e1858))));
-                let _e1898 = (f32((bitcast<i32>((_e1698[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1904 = (f32((bitcast<i32>(_e1698[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
-                let _e1908 = ((1f - abs(_e1898)) - abs(_e1904));
-                if (_e1908 < 0f) {
-                    phi_2203_ = -(_e1908);
-                } else {
-                    phi_2203_ = 0f;
-                }
-                let _e1912 = phi_2203_;
+                let _e1888 = (f32((bitcast<i32>((_e1785[0].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1894 = (f32((bitcast<i32>(_e1785[0].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1898 = ((1f - abs(_e1888)) - abs(_e1894));
                 if (_e1898 < 0f) {
-                    phi_2210_ = (_e1898 + _e1912);
+                    phi_2201_ = -(_e1898);
                 } else {
-                    phi_2210_ = (_e1898 - _e1912);
+                    phi_2201_ = 0f;
                 }
-                let _e1917 = phi_2210_;
-                if (_e1904 < 0f) {
-                    phi_2217_ = (_e1904 + _e1912);
+                let _e1902 = phi_2201_;
+                if (_e1888 < 0f) {
+                    phi_2208_ = (_e1888 + _e1902);
                 } else {
-                    phi_2217_ = (_e1904 - _e1912);
+                    phi_2208_ = (_e1888 - _e1902);
                 }
-                let _e1922 = phi_2217_;
-                let _e1929 = (1f / sqrt((((_e1917 * _e1917) + (_e1922 * _e1922)) + (_e1908 * _e1908))));
-                let _e1940 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1820 * _e1832) * _e1532) + ((_e1867 * _e1879) * _e1526.u)) + ((_e1917 * _e1929) * _e1526.v)), ((((_e1825 * _e1832) * _e1532) + ((_e1872 * _e1879) * _e1526.u)) + ((_e1922 * _e1929) * _e1526.v)), ((((_e1811 * _e1832) * _e1532) + ((_e1858 * _e1879) * _e1526.u)) + ((_e1908 * _e1929) * _e1526.v))));
-                let _e1952 = sqrt((((_e1940.x * _e1940.x) + (_e1940.y * _e1940.y)) + (_e1940.z * _e1940.z)));
-                if (_e1952 > 0f) {
-                    let _e1955 = (_e1940.x / _e1952);
-                    let _e1957 = (_e1940.y / _e1952);
-                    let _e1959 = (_e1940.z / _e1952);
-                    if ((((_e1955 * _e1676.x) + (_e1957 * _e1676.y)) + (_e1959 * _e1676.z)) < 0f) {
-                        phi_2276_ = vec3<f32>(-(_e1955), -(_e1957), -(_e1959));
+                let _e1907 = phi_2208_;
+                if (_e1894 < 0f) {
+                    phi_2215_ = (_e1894 + _e1902);
+                } else {
+                    phi_2215_ = (_e1894 - _e1902);
+                }
+                let _e1912 = phi_2215_;
+                let _e1919 = (1f / sqrt((((_e1907 * _e1907) + (_e1912 * _e1912)) + (_e1898 * _e1898))));
+                let _e1935 = (f32((bitcast<i32>((_e1785[1].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1941 = (f32((bitcast<i32>(_e1785[1].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1945 = ((1f - abs(_e1935)) - abs(_e1941));
+                if (_e1945 < 0f) {
+                    phi_2250_ = -(_e1945);
+                } else {
+                    phi_2250_ = 0f;
+                }
+                let _e1949 = phi_2250_;
+                if (_e1935 < 0f) {
+                    phi_2257_ = (_e1935 + _e1949);
+                } else {
+                    phi_2257_ = (_e1935 - _e1949);
+                }
+                let _e1954 = phi_2257_;
+                if (_e1941 < 0f) {
+                    phi_2264_ = (_e1941 + _e1949);
+                } else {
+                    phi_2264_ = (_e1941 - _e1949);
+                }
+                let _e1959 = phi_2264_;
+                let _e1966 = (1f / sqrt((((_e1954 * _e1954) + (_e1959 * _e1959)) + (_e1945 * _e1945))));
+                let _e1985 = (f32((bitcast<i32>((_e1785[2].normal << bitcast<u32>(16i))) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1991 = (f32((bitcast<i32>(_e1785[2].normal) >> bitcast<u32>(16i))) * (1f / 32767f));
+                let _e1995 = ((1f - abs(_e1985)) - abs(_e1991));
+                if (_e1995 < 0f) {
+                    phi_2302_ = -(_e1995);
+                } else {
+                    phi_2302_ = 0f;
+                }
+                let _e1999 = phi_2302_;
+                if (_e1985 < 0f) {
+                    phi_2309_ = (_e1985 + _e1999);
+                } else {
+                    phi_2309_ = (_e1985 - _e1999);
+                }
+                let _e2004 = phi_2309_;
+                if (_e1991 < 0f) {
+                    phi_2316_ = (_e1991 + _e1999);
+                } else {
+                    phi_2316_ = (_e1991 - _e1999);
+                }
+                let _e2009 = phi_2316_;
+                let _e2016 = (1f / sqrt((((_e2004 * _e2004) + (_e2009 * _e2009)) + (_e1995 * _e1995))));
+                let _e2027 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_normal_to_world(vec3<f32>(((((_e1907 * _e1919) * _e1619) + ((_e1954 * _e1966) * _e1613.u)) + ((_e2004 * _e2016) * _e1613.v)), ((((_e1912 * _e1919) * _e1619) + ((_e1959 * _e1966) * _e1613.u)) + ((_e2009 * _e2016) * _e1613.v)), ((((_e1898 * _e1919) * _e1619) + ((_e1945 * _e1966) * _e1613.u)) + ((_e1995 * _e2016) * _e1613.v))));
+                let _e2039 = sqrt((((_e2027.x * _e2027.x) + (_e2027.y * _e2027.y)) + (_e2027.z * _e2027.z)));
+                if (_e2039 > 0f) {
+                    let _e2042 = (_e2027.x / _e2039);
+                    let _e2044 = (_e2027.y / _e2039);
+                    let _e2046 = (_e2027.z / _e2039);
+                    if ((((_e2042 * _e1763.x) + (_e2044 * _e1763.y)) + (_e2046 * _e1763.z)) < 0f) {
+                        phi_2375_ = vec3<f32>(-(_e2042), -(_e2044), -(_e2046));
                     } else {
-                        phi_2276_ = (_e1940 / vec3(_e1952));
+                        phi_2375_ = (_e2027 / vec3(_e2039));
                     }
-                    let _e1976 = phi_2276_;
-                    phi_2277_ = _e1976;
+                    let _e2063 = phi_2375_;
+                    phi_2376_ = _e2063;
                 } else {
-                    phi_2277_ = _e1676;
+                    phi_2376_ = _e1763;
                 }
-                let _e1978 = phi_2277_;
-                phi_2278_ = _e1978;
+                let _e2065 = phi_2376_;
+                phi_2377_ = _e2065;
             }
-            let _e1980 = phi_2278_;
-            if (_e1777 > 0f) {
-                if (_e1777 < 1f) {
-                    phi_2287_ = _e1777;
+            let _e2067 = phi_2377_;
+            if (_e1864 > 0f) {
+                if (_e1864 < 1f) {
+                    phi_2386_ = _e1864;
                 } else {
-                    phi_2287_ = 1f;
+                    phi_2386_ = 1f;
                 }
-                let _e1984 = phi_2287_;
-                phi_2288_ = _e1984;
+                let _e2071 = phi_2386_;
+                phi_2387_ = _e2071;
             } else {
-                phi_2288_ = 0f;
+                phi_2387_ = 0f;
             }
-            let _e1986 = phi_2288_;
-            if (_e1779 > 0f) {
-                if (_e1779 < 1f) {
-                    phi_2298_ = _e1779;
+            let _e2073 = phi_2387_;
+            if (_e1866 > 0f) {
+                if (_e1866 < 1f) {
+                    phi_2397_ = _e1866;
                 } else {
-                    phi_2298_ = 1f;
+                    phi_2397_ = 1f;
                 }
-                let _e1991 = phi_2298_;
-                phi_2299_ = _e1991;
+                let _e2078 = phi_2397_;
+                phi_2398_ = _e2078;
             } else {
-                phi_2299_ = 0f;
+                phi_2398_ = 0f;
             }
-            let _e1993 = phi_2299_;
-            if (_e1781 > 0f) {
-                if (_e1781 < 1f) {
-                    phi_2309_ = _e1781;
+            let _e2080 = phi_2398_;
+            if (_e1868 > 0f) {
+                if (_e1868 < 1f) {
+                    phi_2408_ = _e1868;
                 } else {
-                    phi_2309_ = 1f;
+                    phi_2408_ = 1f;
                 }
-                let _e1998 = phi_2309_;
-                phi_2310_ = _e1998;
+                let _e2085 = phi_2408_;
+                phi_2409_ = _e2085;
             } else {
-                phi_2310_ = 0f;
+                phi_2409_ = 0f;
             }
-            let _e2000 = phi_2310_;
-            let _e2003 = ((sqrt(_e1986) * 255f) + 0.5f);
-            let _e2012 = ((sqrt(_e1993) * 255f) + 0.5f);
-            let _e2024 = ((sqrt(_e2000) * 255f) + 0.5f);
-            phi_2345_ = abi_Sample(vec3<f32>(_e1563, _e1564, _e1565), _e1783, _e1676, _e1788, _e1980, ((select(select(u32(_e2003), 0u, (_e2003 < bitcast<f32>(0u))), 4294967295u, (_e2003 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2012), 0u, (_e2012 < bitcast<f32>(0u))), 4294967295u, (_e2012 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2024), 0u, (_e2024 < bitcast<f32>(0u))), 4294967295u, (_e2024 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
+            let _e2087 = phi_2409_;
+            let _e2090 = ((sqrt(_e2073) * 255f) + 0.5f);
+            let _e2099 = ((sqrt(_e2080) * 255f) + 0.5f);
+            let _e2111 = ((sqrt(_e2087) * 255f) + 0.5f);
+            phi_2444_ = abi_Sample(vec3<f32>(_e1650, _e1651, _e1652), _e1870, _e1763, _e1875, _e2067, ((select(select(u32(_e2090), 0u, (_e2090 < bitcast<f32>(0u))), 4294967295u, (_e2090 > bitcast<f32>(1333788671u))) | (select(select(u32(_e2099), 0u, (_e2099 < bitcast<f32>(0u))), 4294967295u, (_e2099 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e2111), 0u, (_e2111 < bitcast<f32>(0u))), 4294967295u, (_e2111 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))));
         } else {
-            phi_2345_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
+            phi_2444_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
-        let _e2038 = phi_2345_;
+        let _e2125 = phi_2444_;
         if (_e91.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e91.first_primitive)] = _e2038;
-        if (_e1526.triangle != 4294967295u) {
-            let _e2047 = ((1f - _e1526.u) - _e1526.v);
-            if (_e1526.triangle < _e70) {
+        samples.member[(0u + _e91.first_primitive)] = _e2125;
+        if (_e1613.triangle != 4294967295u) {
+            let _e2134 = ((1f - _e1613.u) - _e1613.v);
+            if (_e1613.triangle < _e70) {
             } else {
                 return;
             }
-            let _e2052 = triangles.member[(0u + _e1526.triangle)];
-            if (_e2052.i0_ < _e82) {
+            let _e2139 = triangles.member[(0u + _e1613.triangle)];
+            if (_e2139.i0_ < _e82) {
             } else {
                 return;
             }
-            let _e2057 = before.member[(0u + _e2052.i0_)];
-            if (_e2052.i1_ < _e82) {
+            let _e2144 = before.member[(0u + _e2139.i0_)];
+            if (_e2139.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2062 = before.member[(0u + _e2052.i1_)];
-            if (_e2052.i2_ < _e82) {
+            let _e2149 = before.member[(0u + _e2139.i1_)];
+            if (_e2139.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2067 = before.member[(0u + _e2052.i2_)];
-            let _e2072 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2057.x, _e2057.y, _e2057.z));
-            let _e2083 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2062.x, _e2062.y, _e2062.z));
-            let _e2097 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2067.x, _e2067.y, _e2067.z));
-            phi_2435_ = vec3<f32>((((_e2072.x * _e2047) + (_e2083.x * _e1526.u)) + (_e2097.x * _e1526.v)), (((_e2072.y * _e2047) + (_e2083.y * _e1526.u)) + (_e2097.y * _e1526.v)), (((_e2072.z * _e2047) + (_e2083.z * _e1526.u)) + (_e2097.z * _e1526.v)));
+            let _e2154 = before.member[(0u + _e2139.i2_)];
+            let _e2159 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2144.x, _e2144.y, _e2144.z));
+            let _e2170 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2149.x, _e2149.y, _e2149.z));
+            let _e2184 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2154.x, _e2154.y, _e2154.z));
+            phi_2534_ = vec3<f32>((((_e2159.x * _e2134) + (_e2170.x * _e1613.u)) + (_e2184.x * _e1613.v)), (((_e2159.y * _e2134) + (_e2170.y * _e1613.u)) + (_e2184.y * _e1613.v)), (((_e2159.z * _e2134) + (_e2170.z * _e1613.u)) + (_e2184.z * _e1613.v)));
         } else {
-            phi_2435_ = vec3<f32>(0f, 0f, 0f);
+            phi_2534_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2109 = phi_2435_;
+        let _e2196 = phi_2534_;
         if (_e91.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2109.x, _e2109.y, _e2109.z, 1f);
+        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2196.x, _e2196.y, _e2196.z, 1f);
     }
     return;
 }

@@ -709,123 +709,129 @@ fn function_() {
     var phi_1576_: u32;
     var phi_1621_: vec3<f32>;
     var phi_1622_: vec3<f32>;
-    var phi_1653_: vec3<f32>;
-    var phi_1654_: vec3<f32>;
-    var phi_1685_: vec3<f32>;
-    var phi_1686_: vec3<f32>;
-    var phi_1706_: bool;
-    var phi_1707_: bool;
-    var phi_1711_: f32;
-    var phi_1712_: f32;
-    var phi_1713_: f32;
-    var phi_1714_: f32;
-    var phi_1722_: f32;
-    var phi_1732_: bool;
-    var phi_1733_: bool;
-    var phi_1737_: f32;
-    var phi_1738_: f32;
-    var phi_1739_: f32;
-    var phi_1740_: f32;
-    var phi_1748_: f32;
-    var phi_1758_: bool;
-    var phi_1759_: bool;
-    var phi_1763_: f32;
-    var phi_1764_: f32;
-    var phi_1765_: f32;
-    var phi_1766_: f32;
-    var phi_1774_: f32;
-    var phi_1789_: f32;
-    var phi_1790_: bool;
-    var phi_1791_: f32;
-    var phi_1792_: bool;
-    var phi_1793_: f32;
-    var phi_1794_: bool;
-    var phi_1812_: f32;
-    var phi_1813_: bool;
-    var phi_1814_: bool;
-    var phi_1815_: f32;
-    var phi_1816_: bool;
+    var phi_1651_: vec3<f32>;
+    var phi_1652_: vec3<f32>;
+    var phi_1681_: vec3<f32>;
+    var phi_1682_: vec3<f32>;
+    var phi_1700_: bool;
+    var phi_1701_: bool;
+    var phi_1705_: f32;
+    var phi_1706_: f32;
+    var phi_1707_: f32;
+    var phi_1708_: f32;
+    var phi_1716_: f32;
+    var phi_1726_: bool;
+    var phi_1727_: bool;
+    var phi_1731_: f32;
+    var phi_1732_: f32;
+    var phi_1733_: f32;
+    var phi_1734_: f32;
+    var phi_1742_: f32;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
+    var phi_1757_: f32;
+    var phi_1758_: f32;
+    var phi_1759_: f32;
+    var phi_1760_: f32;
+    var phi_1768_: f32;
+    var phi_1783_: f32;
+    var phi_1784_: bool;
+    var phi_1785_: f32;
+    var phi_1786_: bool;
+    var phi_1787_: f32;
+    var phi_1788_: bool;
+    var phi_1806_: f32;
+    var phi_1807_: bool;
+    var phi_1808_: bool;
+    var phi_1809_: f32;
+    var phi_1810_: bool;
+    var phi_1811_: bool;
+    var phi_1815_: bool;
+    var phi_1816_: f32;
     var phi_1817_: bool;
-    var phi_1821_: bool;
-    var phi_1822_: f32;
-    var phi_1823_: bool;
-    var phi_1857_: f32;
-    var phi_1866_: f32;
-    var phi_1875_: f32;
-    var phi_1884_: f32;
-    var phi_1891_: f32;
-    var phi_1898_: f32;
-    var phi_1911_: f32;
-    var phi_1920_: f32;
-    var phi_1929_: f32;
-    var phi_1938_: f32;
-    var phi_1945_: f32;
-    var phi_1952_: f32;
-    var phi_1969_: f32;
-    var phi_1974_: f32;
-    var phi_1979_: f32;
-    var phi_1987_: f32;
-    var phi_1992_: f32;
-    var phi_1997_: f32;
-    var phi_2009_: f32;
-    var phi_2014_: f32;
-    var phi_2019_: f32;
-    var phi_2024_: f32;
-    var phi_2029_: lt_bvh_triangle_Intersection;
-    var phi_2030_: bool;
-    var phi_2031_: lt_bvh_triangle_Intersection;
-    var phi_2032_: bool;
-    var phi_2036_: lt_bvh_triangle_Intersection;
-    var phi_2037_: bool;
-    var phi_2038_: lt_bvh_triangle_Intersection;
-    var phi_2039_: bool;
-    var phi_2040_: bool;
-    var phi_2044_: bool;
-    var phi_2048_: lt_bvh_triangle_Intersection;
-    var phi_2262_: f32;
-    var phi_2265_: bool;
-    var phi_2266_: bool;
-    var phi_2270_: bool;
-    var phi_2271_: bool;
-    var phi_2272_: bool;
-    var phi_2273_: bool;
-    var phi_2274_: bool;
-    var phi_2275_: bool;
-    var phi_2276_: bool;
-    var phi_2277_: bool;
-    var phi_2278_: bool;
-    var phi_2279_: bool;
-    var phi_2280_: bool;
-    var phi_2281_: bool;
-    var phi_2285_: bool;
-    var phi_2286_: bool;
-    var phi_1577_: u32;
-    var phi_2287_: bool;
-    var phi_2288_: bool;
-    var phi_2289_: bool;
-    var local_6: bool;
-    var phi_2331_: bool;
-    var phi_2332_: bool;
-    var phi_2363_: u32;
-    var phi_2364_: u32;
-    var phi_2365_: bool;
-    var phi_2366_: bool;
-    var phi_1247_: u32;
+    var phi_1845_: vec3<f32>;
+    var phi_1846_: vec3<f32>;
+    var phi_1871_: vec3<f32>;
+    var phi_1872_: vec3<f32>;
+    var phi_1897_: vec3<f32>;
+    var phi_1898_: vec3<f32>;
+    var phi_1954_: f32;
+    var phi_1963_: f32;
+    var phi_1972_: f32;
+    var phi_1981_: f32;
+    var phi_1988_: f32;
+    var phi_1995_: f32;
+    var phi_2008_: f32;
+    var phi_2017_: f32;
+    var phi_2026_: f32;
+    var phi_2035_: f32;
+    var phi_2042_: f32;
+    var phi_2049_: f32;
+    var phi_2066_: f32;
+    var phi_2071_: f32;
+    var phi_2076_: f32;
+    var phi_2084_: f32;
+    var phi_2089_: f32;
+    var phi_2094_: f32;
+    var phi_2106_: f32;
+    var phi_2111_: f32;
+    var phi_2116_: f32;
+    var phi_2121_: f32;
+    var phi_2126_: lt_bvh_triangle_Intersection;
+    var phi_2127_: bool;
+    var phi_2128_: lt_bvh_triangle_Intersection;
+    var phi_2129_: bool;
+    var phi_2133_: lt_bvh_triangle_Intersection;
+    var phi_2134_: bool;
+    var phi_2135_: lt_bvh_triangle_Intersection;
+    var phi_2136_: bool;
+    var phi_2137_: bool;
+    var phi_2141_: bool;
+    var phi_2145_: lt_bvh_triangle_Intersection;
+    var phi_2359_: f32;
+    var phi_2362_: bool;
+    var phi_2363_: bool;
     var phi_2367_: bool;
     var phi_2368_: bool;
     var phi_2369_: bool;
     var phi_2370_: bool;
-    var local_7: bool;
+    var phi_2371_: bool;
+    var phi_2372_: bool;
+    var phi_2373_: bool;
     var phi_2374_: bool;
     var phi_2375_: bool;
-    var phi_2379_: bool;
+    var phi_2376_: bool;
+    var phi_2377_: bool;
+    var phi_2378_: bool;
+    var phi_2382_: bool;
     var phi_2383_: bool;
+    var phi_1577_: u32;
     var phi_2384_: bool;
     var phi_2385_: bool;
     var phi_2386_: bool;
-    var phi_2390_: bool;
-    var phi_2394_: f32;
-    var phi_2395_: f32;
+    var local_6: bool;
+    var phi_2428_: bool;
+    var phi_2429_: bool;
+    var phi_2460_: u32;
+    var phi_2461_: u32;
+    var phi_2462_: bool;
+    var phi_2463_: bool;
+    var phi_1247_: u32;
+    var phi_2464_: bool;
+    var phi_2465_: bool;
+    var phi_2466_: bool;
+    var phi_2467_: bool;
+    var local_7: bool;
+    var phi_2471_: bool;
+    var phi_2472_: bool;
+    var phi_2476_: bool;
+    var phi_2480_: bool;
+    var phi_2481_: bool;
+    var phi_2482_: bool;
+    var phi_2483_: bool;
+    var phi_2487_: bool;
+    var phi_2491_: f32;
+    var phi_2492_: f32;
     var local_8: bool;
     var local_9: bool;
     var local_10: bool;
@@ -871,7 +877,7 @@ fn function_() {
         }
         let _e196 = phi_761_;
         if _e196.unnamed_1 {
-            phi_2395_ = _e196.unnamed.visibility;
+            phi_2492_ = _e196.unnamed.visibility;
         } else {
             let _e201 = p.member.light;
             let _e203 = local_2.position;
@@ -999,7 +1005,7 @@ fn function_() {
             if _e297 {
                 let _e298 = (0u >= _e78);
                 if _e298 {
-                    phi_2384_ = bool();
+                    phi_2481_ = bool();
                 } else {
                     if (0u < _e78) {
                     } else {
@@ -1126,7 +1132,6 @@ fn function_() {
                     let _e453 = phi_1075_;
                     let _e456 = (_e453.x / _e453.z);
                     let _e459 = (_e453.y / _e453.z);
-                    let _e461 = (1f / _e453.z);
                     if (_e374 < 0f) {
                         phi_1088_ = 0u;
                     } else {
@@ -1389,9 +1394,9 @@ fn function_() {
                                 local_10 = _e1047;
                                 if _e1047 {
                                     phi_1577_ = u32();
-                                    phi_2287_ = false;
-                                    phi_2288_ = false;
-                                    phi_2289_ = false;
+                                    phi_2384_ = false;
+                                    phi_2385_ = false;
+                                    phi_2386_ = false;
                                 } else {
                                     let _e1050 = nodes.member[(0u + _e610)].links[1u];
                                     let _e1055 = ((0u + _e1050) + select(firstTrailingBit(_e1046), 32u, (_e1046 == 0u)));
@@ -1417,711 +1422,764 @@ fn function_() {
                                     let _e1078 = phi_1622_;
                                     let _e1082 = (_e1078.x - (_e456 * _e1078.z));
                                     let _e1086 = (_e1078.y - (_e459 * _e1078.z));
-                                    let _e1090 = triangles.member[(0u + _e1055)].v1_;
-                                    let _e1092 = (_e1090.x - _e217);
-                                    let _e1094 = (_e1090.y - _e219);
-                                    let _e1096 = (_e1090.z - _e221);
+                                    let _e1088 = triangles.member[(0u + _e1055)].v1_;
+                                    let _e1090 = (_e1088.x - _e217);
+                                    let _e1092 = (_e1088.y - _e219);
+                                    let _e1094 = (_e1088.z - _e221);
                                     if (_e445 == 0u) {
-                                        phi_1654_ = vec3<f32>(_e1094, _e1096, _e1092);
+                                        phi_1652_ = vec3<f32>(_e1092, _e1094, _e1090);
                                     } else {
                                         if (_e445 == 1u) {
-                                            phi_1653_ = vec3<f32>(_e1096, _e1092, _e1094);
+                                            phi_1651_ = vec3<f32>(_e1094, _e1090, _e1092);
                                         } else {
-                                            phi_1653_ = (_e1090 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1651_ = (_e1088 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1104 = phi_1653_;
-                                        phi_1654_ = _e1104;
+                                        let _e1102 = phi_1651_;
+                                        phi_1652_ = _e1102;
                                     }
-                                    let _e1106 = phi_1654_;
-                                    let _e1110 = (_e1106.x - (_e456 * _e1106.z));
-                                    let _e1114 = (_e1106.y - (_e459 * _e1106.z));
-                                    let _e1118 = triangles.member[(0u + _e1055)].v2_;
-                                    let _e1120 = (_e1118.x - _e217);
-                                    let _e1122 = (_e1118.y - _e219);
-                                    let _e1124 = (_e1118.z - _e221);
+                                    let _e1104 = phi_1652_;
+                                    let _e1108 = (_e1104.x - (_e456 * _e1104.z));
+                                    let _e1112 = (_e1104.y - (_e459 * _e1104.z));
+                                    let _e1114 = triangles.member[(0u + _e1055)].v2_;
+                                    let _e1116 = (_e1114.x - _e217);
+                                    let _e1118 = (_e1114.y - _e219);
+                                    let _e1120 = (_e1114.z - _e221);
                                     if (_e445 == 0u) {
-                                        phi_1686_ = vec3<f32>(_e1122, _e1124, _e1120);
+                                        phi_1682_ = vec3<f32>(_e1118, _e1120, _e1116);
                                     } else {
                                         if (_e445 == 1u) {
-                                            phi_1685_ = vec3<f32>(_e1124, _e1120, _e1122);
+                                            phi_1681_ = vec3<f32>(_e1120, _e1116, _e1118);
                                         } else {
-                                            phi_1685_ = (_e1118 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1681_ = (_e1114 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1132 = phi_1685_;
-                                        phi_1686_ = _e1132;
+                                        let _e1128 = phi_1681_;
+                                        phi_1682_ = _e1128;
                                     }
-                                    let _e1134 = phi_1686_;
-                                    let _e1138 = (_e1134.x - (_e456 * _e1134.z));
-                                    let _e1142 = (_e1134.y - (_e459 * _e1134.z));
-                                    if (_e1110 < _e1138) {
-                                        phi_1707_ = true;
+                                    let _e1130 = phi_1682_;
+                                    let _e1134 = (_e1130.x - (_e456 * _e1130.z));
+                                    let _e1138 = (_e1130.y - (_e459 * _e1130.z));
+                                    if (_e1108 < _e1134) {
+                                        phi_1701_ = true;
                                     } else {
-                                        if (_e1110 == _e1138) {
-                                            phi_1706_ = (_e1114 < _e1142);
+                                        if (_e1108 == _e1134) {
+                                            phi_1700_ = (_e1112 < _e1138);
                                         } else {
-                                            phi_1706_ = false;
+                                            phi_1700_ = false;
                                         }
-                                        let _e1149 = phi_1706_;
-                                        phi_1707_ = _e1149;
+                                        let _e1143 = phi_1700_;
+                                        phi_1701_ = _e1143;
                                     }
+                                    let _e1145 = phi_1701_;
+                                    if _e1145 {
+                                        phi_1705_ = _e1138;
+                                        phi_1706_ = _e1134;
+                                        phi_1707_ = _e1112;
+                                        phi_1708_ = _e1108;
+                                    } else {
+                                        phi_1705_ = _e1112;
+                                        phi_1706_ = _e1108;
+                                        phi_1707_ = _e1138;
+                                        phi_1708_ = _e1134;
+                                    }
+                                    let _e1147 = phi_1705_;
+                                    let _e1149 = phi_1706_;
                                     let _e1151 = phi_1707_;
-                                    if _e1151 {
-                                        phi_1711_ = _e1142;
-                                        phi_1712_ = _e1138;
-                                        phi_1713_ = _e1114;
-                                        phi_1714_ = _e1110;
+                                    let _e1153 = phi_1708_;
+                                    let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
+                                    if _e1145 {
+                                        phi_1716_ = -(_e1156);
                                     } else {
-                                        phi_1711_ = _e1114;
-                                        phi_1712_ = _e1110;
-                                        phi_1713_ = _e1142;
-                                        phi_1714_ = _e1138;
+                                        phi_1716_ = _e1156;
                                     }
-                                    let _e1153 = phi_1711_;
-                                    let _e1155 = phi_1712_;
-                                    let _e1157 = phi_1713_;
-                                    let _e1159 = phi_1714_;
-                                    let _e1162 = ((_e1159 * _e1153) - (_e1157 * _e1155));
-                                    if _e1151 {
-                                        phi_1722_ = -(_e1162);
+                                    let _e1159 = phi_1716_;
+                                    if (_e1134 < _e1082) {
+                                        phi_1727_ = true;
                                     } else {
-                                        phi_1722_ = _e1162;
-                                    }
-                                    let _e1165 = phi_1722_;
-                                    if (_e1138 < _e1082) {
-                                        phi_1733_ = true;
-                                    } else {
-                                        if (_e1138 == _e1082) {
-                                            phi_1732_ = (_e1142 < _e1086);
+                                        if (_e1134 == _e1082) {
+                                            phi_1726_ = (_e1138 < _e1086);
                                         } else {
-                                            phi_1732_ = false;
+                                            phi_1726_ = false;
                                         }
-                                        let _e1170 = phi_1732_;
-                                        phi_1733_ = _e1170;
+                                        let _e1164 = phi_1726_;
+                                        phi_1727_ = _e1164;
                                     }
+                                    let _e1166 = phi_1727_;
+                                    if _e1166 {
+                                        phi_1731_ = _e1086;
+                                        phi_1732_ = _e1082;
+                                        phi_1733_ = _e1138;
+                                        phi_1734_ = _e1134;
+                                    } else {
+                                        phi_1731_ = _e1138;
+                                        phi_1732_ = _e1134;
+                                        phi_1733_ = _e1086;
+                                        phi_1734_ = _e1082;
+                                    }
+                                    let _e1168 = phi_1731_;
+                                    let _e1170 = phi_1732_;
                                     let _e1172 = phi_1733_;
-                                    if _e1172 {
-                                        phi_1737_ = _e1086;
-                                        phi_1738_ = _e1082;
-                                        phi_1739_ = _e1142;
-                                        phi_1740_ = _e1138;
+                                    let _e1174 = phi_1734_;
+                                    let _e1177 = ((_e1174 * _e1168) - (_e1172 * _e1170));
+                                    if _e1166 {
+                                        phi_1742_ = -(_e1177);
                                     } else {
-                                        phi_1737_ = _e1142;
-                                        phi_1738_ = _e1138;
-                                        phi_1739_ = _e1086;
-                                        phi_1740_ = _e1082;
+                                        phi_1742_ = _e1177;
                                     }
-                                    let _e1174 = phi_1737_;
-                                    let _e1176 = phi_1738_;
-                                    let _e1178 = phi_1739_;
-                                    let _e1180 = phi_1740_;
-                                    let _e1183 = ((_e1180 * _e1174) - (_e1178 * _e1176));
-                                    if _e1172 {
-                                        phi_1748_ = -(_e1183);
+                                    let _e1180 = phi_1742_;
+                                    if (_e1082 < _e1108) {
+                                        phi_1753_ = true;
                                     } else {
-                                        phi_1748_ = _e1183;
-                                    }
-                                    let _e1186 = phi_1748_;
-                                    if (_e1082 < _e1110) {
-                                        phi_1759_ = true;
-                                    } else {
-                                        if (_e1082 == _e1110) {
-                                            phi_1758_ = (_e1086 < _e1114);
+                                        if (_e1082 == _e1108) {
+                                            phi_1752_ = (_e1086 < _e1112);
                                         } else {
-                                            phi_1758_ = false;
+                                            phi_1752_ = false;
                                         }
-                                        let _e1191 = phi_1758_;
-                                        phi_1759_ = _e1191;
+                                        let _e1185 = phi_1752_;
+                                        phi_1753_ = _e1185;
                                     }
+                                    let _e1187 = phi_1753_;
+                                    if _e1187 {
+                                        phi_1757_ = _e1112;
+                                        phi_1758_ = _e1108;
+                                        phi_1759_ = _e1086;
+                                        phi_1760_ = _e1082;
+                                    } else {
+                                        phi_1757_ = _e1086;
+                                        phi_1758_ = _e1082;
+                                        phi_1759_ = _e1112;
+                                        phi_1760_ = _e1108;
+                                    }
+                                    let _e1189 = phi_1757_;
+                                    let _e1191 = phi_1758_;
                                     let _e1193 = phi_1759_;
-                                    if _e1193 {
-                                        phi_1763_ = _e1114;
-                                        phi_1764_ = _e1110;
-                                        phi_1765_ = _e1086;
-                                        phi_1766_ = _e1082;
+                                    let _e1195 = phi_1760_;
+                                    let _e1198 = ((_e1195 * _e1189) - (_e1193 * _e1191));
+                                    if _e1187 {
+                                        phi_1768_ = -(_e1198);
                                     } else {
-                                        phi_1763_ = _e1086;
-                                        phi_1764_ = _e1082;
-                                        phi_1765_ = _e1114;
-                                        phi_1766_ = _e1110;
+                                        phi_1768_ = _e1198;
                                     }
-                                    let _e1195 = phi_1763_;
-                                    let _e1197 = phi_1764_;
-                                    let _e1199 = phi_1765_;
-                                    let _e1201 = phi_1766_;
-                                    let _e1204 = ((_e1201 * _e1195) - (_e1199 * _e1197));
-                                    if _e1193 {
-                                        phi_1774_ = -(_e1204);
-                                    } else {
-                                        phi_1774_ = _e1204;
-                                    }
-                                    let _e1207 = phi_1774_;
-                                    if (_e1165 >= 0f) {
-                                        if (_e1186 >= 0f) {
-                                            if (_e1207 >= 0f) {
-                                                phi_1789_ = ((_e1165 + _e1186) + _e1207);
-                                                phi_1790_ = false;
+                                    let _e1201 = phi_1768_;
+                                    if (_e1159 >= 0f) {
+                                        if (_e1180 >= 0f) {
+                                            if (_e1201 >= 0f) {
+                                                phi_1783_ = ((_e1159 + _e1180) + _e1201);
+                                                phi_1784_ = false;
                                             } else {
-                                                phi_1789_ = f32();
-                                                phi_1790_ = true;
+                                                phi_1783_ = f32();
+                                                phi_1784_ = true;
                                             }
-                                            let _e1214 = phi_1789_;
-                                            let _e1216 = phi_1790_;
-                                            phi_1791_ = _e1214;
-                                            phi_1792_ = _e1216;
+                                            let _e1208 = phi_1783_;
+                                            let _e1210 = phi_1784_;
+                                            phi_1785_ = _e1208;
+                                            phi_1786_ = _e1210;
                                         } else {
-                                            phi_1791_ = f32();
-                                            phi_1792_ = true;
+                                            phi_1785_ = f32();
+                                            phi_1786_ = true;
                                         }
-                                        let _e1218 = phi_1791_;
-                                        let _e1220 = phi_1792_;
-                                        phi_1793_ = _e1218;
-                                        phi_1794_ = _e1220;
+                                        let _e1212 = phi_1785_;
+                                        let _e1214 = phi_1786_;
+                                        phi_1787_ = _e1212;
+                                        phi_1788_ = _e1214;
                                     } else {
-                                        phi_1793_ = f32();
-                                        phi_1794_ = true;
+                                        phi_1787_ = f32();
+                                        phi_1788_ = true;
                                     }
-                                    let _e1222 = phi_1793_;
-                                    let _e1224 = phi_1794_;
-                                    if _e1224 {
-                                        if (_e1165 <= 0f) {
-                                            if (_e1186 <= 0f) {
-                                                let _e1227 = (_e1207 <= 0f);
-                                                if _e1227 {
+                                    let _e1216 = phi_1787_;
+                                    let _e1218 = phi_1788_;
+                                    if _e1218 {
+                                        if (_e1159 <= 0f) {
+                                            if (_e1180 <= 0f) {
+                                                let _e1221 = (_e1201 <= 0f);
+                                                if _e1221 {
                                                 }
-                                                phi_1812_ = ((_e1165 + _e1186) + _e1207);
-                                                phi_1813_ = false;
-                                                phi_1814_ = _e1227;
+                                                phi_1806_ = ((_e1159 + _e1180) + _e1201);
+                                                phi_1807_ = false;
+                                                phi_1808_ = _e1221;
                                             } else {
-                                                phi_1812_ = f32();
-                                                phi_1813_ = true;
-                                                phi_1814_ = false;
+                                                phi_1806_ = f32();
+                                                phi_1807_ = true;
+                                                phi_1808_ = false;
                                             }
-                                            let _e1231 = phi_1812_;
-                                            let _e1233 = phi_1813_;
-                                            let _e1235 = phi_1814_;
-                                            phi_1815_ = _e1231;
-                                            phi_1816_ = _e1233;
-                                            phi_1817_ = _e1235;
+                                            let _e1225 = phi_1806_;
+                                            let _e1227 = phi_1807_;
+                                            let _e1229 = phi_1808_;
+                                            phi_1809_ = _e1225;
+                                            phi_1810_ = _e1227;
+                                            phi_1811_ = _e1229;
                                         } else {
-                                            phi_1815_ = f32();
-                                            phi_1816_ = true;
-                                            phi_1817_ = false;
+                                            phi_1809_ = f32();
+                                            phi_1810_ = true;
+                                            phi_1811_ = false;
+                                        }
+                                        let _e1231 = phi_1809_;
+                                        let _e1233 = phi_1810_;
+                                        let _e1235 = phi_1811_;
+                                        if _e1233 {
+                                            phi_1815_ = false;
+                                        } else {
+                                            phi_1815_ = _e1235;
                                         }
                                         let _e1237 = phi_1815_;
-                                        let _e1239 = phi_1816_;
-                                        let _e1241 = phi_1817_;
-                                        if _e1239 {
-                                            phi_1821_ = false;
-                                        } else {
-                                            phi_1821_ = _e1241;
-                                        }
-                                        let _e1243 = phi_1821_;
-                                        phi_1822_ = _e1237;
-                                        phi_1823_ = _e1243;
+                                        phi_1816_ = _e1231;
+                                        phi_1817_ = _e1237;
                                     } else {
-                                        phi_1822_ = _e1222;
-                                        phi_1823_ = true;
+                                        phi_1816_ = _e1216;
+                                        phi_1817_ = true;
                                     }
-                                    let _e1245 = phi_1822_;
-                                    let _e1247 = phi_1823_;
-                                    if _e1247 {
-                                        let _e1248 = (_e1245 == 0f);
-                                        if _e1248 {
-                                            phi_2036_ = lt_bvh_triangle_Intersection();
-                                            phi_2037_ = false;
+                                    let _e1239 = phi_1816_;
+                                    let _e1241 = phi_1817_;
+                                    if _e1241 {
+                                        let _e1242 = (_e1239 == 0f);
+                                        if _e1242 {
+                                            phi_2133_ = lt_bvh_triangle_Intersection();
+                                            phi_2134_ = false;
                                         } else {
-                                            let _e1254 = ((((_e1165 * (_e461 * _e1078.z)) + (_e1186 * (_e461 * _e1106.z))) + (_e1207 * (_e461 * _e1134.z))) / _e1245);
-                                            if (_e1254 > 0f) {
-                                                if (_e1254 < _e225) {
-                                                    let _e1258 = triangles.member[(0u + _e1055)].v0_;
-                                                    let _e1260 = triangles.member[(0u + _e1055)].v1_;
-                                                    if (_e1258.x < _e1260.x) {
-                                                        phi_1857_ = _e1258.x;
-                                                    } else {
-                                                        phi_1857_ = _e1260.x;
-                                                    }
-                                                    let _e1267 = phi_1857_;
-                                                    if (_e1258.y < _e1260.y) {
-                                                        phi_1866_ = _e1258.y;
-                                                    } else {
-                                                        phi_1866_ = _e1260.y;
-                                                    }
-                                                    let _e1274 = phi_1866_;
-                                                    if (_e1258.z < _e1260.z) {
-                                                        phi_1875_ = _e1258.z;
-                                                    } else {
-                                                        phi_1875_ = _e1260.z;
-                                                    }
-                                                    let _e1281 = phi_1875_;
-                                                    let _e1283 = triangles.member[(0u + _e1055)].v2_;
-                                                    if (_e1267 < _e1283.x) {
-                                                        phi_1884_ = _e1267;
-                                                    } else {
-                                                        phi_1884_ = _e1283.x;
-                                                    }
-                                                    let _e1288 = phi_1884_;
-                                                    if (_e1274 < _e1283.y) {
-                                                        phi_1891_ = _e1274;
-                                                    } else {
-                                                        phi_1891_ = _e1283.y;
-                                                    }
-                                                    let _e1293 = phi_1891_;
-                                                    if (_e1281 < _e1283.z) {
-                                                        phi_1898_ = _e1281;
-                                                    } else {
-                                                        phi_1898_ = _e1283.z;
-                                                    }
-                                                    let _e1298 = phi_1898_;
-                                                    let _e1300 = triangles.member[(0u + _e1055)].v0_;
-                                                    let _e1302 = triangles.member[(0u + _e1055)].v1_;
-                                                    if (_e1300.x > _e1302.x) {
-                                                        phi_1911_ = _e1300.x;
-                                                    } else {
-                                                        phi_1911_ = _e1302.x;
-                                                    }
-                                                    let _e1309 = phi_1911_;
-                                                    if (_e1300.y > _e1302.y) {
-                                                        phi_1920_ = _e1300.y;
-                                                    } else {
-                                                        phi_1920_ = _e1302.y;
-                                                    }
-                                                    let _e1316 = phi_1920_;
-                                                    if (_e1300.z > _e1302.z) {
-                                                        phi_1929_ = _e1300.z;
-                                                    } else {
-                                                        phi_1929_ = _e1302.z;
-                                                    }
-                                                    let _e1323 = phi_1929_;
-                                                    let _e1325 = triangles.member[(0u + _e1055)].v2_;
-                                                    if (_e1309 > _e1325.x) {
-                                                        phi_1938_ = _e1309;
-                                                    } else {
-                                                        phi_1938_ = _e1325.x;
-                                                    }
-                                                    let _e1330 = phi_1938_;
-                                                    if (_e1316 > _e1325.y) {
-                                                        phi_1945_ = _e1316;
-                                                    } else {
-                                                        phi_1945_ = _e1325.y;
-                                                    }
-                                                    let _e1335 = phi_1945_;
-                                                    if (_e1323 > _e1325.z) {
-                                                        phi_1952_ = _e1323;
-                                                    } else {
-                                                        phi_1952_ = _e1325.z;
-                                                    }
-                                                    let _e1340 = phi_1952_;
-                                                    let _e1344 = ((_e1288 - _e217) * _e374);
-                                                    let _e1345 = ((_e1293 - _e219) * _e384);
-                                                    let _e1346 = ((_e1298 - _e221) * _e394);
-                                                    let _e1350 = ((_e1330 - _e217) * _e374);
-                                                    let _e1351 = ((_e1335 - _e219) * _e384);
-                                                    let _e1352 = ((_e1340 - _e221) * _e394);
-                                                    if (_e1344 < _e1350) {
-                                                        phi_1969_ = _e1344;
-                                                    } else {
-                                                        phi_1969_ = _e1350;
-                                                    }
-                                                    let _e1355 = phi_1969_;
-                                                    if (_e1345 < _e1351) {
-                                                        phi_1974_ = _e1345;
-                                                    } else {
-                                                        phi_1974_ = _e1351;
-                                                    }
-                                                    let _e1358 = phi_1974_;
-                                                    if (_e1346 < _e1352) {
-                                                        phi_1979_ = _e1346;
-                                                    } else {
-                                                        phi_1979_ = _e1352;
-                                                    }
-                                                    let _e1361 = phi_1979_;
-                                                    if (_e1344 > _e1350) {
-                                                        phi_1987_ = _e1344;
-                                                    } else {
-                                                        phi_1987_ = _e1350;
-                                                    }
-                                                    let _e1367 = phi_1987_;
-                                                    if (_e1345 > _e1351) {
-                                                        phi_1992_ = _e1345;
-                                                    } else {
-                                                        phi_1992_ = _e1351;
-                                                    }
-                                                    let _e1370 = phi_1992_;
-                                                    if (_e1346 > _e1352) {
-                                                        phi_1997_ = _e1346;
-                                                    } else {
-                                                        phi_1997_ = _e1352;
-                                                    }
-                                                    let _e1373 = phi_1997_;
-                                                    let _e1377 = core_intrinsics_maximum_number_nsz_f32_((_e1355 - _e429), (_e1358 - _e430));
-                                                    let _e1378 = core_intrinsics_maximum_number_nsz_f32_(_e1377, (_e1361 - _e431));
-                                                    let _e1379 = core_intrinsics_minimum_number_nsz_f32_((_e1367 + _e429), (_e1370 + _e430));
-                                                    let _e1380 = core_intrinsics_minimum_number_nsz_f32_(_e1379, (_e1373 + _e431));
-                                                    if (_e1378 > -300000000000000000000000000000000000000f) {
-                                                        phi_2009_ = _e1378;
-                                                    } else {
-                                                        phi_2009_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1383 = phi_2009_;
-                                                    if (_e1380 < 300000000000000000000000000000000000000f) {
-                                                        phi_2014_ = _e1380;
-                                                    } else {
-                                                        phi_2014_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1386 = phi_2014_;
-                                                    if (_e1254 < _e1383) {
-                                                        phi_2019_ = _e1383;
-                                                    } else {
-                                                        phi_2019_ = _e1254;
-                                                    }
-                                                    let _e1389 = phi_2019_;
-                                                    if (_e1389 > _e1386) {
-                                                        phi_2024_ = _e1386;
-                                                    } else {
-                                                        phi_2024_ = _e1389;
-                                                    }
-                                                    let _e1392 = phi_2024_;
-                                                    phi_2029_ = lt_bvh_triangle_Intersection(_e1392, (_e1186 / _e1245), (_e1207 / _e1245), (_e1383 <= _e1386));
-                                                    phi_2030_ = false;
-                                                } else {
-                                                    phi_2029_ = lt_bvh_triangle_Intersection();
-                                                    phi_2030_ = true;
-                                                }
-                                                let _e1398 = phi_2029_;
-                                                let _e1400 = phi_2030_;
-                                                phi_2031_ = _e1398;
-                                                phi_2032_ = _e1400;
+                                            let _e1244 = triangles.member[(0u + _e1055)].v0_;
+                                            let _e1246 = (_e1244.x - _e217);
+                                            let _e1248 = (_e1244.y - _e219);
+                                            let _e1250 = (_e1244.z - _e221);
+                                            if (_e445 == 0u) {
+                                                phi_1846_ = vec3<f32>(_e1248, _e1250, _e1246);
                                             } else {
-                                                phi_2031_ = lt_bvh_triangle_Intersection();
-                                                phi_2032_ = true;
+                                                if (_e445 == 1u) {
+                                                    phi_1845_ = vec3<f32>(_e1250, _e1246, _e1248);
+                                                } else {
+                                                    phi_1845_ = (_e1244 - vec3<f32>(_e217, _e219, _e221));
+                                                }
+                                                let _e1258 = phi_1845_;
+                                                phi_1846_ = _e1258;
                                             }
-                                            let _e1402 = phi_2031_;
-                                            let _e1404 = phi_2032_;
-                                            if _e1404 {
+                                            let _e1260 = phi_1846_;
+                                            let _e1262 = triangles.member[(0u + _e1055)].v1_;
+                                            let _e1264 = triangles.member[(0u + _e1055)].v0_;
+                                            let _e1267 = (_e1262.x - _e1264.x);
+                                            let _e1270 = (_e1262.y - _e1264.y);
+                                            let _e1273 = (_e1262.z - _e1264.z);
+                                            if (_e445 == 0u) {
+                                                phi_1872_ = vec3<f32>(_e1270, _e1273, _e1267);
+                                            } else {
+                                                if (_e445 == 1u) {
+                                                    phi_1871_ = vec3<f32>(_e1273, _e1267, _e1270);
+                                                } else {
+                                                    phi_1871_ = (_e1262 - _e1264);
+                                                }
+                                                let _e1280 = phi_1871_;
+                                                phi_1872_ = _e1280;
                                             }
-                                            phi_2036_ = _e1402;
-                                            phi_2037_ = _e1404;
+                                            let _e1282 = phi_1872_;
+                                            let _e1284 = triangles.member[(0u + _e1055)].v2_;
+                                            let _e1286 = triangles.member[(0u + _e1055)].v0_;
+                                            let _e1289 = (_e1284.x - _e1286.x);
+                                            let _e1292 = (_e1284.y - _e1286.y);
+                                            let _e1295 = (_e1284.z - _e1286.z);
+                                            if (_e445 == 0u) {
+                                                phi_1898_ = vec3<f32>(_e1292, _e1295, _e1289);
+                                            } else {
+                                                if (_e445 == 1u) {
+                                                    phi_1897_ = vec3<f32>(_e1295, _e1289, _e1292);
+                                                } else {
+                                                    phi_1897_ = (_e1284 - _e1286);
+                                                }
+                                                let _e1302 = phi_1897_;
+                                                phi_1898_ = _e1302;
+                                            }
+                                            let _e1304 = phi_1898_;
+                                            let _e1311 = ((_e1282.y * _e1304.z) - (_e1282.z * _e1304.y));
+                                            let _e1318 = ((_e1282.z * _e1304.x) - (_e1282.x * _e1304.z));
+                                            let _e1325 = ((_e1282.x * _e1304.y) - (_e1282.y * _e1304.x));
+                                            let _e1339 = (((1f / _e453.z) * (((_e1311 * _e1260.x) + (_e1318 * _e1260.y)) + (_e1325 * _e1260.z))) / (((_e1311 * _e456) + (_e1318 * _e459)) + _e1325));
+                                            if (_e1339 > 0f) {
+                                                if (_e1339 < _e225) {
+                                                    let _e1343 = triangles.member[(0u + _e1055)].v0_;
+                                                    let _e1345 = triangles.member[(0u + _e1055)].v1_;
+                                                    if (_e1343.x < _e1345.x) {
+                                                        phi_1954_ = _e1343.x;
+                                                    } else {
+                                                        phi_1954_ = _e1345.x;
+                                                    }
+                                                    let _e1352 = phi_1954_;
+                                                    if (_e1343.y < _e1345.y) {
+                                                        phi_1963_ = _e1343.y;
+                                                    } else {
+                                                        phi_1963_ = _e1345.y;
+                                                    }
+                                                    let _e1359 = phi_1963_;
+                                                    if (_e1343.z < _e1345.z) {
+                                                        phi_1972_ = _e1343.z;
+                                                    } else {
+                                                        phi_1972_ = _e1345.z;
+                                                    }
+                                                    let _e1366 = phi_1972_;
+                                                    let _e1368 = triangles.member[(0u + _e1055)].v2_;
+                                                    if (_e1352 < _e1368.x) {
+                                                        phi_1981_ = _e1352;
+                                                    } else {
+                                                        phi_1981_ = _e1368.x;
+                                                    }
+                                                    let _e1373 = phi_1981_;
+                                                    if (_e1359 < _e1368.y) {
+                                                        phi_1988_ = _e1359;
+                                                    } else {
+                                                        phi_1988_ = _e1368.y;
+                                                    }
+                                                    let _e1378 = phi_1988_;
+                                                    if (_e1366 < _e1368.z) {
+                                                        phi_1995_ = _e1366;
+                                                    } else {
+                                                        phi_1995_ = _e1368.z;
+                                                    }
+                                                    let _e1383 = phi_1995_;
+                                                    let _e1385 = triangles.member[(0u + _e1055)].v0_;
+                                                    let _e1387 = triangles.member[(0u + _e1055)].v1_;
+                                                    if (_e1385.x > _e1387.x) {
+                                                        phi_2008_ = _e1385.x;
+                                                    } else {
+                                                        phi_2008_ = _e1387.x;
+                                                    }
+                                                    let _e1394 = phi_2008_;
+                                                    if (_e1385.y > _e1387.y) {
+                                                        phi_2017_ = _e1385.y;
+                                                    } else {
+                                                        phi_2017_ = _e1387.y;
+                                                    }
+                                                    let _e1401 = phi_2017_;
+                                                    if (_e1385.z > _e1387.z) {
+                                                        phi_2026_ = _e1385.z;
+                                                    } else {
+                                                        phi_2026_ = _e1387.z;
+                                                    }
+                                                    let _e1408 = phi_2026_;
+                                                    let _e1410 = triangles.member[(0u + _e1055)].v2_;
+                                                    if (_e1394 > _e1410.x) {
+                                                        phi_2035_ = _e1394;
+                                                    } else {
+                                                        phi_2035_ = _e1410.x;
+                                                    }
+                                                    let _e1415 = phi_2035_;
+                                                    if (_e1401 > _e1410.y) {
+                                                        phi_2042_ = _e1401;
+                                                    } else {
+                                                        phi_2042_ = _e1410.y;
+                                                    }
+                                                    let _e1420 = phi_2042_;
+                                                    if (_e1408 > _e1410.z) {
+                                                        phi_2049_ = _e1408;
+                                                    } else {
+                                                        phi_2049_ = _e1410.z;
+                                                    }
+                                                    let _e1425 = phi_2049_;
+                                                    let _e1429 = ((_e1373 - _e217) * _e374);
+                                                    let _e1430 = ((_e1378 - _e219) * _e384);
+                                                    let _e1431 = ((_e1383 - _e221) * _e394);
+                                                    let _e1435 = ((_e1415 - _e217) * _e374);
+                                                    let _e1436 = ((_e1420 - _e219) * _e384);
+                                                    let _e1437 = ((_e1425 - _e221) * _e394);
+                                                    if (_e1429 < _e1435) {
+                                                        phi_2066_ = _e1429;
+                                                    } else {
+                                                        phi_2066_ = _e1435;
+                                                    }
+                                                    let _e1440 = phi_2066_;
+                                                    if (_e1430 < _e1436) {
+                                                        phi_2071_ = _e1430;
+                                                    } else {
+                                                        phi_2071_ = _e1436;
+                                                    }
+                                                    let _e1443 = phi_2071_;
+                                                    if (_e1431 < _e1437) {
+                                                        phi_2076_ = _e1431;
+                                                    } else {
+                                                        phi_2076_ = _e1437;
+                                                    }
+                                                    let _e1446 = phi_2076_;
+                                                    if (_e1429 > _e1435) {
+                                                        phi_2084_ = _e1429;
+                                                    } else {
+                                                        phi_2084_ = _e1435;
+                                                    }
+                                                    let _e1452 = phi_2084_;
+                                                    if (_e1430 > _e1436) {
+                                                        phi_2089_ = _e1430;
+                                                    } else {
+                                                        phi_2089_ = _e1436;
+                                                    }
+                                                    let _e1455 = phi_2089_;
+                                                    if (_e1431 > _e1437) {
+                                                        phi_2094_ = _e1431;
+                                                    } else {
+                                                        phi_2094_ = _e1437;
+                                                    }
+                                                    let _e1458 = phi_2094_;
+                                                    let _e1462 = core_intrinsics_maximum_number_nsz_f32_((_e1440 - _e429), (_e1443 - _e430));
+                                                    let _e1463 = core_intrinsics_maximum_number_nsz_f32_(_e1462, (_e1446 - _e431));
+                                                    let _e1464 = core_intrinsics_minimum_number_nsz_f32_((_e1452 + _e429), (_e1455 + _e430));
+                                                    let _e1465 = core_intrinsics_minimum_number_nsz_f32_(_e1464, (_e1458 + _e431));
+                                                    if (_e1463 > -300000000000000000000000000000000000000f) {
+                                                        phi_2106_ = _e1463;
+                                                    } else {
+                                                        phi_2106_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1468 = phi_2106_;
+                                                    if (_e1465 < 300000000000000000000000000000000000000f) {
+                                                        phi_2111_ = _e1465;
+                                                    } else {
+                                                        phi_2111_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1471 = phi_2111_;
+                                                    if (_e1339 < _e1468) {
+                                                        phi_2116_ = _e1468;
+                                                    } else {
+                                                        phi_2116_ = _e1339;
+                                                    }
+                                                    let _e1474 = phi_2116_;
+                                                    if (_e1474 > _e1471) {
+                                                        phi_2121_ = _e1471;
+                                                    } else {
+                                                        phi_2121_ = _e1474;
+                                                    }
+                                                    let _e1477 = phi_2121_;
+                                                    phi_2126_ = lt_bvh_triangle_Intersection(_e1477, (_e1180 / _e1239), (_e1201 / _e1239), (_e1468 <= _e1471));
+                                                    phi_2127_ = false;
+                                                } else {
+                                                    phi_2126_ = lt_bvh_triangle_Intersection();
+                                                    phi_2127_ = true;
+                                                }
+                                                let _e1483 = phi_2126_;
+                                                let _e1485 = phi_2127_;
+                                                phi_2128_ = _e1483;
+                                                phi_2129_ = _e1485;
+                                            } else {
+                                                phi_2128_ = lt_bvh_triangle_Intersection();
+                                                phi_2129_ = true;
+                                            }
+                                            let _e1487 = phi_2128_;
+                                            let _e1489 = phi_2129_;
+                                            if _e1489 {
+                                            }
+                                            phi_2133_ = _e1487;
+                                            phi_2134_ = _e1489;
                                         }
-                                        let _e1406 = phi_2036_;
-                                        let _e1408 = phi_2037_;
-                                        phi_2038_ = _e1406;
-                                        phi_2039_ = _e1248;
-                                        phi_2040_ = _e1408;
+                                        let _e1491 = phi_2133_;
+                                        let _e1493 = phi_2134_;
+                                        phi_2135_ = _e1491;
+                                        phi_2136_ = _e1242;
+                                        phi_2137_ = _e1493;
                                     } else {
-                                        phi_2038_ = lt_bvh_triangle_Intersection();
-                                        phi_2039_ = true;
-                                        phi_2040_ = false;
+                                        phi_2135_ = lt_bvh_triangle_Intersection();
+                                        phi_2136_ = true;
+                                        phi_2137_ = false;
                                     }
-                                    let _e1410 = phi_2038_;
-                                    let _e1412 = phi_2039_;
-                                    let _e1414 = phi_2040_;
-                                    if _e1412 {
-                                        phi_2044_ = true;
+                                    let _e1495 = phi_2135_;
+                                    let _e1497 = phi_2136_;
+                                    let _e1499 = phi_2137_;
+                                    if _e1497 {
+                                        phi_2141_ = true;
                                     } else {
-                                        phi_2044_ = _e1414;
+                                        phi_2141_ = _e1499;
                                     }
-                                    let _e1416 = phi_2044_;
-                                    if _e1416 {
-                                        phi_2048_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    let _e1501 = phi_2141_;
+                                    if _e1501 {
+                                        phi_2145_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                     } else {
-                                        phi_2048_ = _e1410;
+                                        phi_2145_ = _e1495;
                                     }
-                                    let _e1418 = phi_2048_;
-                                    if _e1418.is_hit {
-                                        if (_e1418.t > 0f) {
-                                            if (_e1418.t < _e225) {
-                                                let _e1425 = triangles.member[(0u + _e1055)].i0_;
-                                                let _e1427 = ((_e1425 & 2147483648u) == 0u);
-                                                if _e1427 {
-                                                    phi_2271_ = false;
-                                                    phi_2272_ = false;
+                                    let _e1503 = phi_2145_;
+                                    if _e1503.is_hit {
+                                        if (_e1503.t > 0f) {
+                                            if (_e1503.t < _e225) {
+                                                let _e1510 = triangles.member[(0u + _e1055)].i0_;
+                                                let _e1512 = ((_e1510 & 2147483648u) == 0u);
+                                                if _e1512 {
+                                                    phi_2368_ = false;
+                                                    phi_2369_ = false;
                                                 } else {
                                                     if (_e1055 < _e81) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1434 = triangles.member[(0u + _e1055)].i0_;
-                                                    let _e1435 = (_e1434 & 2147483647u);
-                                                    let _e1437 = triangles.member[(0u + _e1055)].i1_;
-                                                    let _e1439 = triangles.member[(0u + _e1055)].i2_;
-                                                    if (_e1435 < _e87) {
+                                                    let _e1519 = triangles.member[(0u + _e1055)].i0_;
+                                                    let _e1520 = (_e1519 & 2147483647u);
+                                                    let _e1522 = triangles.member[(0u + _e1055)].i1_;
+                                                    let _e1524 = triangles.member[(0u + _e1055)].i2_;
+                                                    if (_e1520 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1443 = vertices.member[(0u + _e1435)];
-                                                    if (_e1437 < _e87) {
+                                                    let _e1528 = vertices.member[(0u + _e1520)];
+                                                    if (_e1522 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1447 = vertices.member[(0u + _e1437)];
-                                                    if (_e1439 < _e87) {
+                                                    let _e1532 = vertices.member[(0u + _e1522)];
+                                                    if (_e1524 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1451 = vertices.member[(0u + _e1439)];
-                                                    let _e1452 = array<abi_Vertex, 3>(_e1443, _e1447, _e1451);
-                                                    if (_e1452[0].material < arrayLength((&materials.member))) {
+                                                    let _e1536 = vertices.member[(0u + _e1524)];
+                                                    let _e1537 = array<abi_Vertex, 3>(_e1528, _e1532, _e1536);
+                                                    if (_e1537[0].material < arrayLength((&materials.member))) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1458 = materials.member[(0u + _e1452[0].material)];
-                                                    if ((_e1458.flags & 1u) == 1u) {
-                                                        let _e1463 = ((1f - _e1418.u) - _e1418.v);
-                                                        if (_e1458.cutoff <= 0f) {
-                                                            phi_2265_ = true;
+                                                    let _e1543 = materials.member[(0u + _e1537[0].material)];
+                                                    if ((_e1543.flags & 1u) == 1u) {
+                                                        let _e1548 = ((1f - _e1503.u) - _e1503.v);
+                                                        if (_e1543.cutoff <= 0f) {
+                                                            phi_2362_ = true;
                                                         } else {
-                                                            let _e1490 = (_e1458.base_color.w * ((((f32((_e1452[0].color >> bitcast<u32>(24i))) * _e1463) + (f32((_e1452[1].color >> bitcast<u32>(24i))) * _e1418.u)) + (f32((_e1452[2].color >> bitcast<u32>(24i))) * _e1418.v)) * (1f / 255f)));
-                                                            if (_e1458.alpha_size == 0u) {
-                                                                phi_2262_ = _e1490;
+                                                            let _e1575 = (_e1543.base_color.w * ((((f32((_e1537[0].color >> bitcast<u32>(24i))) * _e1548) + (f32((_e1537[1].color >> bitcast<u32>(24i))) * _e1503.u)) + (f32((_e1537[2].color >> bitcast<u32>(24i))) * _e1503.v)) * (1f / 255f)));
+                                                            if (_e1543.alpha_size == 0u) {
+                                                                phi_2359_ = _e1575;
                                                             } else {
-                                                                local.offset = _e1458.alpha_offset;
-                                                                local.size = _e1458.alpha_size;
-                                                                local.flags = _e1458.flags;
-                                                                let _e1521 = _lt_shaders_texture_TextureView_quad((&local), (((_e1452[0].u * _e1463) + (_e1452[1].u * _e1418.u)) + (_e1452[2].u * _e1418.v)), (((_e1452[0].v * _e1463) + (_e1452[1].v * _e1418.u)) + (_e1452[2].v * _e1418.v)));
-                                                                let _e1525 = (_e1521.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1525 < _e93) {
+                                                                local.offset = _e1543.alpha_offset;
+                                                                local.size = _e1543.alpha_size;
+                                                                local.flags = _e1543.flags;
+                                                                let _e1606 = _lt_shaders_texture_TextureView_quad((&local), (((_e1537[0].u * _e1548) + (_e1537[1].u * _e1503.u)) + (_e1537[2].u * _e1503.v)), (((_e1537[0].v * _e1548) + (_e1537[1].v * _e1503.u)) + (_e1537[2].v * _e1503.v)));
+                                                                let _e1610 = (_e1606.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1610 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1529 = alpha_texels.member[(0u + _e1525)];
-                                                                let _e1545 = (_e1521.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1545 < _e93) {
+                                                                let _e1614 = alpha_texels.member[(0u + _e1610)];
+                                                                let _e1630 = (_e1606.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1630 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1549 = alpha_texels.member[(0u + _e1545)];
-                                                                let _e1566 = (_e1521.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1566 < _e93) {
+                                                                let _e1634 = alpha_texels.member[(0u + _e1630)];
+                                                                let _e1651 = (_e1606.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1651 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1570 = alpha_texels.member[(0u + _e1566)];
-                                                                let _e1587 = (_e1521.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1587 < _e93) {
+                                                                let _e1655 = alpha_texels.member[(0u + _e1651)];
+                                                                let _e1672 = (_e1606.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1672 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1591 = alpha_texels.member[(0u + _e1587)];
-                                                                phi_2262_ = (_e1490 * (((((f32(((_e1529 >> bitcast<u32>((((_e1521.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.x) + ((f32(((_e1549 >> bitcast<u32>((((_e1521.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.y)) + ((f32(((_e1570 >> bitcast<u32>((((_e1521.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.z)) + ((f32(((_e1591 >> bitcast<u32>((((_e1521.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1521.weights.w)));
+                                                                let _e1676 = alpha_texels.member[(0u + _e1672)];
+                                                                phi_2359_ = (_e1575 * (((((f32(((_e1614 >> bitcast<u32>((((_e1606.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.x) + ((f32(((_e1634 >> bitcast<u32>((((_e1606.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.y)) + ((f32(((_e1655 >> bitcast<u32>((((_e1606.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.z)) + ((f32(((_e1676 >> bitcast<u32>((((_e1606.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.w)));
                                                             }
-                                                            let _e1607 = phi_2262_;
-                                                            phi_2265_ = (_e1607 >= _e1458.cutoff);
+                                                            let _e1692 = phi_2359_;
+                                                            phi_2362_ = (_e1692 >= _e1543.cutoff);
                                                         }
-                                                        let _e1611 = phi_2265_;
-                                                        phi_2266_ = _e1611;
+                                                        let _e1696 = phi_2362_;
+                                                        phi_2363_ = _e1696;
                                                     } else {
-                                                        phi_2266_ = false;
+                                                        phi_2363_ = false;
                                                     }
-                                                    let _e1613 = phi_2266_;
-                                                    if _e1613 {
-                                                        phi_2270_ = false;
+                                                    let _e1698 = phi_2363_;
+                                                    if _e1698 {
+                                                        phi_2367_ = false;
                                                     } else {
-                                                        phi_2270_ = true;
+                                                        phi_2367_ = true;
                                                     }
-                                                    let _e1615 = phi_2270_;
-                                                    phi_2271_ = _e1615;
-                                                    phi_2272_ = _e1613;
+                                                    let _e1700 = phi_2367_;
+                                                    phi_2368_ = _e1700;
+                                                    phi_2369_ = _e1698;
                                                 }
-                                                let _e1617 = phi_2271_;
-                                                let _e1619 = phi_2272_;
-                                                phi_2273_ = _e1617;
-                                                phi_2274_ = _e1427;
-                                                phi_2275_ = _e1619;
+                                                let _e1702 = phi_2368_;
+                                                let _e1704 = phi_2369_;
+                                                phi_2370_ = _e1702;
+                                                phi_2371_ = _e1512;
+                                                phi_2372_ = _e1704;
                                             } else {
-                                                phi_2273_ = true;
-                                                phi_2274_ = false;
-                                                phi_2275_ = false;
+                                                phi_2370_ = true;
+                                                phi_2371_ = false;
+                                                phi_2372_ = false;
                                             }
-                                            let _e1621 = phi_2273_;
-                                            let _e1623 = phi_2274_;
-                                            let _e1625 = phi_2275_;
-                                            phi_2276_ = _e1621;
-                                            phi_2277_ = _e1623;
-                                            phi_2278_ = _e1625;
+                                            let _e1706 = phi_2370_;
+                                            let _e1708 = phi_2371_;
+                                            let _e1710 = phi_2372_;
+                                            phi_2373_ = _e1706;
+                                            phi_2374_ = _e1708;
+                                            phi_2375_ = _e1710;
                                         } else {
-                                            phi_2276_ = true;
-                                            phi_2277_ = false;
-                                            phi_2278_ = false;
+                                            phi_2373_ = true;
+                                            phi_2374_ = false;
+                                            phi_2375_ = false;
                                         }
-                                        let _e1627 = phi_2276_;
-                                        let _e1629 = phi_2277_;
-                                        let _e1631 = phi_2278_;
-                                        phi_2279_ = _e1627;
-                                        phi_2280_ = _e1629;
-                                        phi_2281_ = _e1631;
+                                        let _e1712 = phi_2373_;
+                                        let _e1714 = phi_2374_;
+                                        let _e1716 = phi_2375_;
+                                        phi_2376_ = _e1712;
+                                        phi_2377_ = _e1714;
+                                        phi_2378_ = _e1716;
                                     } else {
-                                        phi_2279_ = true;
-                                        phi_2280_ = false;
-                                        phi_2281_ = false;
+                                        phi_2376_ = true;
+                                        phi_2377_ = false;
+                                        phi_2378_ = false;
                                     }
-                                    let _e1633 = phi_2279_;
-                                    let _e1635 = phi_2280_;
-                                    let _e1637 = phi_2281_;
-                                    if _e1633 {
-                                        phi_2285_ = false;
-                                        phi_2286_ = false;
+                                    let _e1718 = phi_2376_;
+                                    let _e1720 = phi_2377_;
+                                    let _e1722 = phi_2378_;
+                                    if _e1718 {
+                                        phi_2382_ = false;
+                                        phi_2383_ = false;
                                     } else {
-                                        phi_2285_ = _e1635;
-                                        phi_2286_ = _e1637;
+                                        phi_2382_ = _e1720;
+                                        phi_2383_ = _e1722;
                                     }
-                                    let _e1639 = phi_2285_;
-                                    let _e1641 = phi_2286_;
+                                    let _e1724 = phi_2382_;
+                                    let _e1726 = phi_2383_;
                                     phi_1577_ = (_e1046 & (_e1046 - 1u));
-                                    phi_2287_ = _e1633;
-                                    phi_2288_ = _e1639;
-                                    phi_2289_ = _e1641;
+                                    phi_2384_ = _e1718;
+                                    phi_2385_ = _e1724;
+                                    phi_2386_ = _e1726;
                                 }
-                                let _e1643 = phi_1577_;
-                                let _e1645 = phi_2287_;
-                                let _e1647 = phi_2288_;
-                                let _e1649 = phi_2289_;
-                                local_8 = _e1647;
-                                local_9 = _e1649;
+                                let _e1728 = phi_1577_;
+                                let _e1730 = phi_2384_;
+                                let _e1732 = phi_2385_;
+                                let _e1734 = phi_2386_;
+                                local_8 = _e1732;
+                                local_9 = _e1734;
                                 continue;
                                 continuing {
-                                    phi_1576_ = _e1643;
-                                    break if !(_e1645);
+                                    phi_1576_ = _e1728;
+                                    break if !(_e1730);
                                 }
                             }
-                            let _e1652 = local_6;
-                            if _e1652 {
-                                let _e1654 = local_1.group_mask;
-                                if ((_e1654 & 4278190080u) == 0u) {
-                                    let _e1658 = local_1.len;
-                                    if (_e1658 == 0u) {
-                                        phi_2331_ = false;
+                            let _e1737 = local_6;
+                            if _e1737 {
+                                let _e1739 = local_1.group_mask;
+                                if ((_e1739 & 4278190080u) == 0u) {
+                                    let _e1743 = local_1.len;
+                                    if (_e1743 == 0u) {
+                                        phi_2428_ = false;
                                     } else {
-                                        let _e1662 = local_1.len;
-                                        local_1.len = (_e1662 - 1u);
-                                        let _e1665 = local_1.len;
-                                        if (_e1665 < 32u) {
+                                        let _e1747 = local_1.len;
+                                        local_1.len = (_e1747 - 1u);
+                                        let _e1750 = local_1.len;
+                                        if (_e1750 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1670 = local_1.first[(0u + _e1665)];
-                                        local_1.group = _e1670;
-                                        let _e1673 = local_1.len;
-                                        if (_e1673 < 32u) {
+                                        let _e1755 = local_1.first[(0u + _e1750)];
+                                        local_1.group = _e1755;
+                                        let _e1758 = local_1.len;
+                                        if (_e1758 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1678 = local_1.mask[(0u + _e1673)];
-                                        local_1.group_mask = _e1678;
-                                        phi_2331_ = true;
+                                        let _e1763 = local_1.mask[(0u + _e1758)];
+                                        local_1.group_mask = _e1763;
+                                        phi_2428_ = true;
                                     }
-                                    let _e1681 = phi_2331_;
-                                    phi_2332_ = _e1681;
+                                    let _e1766 = phi_2428_;
+                                    phi_2429_ = _e1766;
                                 } else {
-                                    phi_2332_ = true;
+                                    phi_2429_ = true;
                                 }
-                                let _e1683 = phi_2332_;
-                                if _e1683 {
-                                    let _e1685 = local_1.group_mask;
-                                    let _e1691 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1685)), 32u, (_e1685 == 0u)));
-                                    let _e1695 = local_1.group_mask;
-                                    let _e1709 = local_1.group_mask;
-                                    local_1.group_mask = (_e1709 & ~((1u << bitcast<u32>((_e1691 & 31u)))));
-                                    let _e1712 = local_1.group;
-                                    phi_2363_ = (_e1712 + countOneBits(((_e1695 & ~((4294967295u << bitcast<u32>((((_e1691 - 24u) ^ _e472) & 31u))))) & 255u)));
+                                let _e1768 = phi_2429_;
+                                if _e1768 {
+                                    let _e1770 = local_1.group_mask;
+                                    let _e1776 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1770)), 32u, (_e1770 == 0u)));
+                                    let _e1780 = local_1.group_mask;
+                                    let _e1794 = local_1.group_mask;
+                                    local_1.group_mask = (_e1794 & ~((1u << bitcast<u32>((_e1776 & 31u)))));
+                                    let _e1797 = local_1.group;
+                                    phi_2460_ = (_e1797 + countOneBits(((_e1780 & ~((4294967295u << bitcast<u32>((((_e1776 - 24u) ^ _e472) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2363_ = 4294967295u;
+                                    phi_2460_ = 4294967295u;
                                 }
-                                let _e1715 = phi_2363_;
-                                phi_2364_ = _e1715;
-                                phi_2365_ = false;
-                                phi_2366_ = false;
+                                let _e1800 = phi_2460_;
+                                phi_2461_ = _e1800;
+                                phi_2462_ = false;
+                                phi_2463_ = false;
                             } else {
-                                phi_2364_ = u32();
-                                let _e1931 = local_8;
-                                phi_2365_ = _e1931;
-                                let _e1934 = local_9;
-                                phi_2366_ = _e1934;
+                                phi_2461_ = u32();
+                                let _e2022 = local_8;
+                                phi_2462_ = _e2022;
+                                let _e2025 = local_9;
+                                phi_2463_ = _e2025;
                             }
-                            let _e1717 = phi_2364_;
-                            let _e1719 = phi_2365_;
-                            let _e1721 = phi_2366_;
-                            phi_1247_ = _e1717;
-                            let _e1938 = local_10;
-                            phi_2367_ = _e1938;
-                            phi_2368_ = false;
-                            phi_2369_ = _e1719;
-                            phi_2370_ = _e1721;
+                            let _e1802 = phi_2461_;
+                            let _e1804 = phi_2462_;
+                            let _e1806 = phi_2463_;
+                            phi_1247_ = _e1802;
+                            let _e2029 = local_10;
+                            phi_2464_ = _e2029;
+                            phi_2465_ = false;
+                            phi_2466_ = _e1804;
+                            phi_2467_ = _e1806;
                         } else {
                             phi_1247_ = u32();
-                            phi_2367_ = false;
-                            phi_2368_ = true;
-                            phi_2369_ = false;
-                            phi_2370_ = false;
+                            phi_2464_ = false;
+                            phi_2465_ = true;
+                            phi_2466_ = false;
+                            phi_2467_ = false;
                         }
-                        let _e1723 = phi_1247_;
-                        let _e1725 = phi_2367_;
-                        let _e1727 = phi_2368_;
-                        let _e1729 = phi_2369_;
-                        let _e1731 = phi_2370_;
-                        local_7 = _e1727;
-                        local_11 = _e1729;
-                        local_12 = _e1731;
+                        let _e1808 = phi_1247_;
+                        let _e1810 = phi_2464_;
+                        let _e1812 = phi_2465_;
+                        let _e1814 = phi_2466_;
+                        let _e1816 = phi_2467_;
+                        local_7 = _e1812;
+                        local_11 = _e1814;
+                        local_12 = _e1816;
                         continue;
                         continuing {
-                            phi_1246_ = _e1723;
-                            break if !(_e1725);
+                            phi_1246_ = _e1808;
+                            break if !(_e1810);
                         }
                     }
-                    let _e1734 = local_7;
-                    if _e1734 {
-                        phi_2374_ = false;
-                        phi_2375_ = false;
+                    let _e1819 = local_7;
+                    if _e1819 {
+                        phi_2471_ = false;
+                        phi_2472_ = false;
                     } else {
-                        let _e1945 = local_11;
-                        phi_2374_ = _e1945;
-                        let _e1948 = local_12;
-                        phi_2375_ = _e1948;
+                        let _e2036 = local_11;
+                        phi_2471_ = _e2036;
+                        let _e2039 = local_12;
+                        phi_2472_ = _e2039;
                     }
-                    let _e1736 = phi_2374_;
-                    let _e1738 = phi_2375_;
-                    if _e1736 {
-                        phi_2379_ = true;
+                    let _e1821 = phi_2471_;
+                    let _e1823 = phi_2472_;
+                    if _e1821 {
+                        phi_2476_ = true;
                     } else {
-                        phi_2379_ = _e1738;
+                        phi_2476_ = _e1823;
                     }
-                    let _e1740 = phi_2379_;
-                    if _e1740 {
-                        phi_2383_ = true;
+                    let _e1825 = phi_2476_;
+                    if _e1825 {
+                        phi_2480_ = true;
                     } else {
-                        phi_2383_ = false;
+                        phi_2480_ = false;
                     }
-                    let _e1742 = phi_2383_;
-                    phi_2384_ = _e1742;
+                    let _e1827 = phi_2480_;
+                    phi_2481_ = _e1827;
                 }
-                let _e1744 = phi_2384_;
-                phi_2385_ = _e1744;
-                phi_2386_ = _e298;
+                let _e1829 = phi_2481_;
+                phi_2482_ = _e1829;
+                phi_2483_ = _e298;
             } else {
-                phi_2385_ = bool();
-                phi_2386_ = true;
+                phi_2482_ = bool();
+                phi_2483_ = true;
             }
-            let _e1746 = phi_2385_;
-            let _e1748 = phi_2386_;
-            if _e1748 {
-                phi_2390_ = false;
+            let _e1831 = phi_2482_;
+            let _e1833 = phi_2483_;
+            if _e1833 {
+                phi_2487_ = false;
             } else {
-                phi_2390_ = _e1746;
+                phi_2487_ = _e1831;
             }
-            let _e1750 = phi_2390_;
-            if _e1750 {
-                phi_2394_ = 0f;
+            let _e1835 = phi_2487_;
+            if _e1835 {
+                phi_2491_ = 0f;
             } else {
-                phi_2394_ = 1f;
+                phi_2491_ = 1f;
             }
-            let _e1752 = phi_2394_;
-            phi_2395_ = _e1752;
+            let _e1837 = phi_2491_;
+            phi_2492_ = _e1837;
         }
-        let _e1754 = phi_2395_;
+        let _e1839 = phi_2492_;
         if (_e99.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.first_primitive)] = _e1754;
+        visibility.member[(0u + _e99.first_primitive)] = _e1839;
     }
     return;
 }

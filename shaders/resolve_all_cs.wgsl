@@ -191,11 +191,11 @@ fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
-    var phi_1760_: bool;
-    var phi_1761_: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1767_: bool;
+    var phi_1857_: bool;
+    var phi_1858_: bool;
+    var phi_1859_: bool;
+    var phi_1860_: bool;
+    var phi_1864_: bool;
 
     let _e55 = (*param_7).normal[0u];
     let _e57 = global[0u];
@@ -205,28 +205,28 @@ fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
         if (_e60 == _e62) {
             let _e65 = (*param_7).normal[2u];
             let _e67 = global[2u];
-            phi_1760_ = (_e65 == _e67);
-            phi_1761_ = false;
+            phi_1857_ = (_e65 == _e67);
+            phi_1858_ = false;
         } else {
-            phi_1760_ = bool();
-            phi_1761_ = true;
+            phi_1857_ = bool();
+            phi_1858_ = true;
         }
-        let _e70 = phi_1760_;
-        let _e72 = phi_1761_;
-        phi_1762_ = _e70;
-        phi_1763_ = _e72;
+        let _e70 = phi_1857_;
+        let _e72 = phi_1858_;
+        phi_1859_ = _e70;
+        phi_1860_ = _e72;
     } else {
-        phi_1762_ = bool();
-        phi_1763_ = true;
+        phi_1859_ = bool();
+        phi_1860_ = true;
     }
-    let _e74 = phi_1762_;
-    let _e76 = phi_1763_;
+    let _e74 = phi_1859_;
+    let _e76 = phi_1860_;
     if _e76 {
-        phi_1767_ = false;
+        phi_1864_ = false;
     } else {
-        phi_1767_ = _e74;
+        phi_1864_ = _e74;
     }
-    let _e78 = phi_1767_;
+    let _e78 = phi_1864_;
     return !(_e78);
 }
 
@@ -305,120 +305,126 @@ fn function_() {
     var phi_1107_: u32;
     var phi_1152_: vec3<f32>;
     var phi_1153_: vec3<f32>;
-    var phi_1184_: vec3<f32>;
-    var phi_1185_: vec3<f32>;
-    var phi_1216_: vec3<f32>;
-    var phi_1217_: vec3<f32>;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1242_: f32;
-    var phi_1243_: f32;
-    var phi_1244_: f32;
-    var phi_1245_: f32;
-    var phi_1253_: f32;
-    var phi_1263_: bool;
-    var phi_1264_: bool;
-    var phi_1268_: f32;
-    var phi_1269_: f32;
-    var phi_1270_: f32;
-    var phi_1271_: f32;
-    var phi_1279_: f32;
-    var phi_1289_: bool;
-    var phi_1290_: bool;
-    var phi_1294_: f32;
-    var phi_1295_: f32;
-    var phi_1296_: f32;
-    var phi_1297_: f32;
-    var phi_1305_: f32;
-    var phi_1320_: f32;
-    var phi_1321_: bool;
-    var phi_1322_: f32;
-    var phi_1323_: bool;
-    var phi_1324_: f32;
-    var phi_1325_: bool;
-    var phi_1343_: f32;
-    var phi_1344_: bool;
-    var phi_1345_: bool;
-    var phi_1346_: f32;
-    var phi_1347_: bool;
+    var phi_1182_: vec3<f32>;
+    var phi_1183_: vec3<f32>;
+    var phi_1212_: vec3<f32>;
+    var phi_1213_: vec3<f32>;
+    var phi_1231_: bool;
+    var phi_1232_: bool;
+    var phi_1236_: f32;
+    var phi_1237_: f32;
+    var phi_1238_: f32;
+    var phi_1239_: f32;
+    var phi_1247_: f32;
+    var phi_1257_: bool;
+    var phi_1258_: bool;
+    var phi_1262_: f32;
+    var phi_1263_: f32;
+    var phi_1264_: f32;
+    var phi_1265_: f32;
+    var phi_1273_: f32;
+    var phi_1283_: bool;
+    var phi_1284_: bool;
+    var phi_1288_: f32;
+    var phi_1289_: f32;
+    var phi_1290_: f32;
+    var phi_1291_: f32;
+    var phi_1299_: f32;
+    var phi_1314_: f32;
+    var phi_1315_: bool;
+    var phi_1316_: f32;
+    var phi_1317_: bool;
+    var phi_1318_: f32;
+    var phi_1319_: bool;
+    var phi_1337_: f32;
+    var phi_1338_: bool;
+    var phi_1339_: bool;
+    var phi_1340_: f32;
+    var phi_1341_: bool;
+    var phi_1342_: bool;
+    var phi_1346_: bool;
+    var phi_1347_: f32;
     var phi_1348_: bool;
-    var phi_1352_: bool;
-    var phi_1353_: f32;
-    var phi_1354_: bool;
-    var phi_1388_: f32;
-    var phi_1397_: f32;
-    var phi_1406_: f32;
-    var phi_1415_: f32;
-    var phi_1422_: f32;
-    var phi_1429_: f32;
-    var phi_1442_: f32;
-    var phi_1451_: f32;
-    var phi_1460_: f32;
-    var phi_1469_: f32;
-    var phi_1476_: f32;
-    var phi_1483_: f32;
-    var phi_1500_: f32;
-    var phi_1505_: f32;
-    var phi_1510_: f32;
-    var phi_1518_: f32;
-    var phi_1523_: f32;
-    var phi_1528_: f32;
-    var phi_1540_: f32;
-    var phi_1545_: f32;
-    var phi_1550_: f32;
-    var phi_1555_: f32;
-    var phi_1560_: lt_bvh_triangle_Intersection;
-    var phi_1561_: bool;
-    var phi_1562_: lt_bvh_triangle_Intersection;
-    var phi_1563_: bool;
-    var phi_1567_: lt_bvh_triangle_Intersection;
-    var phi_1568_: bool;
-    var phi_1569_: lt_bvh_triangle_Intersection;
-    var phi_1570_: bool;
-    var phi_1571_: bool;
-    var phi_1575_: bool;
-    var phi_1579_: lt_bvh_triangle_Intersection;
-    var phi_1604_: bool;
-    var phi_1605_: bool;
-    var phi_1606_: bool;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var phi_1609_: bool;
-    var phi_1610_: bool;
-    var phi_1611_: bool;
-    var phi_1612_: bool;
-    var phi_1613_: bool;
-    var phi_1614_: bool;
-    var phi_1615_: bool;
-    var phi_1619_: bool;
-    var phi_1620_: bool;
-    var phi_1108_: u32;
-    var phi_1621_: bool;
-    var phi_1622_: bool;
-    var phi_1623_: bool;
-    var local_5: bool;
+    var phi_1376_: vec3<f32>;
+    var phi_1377_: vec3<f32>;
+    var phi_1402_: vec3<f32>;
+    var phi_1403_: vec3<f32>;
+    var phi_1428_: vec3<f32>;
+    var phi_1429_: vec3<f32>;
+    var phi_1485_: f32;
+    var phi_1494_: f32;
+    var phi_1503_: f32;
+    var phi_1512_: f32;
+    var phi_1519_: f32;
+    var phi_1526_: f32;
+    var phi_1539_: f32;
+    var phi_1548_: f32;
+    var phi_1557_: f32;
+    var phi_1566_: f32;
+    var phi_1573_: f32;
+    var phi_1580_: f32;
+    var phi_1597_: f32;
+    var phi_1602_: f32;
+    var phi_1607_: f32;
+    var phi_1615_: f32;
+    var phi_1620_: f32;
+    var phi_1625_: f32;
+    var phi_1637_: f32;
+    var phi_1642_: f32;
+    var phi_1647_: f32;
+    var phi_1652_: f32;
+    var phi_1657_: lt_bvh_triangle_Intersection;
+    var phi_1658_: bool;
+    var phi_1659_: lt_bvh_triangle_Intersection;
+    var phi_1660_: bool;
+    var phi_1664_: lt_bvh_triangle_Intersection;
     var phi_1665_: bool;
-    var phi_1666_: bool;
-    var phi_1697_: u32;
-    var phi_1698_: u32;
-    var phi_1699_: bool;
-    var phi_1700_: bool;
-    var phi_778_: u32;
+    var phi_1666_: lt_bvh_triangle_Intersection;
+    var phi_1667_: bool;
+    var phi_1668_: bool;
+    var phi_1672_: bool;
+    var phi_1676_: lt_bvh_triangle_Intersection;
     var phi_1701_: bool;
     var phi_1702_: bool;
     var phi_1703_: bool;
     var phi_1704_: bool;
-    var local_6: bool;
+    var phi_1705_: bool;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
     var phi_1708_: bool;
     var phi_1709_: bool;
-    var phi_1713_: bool;
+    var phi_1710_: bool;
+    var phi_1711_: bool;
+    var phi_1712_: bool;
+    var phi_1716_: bool;
     var phi_1717_: bool;
+    var phi_1108_: u32;
     var phi_1718_: bool;
     var phi_1719_: bool;
     var phi_1720_: bool;
-    var phi_1724_: bool;
-    var phi_1728_: f32;
-    var phi_1729_: f32;
+    var local_5: bool;
+    var phi_1762_: bool;
+    var phi_1763_: bool;
+    var phi_1794_: u32;
+    var phi_1795_: u32;
+    var phi_1796_: bool;
+    var phi_1797_: bool;
+    var phi_778_: u32;
+    var phi_1798_: bool;
+    var phi_1799_: bool;
+    var phi_1800_: bool;
+    var phi_1801_: bool;
+    var local_6: bool;
+    var phi_1805_: bool;
+    var phi_1806_: bool;
+    var phi_1810_: bool;
+    var phi_1814_: bool;
+    var phi_1815_: bool;
+    var phi_1816_: bool;
+    var phi_1817_: bool;
+    var phi_1821_: bool;
+    var phi_1825_: f32;
+    var phi_1826_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -461,7 +467,7 @@ fn function_() {
         }
         let _e170 = phi_301_;
         if _e170.unnamed_1 {
-            phi_1729_ = _e170.unnamed.visibility;
+            phi_1826_ = _e170.unnamed.visibility;
         } else {
             let _e175 = p.member.light;
             let _e177 = local_1.position;
@@ -589,7 +595,7 @@ fn function_() {
             if _e271 {
                 let _e272 = (0u >= _e61);
                 if _e272 {
-                    phi_1718_ = bool();
+                    phi_1815_ = bool();
                 } else {
                     if (0u < _e61) {
                     } else {
@@ -716,7 +722,6 @@ fn function_() {
                     let _e427 = phi_606_;
                     let _e430 = (_e427.x / _e427.z);
                     let _e433 = (_e427.y / _e427.z);
-                    let _e435 = (1f / _e427.z);
                     if (_e348 < 0f) {
                         phi_619_ = 0u;
                     } else {
@@ -979,9 +984,9 @@ fn function_() {
                                 local_9 = _e1021;
                                 if _e1021 {
                                     phi_1108_ = u32();
-                                    phi_1621_ = false;
-                                    phi_1622_ = false;
-                                    phi_1623_ = false;
+                                    phi_1718_ = false;
+                                    phi_1719_ = false;
+                                    phi_1720_ = false;
                                 } else {
                                     let _e1024 = nodes.member[(0u + _e584)].links[1u];
                                     let _e1029 = ((0u + _e1024) + select(firstTrailingBit(_e1020), 32u, (_e1020 == 0u)));
@@ -1007,634 +1012,687 @@ fn function_() {
                                     let _e1052 = phi_1153_;
                                     let _e1056 = (_e1052.x - (_e430 * _e1052.z));
                                     let _e1060 = (_e1052.y - (_e433 * _e1052.z));
-                                    let _e1064 = triangles.member[(0u + _e1029)].v1_;
-                                    let _e1066 = (_e1064.x - _e191);
-                                    let _e1068 = (_e1064.y - _e193);
-                                    let _e1070 = (_e1064.z - _e195);
+                                    let _e1062 = triangles.member[(0u + _e1029)].v1_;
+                                    let _e1064 = (_e1062.x - _e191);
+                                    let _e1066 = (_e1062.y - _e193);
+                                    let _e1068 = (_e1062.z - _e195);
                                     if (_e419 == 0u) {
-                                        phi_1185_ = vec3<f32>(_e1068, _e1070, _e1066);
+                                        phi_1183_ = vec3<f32>(_e1066, _e1068, _e1064);
                                     } else {
                                         if (_e419 == 1u) {
-                                            phi_1184_ = vec3<f32>(_e1070, _e1066, _e1068);
+                                            phi_1182_ = vec3<f32>(_e1068, _e1064, _e1066);
                                         } else {
-                                            phi_1184_ = (_e1064 - vec3<f32>(_e191, _e193, _e195));
+                                            phi_1182_ = (_e1062 - vec3<f32>(_e191, _e193, _e195));
                                         }
-                                        let _e1078 = phi_1184_;
-                                        phi_1185_ = _e1078;
+                                        let _e1076 = phi_1182_;
+                                        phi_1183_ = _e1076;
                                     }
-                                    let _e1080 = phi_1185_;
-                                    let _e1084 = (_e1080.x - (_e430 * _e1080.z));
-                                    let _e1088 = (_e1080.y - (_e433 * _e1080.z));
-                                    let _e1092 = triangles.member[(0u + _e1029)].v2_;
-                                    let _e1094 = (_e1092.x - _e191);
-                                    let _e1096 = (_e1092.y - _e193);
-                                    let _e1098 = (_e1092.z - _e195);
+                                    let _e1078 = phi_1183_;
+                                    let _e1082 = (_e1078.x - (_e430 * _e1078.z));
+                                    let _e1086 = (_e1078.y - (_e433 * _e1078.z));
+                                    let _e1088 = triangles.member[(0u + _e1029)].v2_;
+                                    let _e1090 = (_e1088.x - _e191);
+                                    let _e1092 = (_e1088.y - _e193);
+                                    let _e1094 = (_e1088.z - _e195);
                                     if (_e419 == 0u) {
-                                        phi_1217_ = vec3<f32>(_e1096, _e1098, _e1094);
+                                        phi_1213_ = vec3<f32>(_e1092, _e1094, _e1090);
                                     } else {
                                         if (_e419 == 1u) {
-                                            phi_1216_ = vec3<f32>(_e1098, _e1094, _e1096);
+                                            phi_1212_ = vec3<f32>(_e1094, _e1090, _e1092);
                                         } else {
-                                            phi_1216_ = (_e1092 - vec3<f32>(_e191, _e193, _e195));
+                                            phi_1212_ = (_e1088 - vec3<f32>(_e191, _e193, _e195));
                                         }
-                                        let _e1106 = phi_1216_;
-                                        phi_1217_ = _e1106;
+                                        let _e1102 = phi_1212_;
+                                        phi_1213_ = _e1102;
                                     }
-                                    let _e1108 = phi_1217_;
-                                    let _e1112 = (_e1108.x - (_e430 * _e1108.z));
-                                    let _e1116 = (_e1108.y - (_e433 * _e1108.z));
-                                    if (_e1084 < _e1112) {
-                                        phi_1238_ = true;
+                                    let _e1104 = phi_1213_;
+                                    let _e1108 = (_e1104.x - (_e430 * _e1104.z));
+                                    let _e1112 = (_e1104.y - (_e433 * _e1104.z));
+                                    if (_e1082 < _e1108) {
+                                        phi_1232_ = true;
                                     } else {
-                                        if (_e1084 == _e1112) {
-                                            phi_1237_ = (_e1088 < _e1116);
+                                        if (_e1082 == _e1108) {
+                                            phi_1231_ = (_e1086 < _e1112);
                                         } else {
-                                            phi_1237_ = false;
+                                            phi_1231_ = false;
                                         }
-                                        let _e1123 = phi_1237_;
-                                        phi_1238_ = _e1123;
+                                        let _e1117 = phi_1231_;
+                                        phi_1232_ = _e1117;
                                     }
+                                    let _e1119 = phi_1232_;
+                                    if _e1119 {
+                                        phi_1236_ = _e1112;
+                                        phi_1237_ = _e1108;
+                                        phi_1238_ = _e1086;
+                                        phi_1239_ = _e1082;
+                                    } else {
+                                        phi_1236_ = _e1086;
+                                        phi_1237_ = _e1082;
+                                        phi_1238_ = _e1112;
+                                        phi_1239_ = _e1108;
+                                    }
+                                    let _e1121 = phi_1236_;
+                                    let _e1123 = phi_1237_;
                                     let _e1125 = phi_1238_;
-                                    if _e1125 {
-                                        phi_1242_ = _e1116;
-                                        phi_1243_ = _e1112;
-                                        phi_1244_ = _e1088;
-                                        phi_1245_ = _e1084;
+                                    let _e1127 = phi_1239_;
+                                    let _e1130 = ((_e1127 * _e1121) - (_e1125 * _e1123));
+                                    if _e1119 {
+                                        phi_1247_ = -(_e1130);
                                     } else {
-                                        phi_1242_ = _e1088;
-                                        phi_1243_ = _e1084;
-                                        phi_1244_ = _e1116;
-                                        phi_1245_ = _e1112;
+                                        phi_1247_ = _e1130;
                                     }
-                                    let _e1127 = phi_1242_;
-                                    let _e1129 = phi_1243_;
-                                    let _e1131 = phi_1244_;
-                                    let _e1133 = phi_1245_;
-                                    let _e1136 = ((_e1133 * _e1127) - (_e1131 * _e1129));
-                                    if _e1125 {
-                                        phi_1253_ = -(_e1136);
+                                    let _e1133 = phi_1247_;
+                                    if (_e1108 < _e1056) {
+                                        phi_1258_ = true;
                                     } else {
-                                        phi_1253_ = _e1136;
-                                    }
-                                    let _e1139 = phi_1253_;
-                                    if (_e1112 < _e1056) {
-                                        phi_1264_ = true;
-                                    } else {
-                                        if (_e1112 == _e1056) {
-                                            phi_1263_ = (_e1116 < _e1060);
+                                        if (_e1108 == _e1056) {
+                                            phi_1257_ = (_e1112 < _e1060);
                                         } else {
-                                            phi_1263_ = false;
+                                            phi_1257_ = false;
                                         }
-                                        let _e1144 = phi_1263_;
-                                        phi_1264_ = _e1144;
+                                        let _e1138 = phi_1257_;
+                                        phi_1258_ = _e1138;
                                     }
+                                    let _e1140 = phi_1258_;
+                                    if _e1140 {
+                                        phi_1262_ = _e1060;
+                                        phi_1263_ = _e1056;
+                                        phi_1264_ = _e1112;
+                                        phi_1265_ = _e1108;
+                                    } else {
+                                        phi_1262_ = _e1112;
+                                        phi_1263_ = _e1108;
+                                        phi_1264_ = _e1060;
+                                        phi_1265_ = _e1056;
+                                    }
+                                    let _e1142 = phi_1262_;
+                                    let _e1144 = phi_1263_;
                                     let _e1146 = phi_1264_;
-                                    if _e1146 {
-                                        phi_1268_ = _e1060;
-                                        phi_1269_ = _e1056;
-                                        phi_1270_ = _e1116;
-                                        phi_1271_ = _e1112;
+                                    let _e1148 = phi_1265_;
+                                    let _e1151 = ((_e1148 * _e1142) - (_e1146 * _e1144));
+                                    if _e1140 {
+                                        phi_1273_ = -(_e1151);
                                     } else {
-                                        phi_1268_ = _e1116;
-                                        phi_1269_ = _e1112;
-                                        phi_1270_ = _e1060;
-                                        phi_1271_ = _e1056;
+                                        phi_1273_ = _e1151;
                                     }
-                                    let _e1148 = phi_1268_;
-                                    let _e1150 = phi_1269_;
-                                    let _e1152 = phi_1270_;
-                                    let _e1154 = phi_1271_;
-                                    let _e1157 = ((_e1154 * _e1148) - (_e1152 * _e1150));
-                                    if _e1146 {
-                                        phi_1279_ = -(_e1157);
+                                    let _e1154 = phi_1273_;
+                                    if (_e1056 < _e1082) {
+                                        phi_1284_ = true;
                                     } else {
-                                        phi_1279_ = _e1157;
-                                    }
-                                    let _e1160 = phi_1279_;
-                                    if (_e1056 < _e1084) {
-                                        phi_1290_ = true;
-                                    } else {
-                                        if (_e1056 == _e1084) {
-                                            phi_1289_ = (_e1060 < _e1088);
+                                        if (_e1056 == _e1082) {
+                                            phi_1283_ = (_e1060 < _e1086);
                                         } else {
-                                            phi_1289_ = false;
+                                            phi_1283_ = false;
                                         }
-                                        let _e1165 = phi_1289_;
-                                        phi_1290_ = _e1165;
+                                        let _e1159 = phi_1283_;
+                                        phi_1284_ = _e1159;
                                     }
+                                    let _e1161 = phi_1284_;
+                                    if _e1161 {
+                                        phi_1288_ = _e1086;
+                                        phi_1289_ = _e1082;
+                                        phi_1290_ = _e1060;
+                                        phi_1291_ = _e1056;
+                                    } else {
+                                        phi_1288_ = _e1060;
+                                        phi_1289_ = _e1056;
+                                        phi_1290_ = _e1086;
+                                        phi_1291_ = _e1082;
+                                    }
+                                    let _e1163 = phi_1288_;
+                                    let _e1165 = phi_1289_;
                                     let _e1167 = phi_1290_;
-                                    if _e1167 {
-                                        phi_1294_ = _e1088;
-                                        phi_1295_ = _e1084;
-                                        phi_1296_ = _e1060;
-                                        phi_1297_ = _e1056;
+                                    let _e1169 = phi_1291_;
+                                    let _e1172 = ((_e1169 * _e1163) - (_e1167 * _e1165));
+                                    if _e1161 {
+                                        phi_1299_ = -(_e1172);
                                     } else {
-                                        phi_1294_ = _e1060;
-                                        phi_1295_ = _e1056;
-                                        phi_1296_ = _e1088;
-                                        phi_1297_ = _e1084;
+                                        phi_1299_ = _e1172;
                                     }
-                                    let _e1169 = phi_1294_;
-                                    let _e1171 = phi_1295_;
-                                    let _e1173 = phi_1296_;
-                                    let _e1175 = phi_1297_;
-                                    let _e1178 = ((_e1175 * _e1169) - (_e1173 * _e1171));
-                                    if _e1167 {
-                                        phi_1305_ = -(_e1178);
-                                    } else {
-                                        phi_1305_ = _e1178;
-                                    }
-                                    let _e1181 = phi_1305_;
-                                    if (_e1139 >= 0f) {
-                                        if (_e1160 >= 0f) {
-                                            if (_e1181 >= 0f) {
-                                                phi_1320_ = ((_e1139 + _e1160) + _e1181);
-                                                phi_1321_ = false;
+                                    let _e1175 = phi_1299_;
+                                    if (_e1133 >= 0f) {
+                                        if (_e1154 >= 0f) {
+                                            if (_e1175 >= 0f) {
+                                                phi_1314_ = ((_e1133 + _e1154) + _e1175);
+                                                phi_1315_ = false;
                                             } else {
-                                                phi_1320_ = f32();
-                                                phi_1321_ = true;
+                                                phi_1314_ = f32();
+                                                phi_1315_ = true;
                                             }
-                                            let _e1188 = phi_1320_;
-                                            let _e1190 = phi_1321_;
-                                            phi_1322_ = _e1188;
-                                            phi_1323_ = _e1190;
+                                            let _e1182 = phi_1314_;
+                                            let _e1184 = phi_1315_;
+                                            phi_1316_ = _e1182;
+                                            phi_1317_ = _e1184;
                                         } else {
-                                            phi_1322_ = f32();
-                                            phi_1323_ = true;
+                                            phi_1316_ = f32();
+                                            phi_1317_ = true;
                                         }
-                                        let _e1192 = phi_1322_;
-                                        let _e1194 = phi_1323_;
-                                        phi_1324_ = _e1192;
-                                        phi_1325_ = _e1194;
+                                        let _e1186 = phi_1316_;
+                                        let _e1188 = phi_1317_;
+                                        phi_1318_ = _e1186;
+                                        phi_1319_ = _e1188;
                                     } else {
-                                        phi_1324_ = f32();
-                                        phi_1325_ = true;
+                                        phi_1318_ = f32();
+                                        phi_1319_ = true;
                                     }
-                                    let _e1196 = phi_1324_;
-                                    let _e1198 = phi_1325_;
-                                    if _e1198 {
-                                        if (_e1139 <= 0f) {
-                                            if (_e1160 <= 0f) {
-                                                let _e1201 = (_e1181 <= 0f);
-                                                if _e1201 {
+                                    let _e1190 = phi_1318_;
+                                    let _e1192 = phi_1319_;
+                                    if _e1192 {
+                                        if (_e1133 <= 0f) {
+                                            if (_e1154 <= 0f) {
+                                                let _e1195 = (_e1175 <= 0f);
+                                                if _e1195 {
                                                 }
-                                                phi_1343_ = ((_e1139 + _e1160) + _e1181);
-                                                phi_1344_ = false;
-                                                phi_1345_ = _e1201;
+                                                phi_1337_ = ((_e1133 + _e1154) + _e1175);
+                                                phi_1338_ = false;
+                                                phi_1339_ = _e1195;
                                             } else {
-                                                phi_1343_ = f32();
-                                                phi_1344_ = true;
-                                                phi_1345_ = false;
+                                                phi_1337_ = f32();
+                                                phi_1338_ = true;
+                                                phi_1339_ = false;
                                             }
-                                            let _e1205 = phi_1343_;
-                                            let _e1207 = phi_1344_;
-                                            let _e1209 = phi_1345_;
-                                            phi_1346_ = _e1205;
-                                            phi_1347_ = _e1207;
-                                            phi_1348_ = _e1209;
+                                            let _e1199 = phi_1337_;
+                                            let _e1201 = phi_1338_;
+                                            let _e1203 = phi_1339_;
+                                            phi_1340_ = _e1199;
+                                            phi_1341_ = _e1201;
+                                            phi_1342_ = _e1203;
                                         } else {
-                                            phi_1346_ = f32();
-                                            phi_1347_ = true;
-                                            phi_1348_ = false;
+                                            phi_1340_ = f32();
+                                            phi_1341_ = true;
+                                            phi_1342_ = false;
+                                        }
+                                        let _e1205 = phi_1340_;
+                                        let _e1207 = phi_1341_;
+                                        let _e1209 = phi_1342_;
+                                        if _e1207 {
+                                            phi_1346_ = false;
+                                        } else {
+                                            phi_1346_ = _e1209;
                                         }
                                         let _e1211 = phi_1346_;
-                                        let _e1213 = phi_1347_;
-                                        let _e1215 = phi_1348_;
-                                        if _e1213 {
-                                            phi_1352_ = false;
-                                        } else {
-                                            phi_1352_ = _e1215;
-                                        }
-                                        let _e1217 = phi_1352_;
-                                        phi_1353_ = _e1211;
-                                        phi_1354_ = _e1217;
+                                        phi_1347_ = _e1205;
+                                        phi_1348_ = _e1211;
                                     } else {
-                                        phi_1353_ = _e1196;
-                                        phi_1354_ = true;
+                                        phi_1347_ = _e1190;
+                                        phi_1348_ = true;
                                     }
-                                    let _e1219 = phi_1353_;
-                                    let _e1221 = phi_1354_;
-                                    if _e1221 {
-                                        let _e1222 = (_e1219 == 0f);
-                                        if _e1222 {
-                                            phi_1567_ = lt_bvh_triangle_Intersection();
-                                            phi_1568_ = false;
+                                    let _e1213 = phi_1347_;
+                                    let _e1215 = phi_1348_;
+                                    if _e1215 {
+                                        let _e1216 = (_e1213 == 0f);
+                                        if _e1216 {
+                                            phi_1664_ = lt_bvh_triangle_Intersection();
+                                            phi_1665_ = false;
                                         } else {
-                                            let _e1228 = ((((_e1139 * (_e435 * _e1052.z)) + (_e1160 * (_e435 * _e1080.z))) + (_e1181 * (_e435 * _e1108.z))) / _e1219);
-                                            if (_e1228 > 0f) {
-                                                if (_e1228 < _e199) {
-                                                    let _e1232 = triangles.member[(0u + _e1029)].v0_;
-                                                    let _e1234 = triangles.member[(0u + _e1029)].v1_;
-                                                    if (_e1232.x < _e1234.x) {
-                                                        phi_1388_ = _e1232.x;
-                                                    } else {
-                                                        phi_1388_ = _e1234.x;
-                                                    }
-                                                    let _e1241 = phi_1388_;
-                                                    if (_e1232.y < _e1234.y) {
-                                                        phi_1397_ = _e1232.y;
-                                                    } else {
-                                                        phi_1397_ = _e1234.y;
-                                                    }
-                                                    let _e1248 = phi_1397_;
-                                                    if (_e1232.z < _e1234.z) {
-                                                        phi_1406_ = _e1232.z;
-                                                    } else {
-                                                        phi_1406_ = _e1234.z;
-                                                    }
-                                                    let _e1255 = phi_1406_;
-                                                    let _e1257 = triangles.member[(0u + _e1029)].v2_;
-                                                    if (_e1241 < _e1257.x) {
-                                                        phi_1415_ = _e1241;
-                                                    } else {
-                                                        phi_1415_ = _e1257.x;
-                                                    }
-                                                    let _e1262 = phi_1415_;
-                                                    if (_e1248 < _e1257.y) {
-                                                        phi_1422_ = _e1248;
-                                                    } else {
-                                                        phi_1422_ = _e1257.y;
-                                                    }
-                                                    let _e1267 = phi_1422_;
-                                                    if (_e1255 < _e1257.z) {
-                                                        phi_1429_ = _e1255;
-                                                    } else {
-                                                        phi_1429_ = _e1257.z;
-                                                    }
-                                                    let _e1272 = phi_1429_;
-                                                    let _e1274 = triangles.member[(0u + _e1029)].v0_;
-                                                    let _e1276 = triangles.member[(0u + _e1029)].v1_;
-                                                    if (_e1274.x > _e1276.x) {
-                                                        phi_1442_ = _e1274.x;
-                                                    } else {
-                                                        phi_1442_ = _e1276.x;
-                                                    }
-                                                    let _e1283 = phi_1442_;
-                                                    if (_e1274.y > _e1276.y) {
-                                                        phi_1451_ = _e1274.y;
-                                                    } else {
-                                                        phi_1451_ = _e1276.y;
-                                                    }
-                                                    let _e1290 = phi_1451_;
-                                                    if (_e1274.z > _e1276.z) {
-                                                        phi_1460_ = _e1274.z;
-                                                    } else {
-                                                        phi_1460_ = _e1276.z;
-                                                    }
-                                                    let _e1297 = phi_1460_;
-                                                    let _e1299 = triangles.member[(0u + _e1029)].v2_;
-                                                    if (_e1283 > _e1299.x) {
-                                                        phi_1469_ = _e1283;
-                                                    } else {
-                                                        phi_1469_ = _e1299.x;
-                                                    }
-                                                    let _e1304 = phi_1469_;
-                                                    if (_e1290 > _e1299.y) {
-                                                        phi_1476_ = _e1290;
-                                                    } else {
-                                                        phi_1476_ = _e1299.y;
-                                                    }
-                                                    let _e1309 = phi_1476_;
-                                                    if (_e1297 > _e1299.z) {
-                                                        phi_1483_ = _e1297;
-                                                    } else {
-                                                        phi_1483_ = _e1299.z;
-                                                    }
-                                                    let _e1314 = phi_1483_;
-                                                    let _e1318 = ((_e1262 - _e191) * _e348);
-                                                    let _e1319 = ((_e1267 - _e193) * _e358);
-                                                    let _e1320 = ((_e1272 - _e195) * _e368);
-                                                    let _e1324 = ((_e1304 - _e191) * _e348);
-                                                    let _e1325 = ((_e1309 - _e193) * _e358);
-                                                    let _e1326 = ((_e1314 - _e195) * _e368);
-                                                    if (_e1318 < _e1324) {
-                                                        phi_1500_ = _e1318;
-                                                    } else {
-                                                        phi_1500_ = _e1324;
-                                                    }
-                                                    let _e1329 = phi_1500_;
-                                                    if (_e1319 < _e1325) {
-                                                        phi_1505_ = _e1319;
-                                                    } else {
-                                                        phi_1505_ = _e1325;
-                                                    }
-                                                    let _e1332 = phi_1505_;
-                                                    if (_e1320 < _e1326) {
-                                                        phi_1510_ = _e1320;
-                                                    } else {
-                                                        phi_1510_ = _e1326;
-                                                    }
-                                                    let _e1335 = phi_1510_;
-                                                    if (_e1318 > _e1324) {
-                                                        phi_1518_ = _e1318;
-                                                    } else {
-                                                        phi_1518_ = _e1324;
-                                                    }
-                                                    let _e1341 = phi_1518_;
-                                                    if (_e1319 > _e1325) {
-                                                        phi_1523_ = _e1319;
-                                                    } else {
-                                                        phi_1523_ = _e1325;
-                                                    }
-                                                    let _e1344 = phi_1523_;
-                                                    if (_e1320 > _e1326) {
-                                                        phi_1528_ = _e1320;
-                                                    } else {
-                                                        phi_1528_ = _e1326;
-                                                    }
-                                                    let _e1347 = phi_1528_;
-                                                    let _e1351 = core_intrinsics_maximum_number_nsz_f32_((_e1329 - _e403), (_e1332 - _e404));
-                                                    let _e1352 = core_intrinsics_maximum_number_nsz_f32_(_e1351, (_e1335 - _e405));
-                                                    let _e1353 = core_intrinsics_minimum_number_nsz_f32_((_e1341 + _e403), (_e1344 + _e404));
-                                                    let _e1354 = core_intrinsics_minimum_number_nsz_f32_(_e1353, (_e1347 + _e405));
-                                                    if (_e1352 > -300000000000000000000000000000000000000f) {
-                                                        phi_1540_ = _e1352;
-                                                    } else {
-                                                        phi_1540_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1357 = phi_1540_;
-                                                    if (_e1354 < 300000000000000000000000000000000000000f) {
-                                                        phi_1545_ = _e1354;
-                                                    } else {
-                                                        phi_1545_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1360 = phi_1545_;
-                                                    if (_e1228 < _e1357) {
-                                                        phi_1550_ = _e1357;
-                                                    } else {
-                                                        phi_1550_ = _e1228;
-                                                    }
-                                                    let _e1363 = phi_1550_;
-                                                    if (_e1363 > _e1360) {
-                                                        phi_1555_ = _e1360;
-                                                    } else {
-                                                        phi_1555_ = _e1363;
-                                                    }
-                                                    let _e1366 = phi_1555_;
-                                                    phi_1560_ = lt_bvh_triangle_Intersection(_e1366, (_e1160 / _e1219), (_e1181 / _e1219), (_e1357 <= _e1360));
-                                                    phi_1561_ = false;
-                                                } else {
-                                                    phi_1560_ = lt_bvh_triangle_Intersection();
-                                                    phi_1561_ = true;
-                                                }
-                                                let _e1372 = phi_1560_;
-                                                let _e1374 = phi_1561_;
-                                                phi_1562_ = _e1372;
-                                                phi_1563_ = _e1374;
+                                            let _e1218 = triangles.member[(0u + _e1029)].v0_;
+                                            let _e1220 = (_e1218.x - _e191);
+                                            let _e1222 = (_e1218.y - _e193);
+                                            let _e1224 = (_e1218.z - _e195);
+                                            if (_e419 == 0u) {
+                                                phi_1377_ = vec3<f32>(_e1222, _e1224, _e1220);
                                             } else {
-                                                phi_1562_ = lt_bvh_triangle_Intersection();
-                                                phi_1563_ = true;
+                                                if (_e419 == 1u) {
+                                                    phi_1376_ = vec3<f32>(_e1224, _e1220, _e1222);
+                                                } else {
+                                                    phi_1376_ = (_e1218 - vec3<f32>(_e191, _e193, _e195));
+                                                }
+                                                let _e1232 = phi_1376_;
+                                                phi_1377_ = _e1232;
                                             }
-                                            let _e1376 = phi_1562_;
-                                            let _e1378 = phi_1563_;
-                                            if _e1378 {
+                                            let _e1234 = phi_1377_;
+                                            let _e1236 = triangles.member[(0u + _e1029)].v1_;
+                                            let _e1238 = triangles.member[(0u + _e1029)].v0_;
+                                            let _e1241 = (_e1236.x - _e1238.x);
+                                            let _e1244 = (_e1236.y - _e1238.y);
+                                            let _e1247 = (_e1236.z - _e1238.z);
+                                            if (_e419 == 0u) {
+                                                phi_1403_ = vec3<f32>(_e1244, _e1247, _e1241);
+                                            } else {
+                                                if (_e419 == 1u) {
+                                                    phi_1402_ = vec3<f32>(_e1247, _e1241, _e1244);
+                                                } else {
+                                                    phi_1402_ = (_e1236 - _e1238);
+                                                }
+                                                let _e1254 = phi_1402_;
+                                                phi_1403_ = _e1254;
                                             }
-                                            phi_1567_ = _e1376;
-                                            phi_1568_ = _e1378;
+                                            let _e1256 = phi_1403_;
+                                            let _e1258 = triangles.member[(0u + _e1029)].v2_;
+                                            let _e1260 = triangles.member[(0u + _e1029)].v0_;
+                                            let _e1263 = (_e1258.x - _e1260.x);
+                                            let _e1266 = (_e1258.y - _e1260.y);
+                                            let _e1269 = (_e1258.z - _e1260.z);
+                                            if (_e419 == 0u) {
+                                                phi_1429_ = vec3<f32>(_e1266, _e1269, _e1263);
+                                            } else {
+                                                if (_e419 == 1u) {
+                                                    phi_1428_ = vec3<f32>(_e1269, _e1263, _e1266);
+                                                } else {
+                                                    phi_1428_ = (_e1258 - _e1260);
+                                                }
+                                                let _e1276 = phi_1428_;
+                                                phi_1429_ = _e1276;
+                                            }
+                                            let _e1278 = phi_1429_;
+                                            let _e1285 = ((_e1256.y * _e1278.z) - (_e1256.z * _e1278.y));
+                                            let _e1292 = ((_e1256.z * _e1278.x) - (_e1256.x * _e1278.z));
+                                            let _e1299 = ((_e1256.x * _e1278.y) - (_e1256.y * _e1278.x));
+                                            let _e1313 = (((1f / _e427.z) * (((_e1285 * _e1234.x) + (_e1292 * _e1234.y)) + (_e1299 * _e1234.z))) / (((_e1285 * _e430) + (_e1292 * _e433)) + _e1299));
+                                            if (_e1313 > 0f) {
+                                                if (_e1313 < _e199) {
+                                                    let _e1317 = triangles.member[(0u + _e1029)].v0_;
+                                                    let _e1319 = triangles.member[(0u + _e1029)].v1_;
+                                                    if (_e1317.x < _e1319.x) {
+                                                        phi_1485_ = _e1317.x;
+                                                    } else {
+                                                        phi_1485_ = _e1319.x;
+                                                    }
+                                                    let _e1326 = phi_1485_;
+                                                    if (_e1317.y < _e1319.y) {
+                                                        phi_1494_ = _e1317.y;
+                                                    } else {
+                                                        phi_1494_ = _e1319.y;
+                                                    }
+                                                    let _e1333 = phi_1494_;
+                                                    if (_e1317.z < _e1319.z) {
+                                                        phi_1503_ = _e1317.z;
+                                                    } else {
+                                                        phi_1503_ = _e1319.z;
+                                                    }
+                                                    let _e1340 = phi_1503_;
+                                                    let _e1342 = triangles.member[(0u + _e1029)].v2_;
+                                                    if (_e1326 < _e1342.x) {
+                                                        phi_1512_ = _e1326;
+                                                    } else {
+                                                        phi_1512_ = _e1342.x;
+                                                    }
+                                                    let _e1347 = phi_1512_;
+                                                    if (_e1333 < _e1342.y) {
+                                                        phi_1519_ = _e1333;
+                                                    } else {
+                                                        phi_1519_ = _e1342.y;
+                                                    }
+                                                    let _e1352 = phi_1519_;
+                                                    if (_e1340 < _e1342.z) {
+                                                        phi_1526_ = _e1340;
+                                                    } else {
+                                                        phi_1526_ = _e1342.z;
+                                                    }
+                                                    let _e1357 = phi_1526_;
+                                                    let _e1359 = triangles.member[(0u + _e1029)].v0_;
+                                                    let _e1361 = triangles.member[(0u + _e1029)].v1_;
+                                                    if (_e1359.x > _e1361.x) {
+                                                        phi_1539_ = _e1359.x;
+                                                    } else {
+                                                        phi_1539_ = _e1361.x;
+                                                    }
+                                                    let _e1368 = phi_1539_;
+                                                    if (_e1359.y > _e1361.y) {
+                                                        phi_1548_ = _e1359.y;
+                                                    } else {
+                                                        phi_1548_ = _e1361.y;
+                                                    }
+                                                    let _e1375 = phi_1548_;
+                                                    if (_e1359.z > _e1361.z) {
+                                                        phi_1557_ = _e1359.z;
+                                                    } else {
+                                                        phi_1557_ = _e1361.z;
+                                                    }
+                                                    let _e1382 = phi_1557_;
+                                                    let _e1384 = triangles.member[(0u + _e1029)].v2_;
+                                                    if (_e1368 > _e1384.x) {
+                                                        phi_1566_ = _e1368;
+                                                    } else {
+                                                        phi_1566_ = _e1384.x;
+                                                    }
+                                                    let _e1389 = phi_1566_;
+                                                    if (_e1375 > _e1384.y) {
+                                                        phi_1573_ = _e1375;
+                                                    } else {
+                                                        phi_1573_ = _e1384.y;
+                                                    }
+                                                    let _e1394 = phi_1573_;
+                                                    if (_e1382 > _e1384.z) {
+                                                        phi_1580_ = _e1382;
+                                                    } else {
+                                                        phi_1580_ = _e1384.z;
+                                                    }
+                                                    let _e1399 = phi_1580_;
+                                                    let _e1403 = ((_e1347 - _e191) * _e348);
+                                                    let _e1404 = ((_e1352 - _e193) * _e358);
+                                                    let _e1405 = ((_e1357 - _e195) * _e368);
+                                                    let _e1409 = ((_e1389 - _e191) * _e348);
+                                                    let _e1410 = ((_e1394 - _e193) * _e358);
+                                                    let _e1411 = ((_e1399 - _e195) * _e368);
+                                                    if (_e1403 < _e1409) {
+                                                        phi_1597_ = _e1403;
+                                                    } else {
+                                                        phi_1597_ = _e1409;
+                                                    }
+                                                    let _e1414 = phi_1597_;
+                                                    if (_e1404 < _e1410) {
+                                                        phi_1602_ = _e1404;
+                                                    } else {
+                                                        phi_1602_ = _e1410;
+                                                    }
+                                                    let _e1417 = phi_1602_;
+                                                    if (_e1405 < _e1411) {
+                                                        phi_1607_ = _e1405;
+                                                    } else {
+                                                        phi_1607_ = _e1411;
+                                                    }
+                                                    let _e1420 = phi_1607_;
+                                                    if (_e1403 > _e1409) {
+                                                        phi_1615_ = _e1403;
+                                                    } else {
+                                                        phi_1615_ = _e1409;
+                                                    }
+                                                    let _e1426 = phi_1615_;
+                                                    if (_e1404 > _e1410) {
+                                                        phi_1620_ = _e1404;
+                                                    } else {
+                                                        phi_1620_ = _e1410;
+                                                    }
+                                                    let _e1429 = phi_1620_;
+                                                    if (_e1405 > _e1411) {
+                                                        phi_1625_ = _e1405;
+                                                    } else {
+                                                        phi_1625_ = _e1411;
+                                                    }
+                                                    let _e1432 = phi_1625_;
+                                                    let _e1436 = core_intrinsics_maximum_number_nsz_f32_((_e1414 - _e403), (_e1417 - _e404));
+                                                    let _e1437 = core_intrinsics_maximum_number_nsz_f32_(_e1436, (_e1420 - _e405));
+                                                    let _e1438 = core_intrinsics_minimum_number_nsz_f32_((_e1426 + _e403), (_e1429 + _e404));
+                                                    let _e1439 = core_intrinsics_minimum_number_nsz_f32_(_e1438, (_e1432 + _e405));
+                                                    if (_e1437 > -300000000000000000000000000000000000000f) {
+                                                        phi_1637_ = _e1437;
+                                                    } else {
+                                                        phi_1637_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1442 = phi_1637_;
+                                                    if (_e1439 < 300000000000000000000000000000000000000f) {
+                                                        phi_1642_ = _e1439;
+                                                    } else {
+                                                        phi_1642_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1445 = phi_1642_;
+                                                    if (_e1313 < _e1442) {
+                                                        phi_1647_ = _e1442;
+                                                    } else {
+                                                        phi_1647_ = _e1313;
+                                                    }
+                                                    let _e1448 = phi_1647_;
+                                                    if (_e1448 > _e1445) {
+                                                        phi_1652_ = _e1445;
+                                                    } else {
+                                                        phi_1652_ = _e1448;
+                                                    }
+                                                    let _e1451 = phi_1652_;
+                                                    phi_1657_ = lt_bvh_triangle_Intersection(_e1451, (_e1154 / _e1213), (_e1175 / _e1213), (_e1442 <= _e1445));
+                                                    phi_1658_ = false;
+                                                } else {
+                                                    phi_1657_ = lt_bvh_triangle_Intersection();
+                                                    phi_1658_ = true;
+                                                }
+                                                let _e1457 = phi_1657_;
+                                                let _e1459 = phi_1658_;
+                                                phi_1659_ = _e1457;
+                                                phi_1660_ = _e1459;
+                                            } else {
+                                                phi_1659_ = lt_bvh_triangle_Intersection();
+                                                phi_1660_ = true;
+                                            }
+                                            let _e1461 = phi_1659_;
+                                            let _e1463 = phi_1660_;
+                                            if _e1463 {
+                                            }
+                                            phi_1664_ = _e1461;
+                                            phi_1665_ = _e1463;
                                         }
-                                        let _e1380 = phi_1567_;
-                                        let _e1382 = phi_1568_;
-                                        phi_1569_ = _e1380;
-                                        phi_1570_ = _e1222;
-                                        phi_1571_ = _e1382;
+                                        let _e1465 = phi_1664_;
+                                        let _e1467 = phi_1665_;
+                                        phi_1666_ = _e1465;
+                                        phi_1667_ = _e1216;
+                                        phi_1668_ = _e1467;
                                     } else {
-                                        phi_1569_ = lt_bvh_triangle_Intersection();
-                                        phi_1570_ = true;
-                                        phi_1571_ = false;
+                                        phi_1666_ = lt_bvh_triangle_Intersection();
+                                        phi_1667_ = true;
+                                        phi_1668_ = false;
                                     }
-                                    let _e1384 = phi_1569_;
-                                    let _e1386 = phi_1570_;
-                                    let _e1388 = phi_1571_;
-                                    if _e1386 {
-                                        phi_1575_ = true;
+                                    let _e1469 = phi_1666_;
+                                    let _e1471 = phi_1667_;
+                                    let _e1473 = phi_1668_;
+                                    if _e1471 {
+                                        phi_1672_ = true;
                                     } else {
-                                        phi_1575_ = _e1388;
+                                        phi_1672_ = _e1473;
                                     }
-                                    let _e1390 = phi_1575_;
-                                    if _e1390 {
-                                        phi_1579_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    let _e1475 = phi_1672_;
+                                    if _e1475 {
+                                        phi_1676_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                     } else {
-                                        phi_1579_ = _e1384;
+                                        phi_1676_ = _e1469;
                                     }
-                                    let _e1392 = phi_1579_;
-                                    if _e1392.is_hit {
-                                        if (_e1392.t > 0f) {
-                                            if (_e1392.t < _e199) {
-                                                let _e1399 = triangles.member[(0u + _e1029)].i0_;
-                                                let _e1401 = ((_e1399 & 2147483648u) == 0u);
-                                                if _e1401 {
-                                                    phi_1605_ = false;
-                                                    phi_1606_ = false;
+                                    let _e1477 = phi_1676_;
+                                    if _e1477.is_hit {
+                                        if (_e1477.t > 0f) {
+                                            if (_e1477.t < _e199) {
+                                                let _e1484 = triangles.member[(0u + _e1029)].i0_;
+                                                let _e1486 = ((_e1484 & 2147483648u) == 0u);
+                                                if _e1486 {
+                                                    phi_1702_ = false;
+                                                    phi_1703_ = false;
                                                 } else {
                                                     if true {
-                                                        phi_1604_ = false;
+                                                        phi_1701_ = false;
                                                     } else {
-                                                        phi_1604_ = true;
+                                                        phi_1701_ = true;
                                                     }
-                                                    let _e1403 = phi_1604_;
-                                                    phi_1605_ = _e1403;
-                                                    phi_1606_ = true;
+                                                    let _e1488 = phi_1701_;
+                                                    phi_1702_ = _e1488;
+                                                    phi_1703_ = true;
                                                 }
-                                                let _e1405 = phi_1605_;
-                                                let _e1407 = phi_1606_;
-                                                phi_1607_ = _e1405;
-                                                phi_1608_ = _e1401;
-                                                phi_1609_ = _e1407;
+                                                let _e1490 = phi_1702_;
+                                                let _e1492 = phi_1703_;
+                                                phi_1704_ = _e1490;
+                                                phi_1705_ = _e1486;
+                                                phi_1706_ = _e1492;
                                             } else {
-                                                phi_1607_ = true;
-                                                phi_1608_ = false;
-                                                phi_1609_ = false;
+                                                phi_1704_ = true;
+                                                phi_1705_ = false;
+                                                phi_1706_ = false;
                                             }
-                                            let _e1409 = phi_1607_;
-                                            let _e1411 = phi_1608_;
-                                            let _e1413 = phi_1609_;
-                                            phi_1610_ = _e1409;
-                                            phi_1611_ = _e1411;
-                                            phi_1612_ = _e1413;
+                                            let _e1494 = phi_1704_;
+                                            let _e1496 = phi_1705_;
+                                            let _e1498 = phi_1706_;
+                                            phi_1707_ = _e1494;
+                                            phi_1708_ = _e1496;
+                                            phi_1709_ = _e1498;
                                         } else {
-                                            phi_1610_ = true;
-                                            phi_1611_ = false;
-                                            phi_1612_ = false;
+                                            phi_1707_ = true;
+                                            phi_1708_ = false;
+                                            phi_1709_ = false;
                                         }
-                                        let _e1415 = phi_1610_;
-                                        let _e1417 = phi_1611_;
-                                        let _e1419 = phi_1612_;
-                                        phi_1613_ = _e1415;
-                                        phi_1614_ = _e1417;
-                                        phi_1615_ = _e1419;
+                                        let _e1500 = phi_1707_;
+                                        let _e1502 = phi_1708_;
+                                        let _e1504 = phi_1709_;
+                                        phi_1710_ = _e1500;
+                                        phi_1711_ = _e1502;
+                                        phi_1712_ = _e1504;
                                     } else {
-                                        phi_1613_ = true;
-                                        phi_1614_ = false;
-                                        phi_1615_ = false;
+                                        phi_1710_ = true;
+                                        phi_1711_ = false;
+                                        phi_1712_ = false;
                                     }
-                                    let _e1421 = phi_1613_;
-                                    let _e1423 = phi_1614_;
-                                    let _e1425 = phi_1615_;
-                                    if _e1421 {
-                                        phi_1619_ = false;
-                                        phi_1620_ = false;
+                                    let _e1506 = phi_1710_;
+                                    let _e1508 = phi_1711_;
+                                    let _e1510 = phi_1712_;
+                                    if _e1506 {
+                                        phi_1716_ = false;
+                                        phi_1717_ = false;
                                     } else {
-                                        phi_1619_ = _e1423;
-                                        phi_1620_ = _e1425;
+                                        phi_1716_ = _e1508;
+                                        phi_1717_ = _e1510;
                                     }
-                                    let _e1427 = phi_1619_;
-                                    let _e1429 = phi_1620_;
+                                    let _e1512 = phi_1716_;
+                                    let _e1514 = phi_1717_;
                                     phi_1108_ = (_e1020 & (_e1020 - 1u));
-                                    phi_1621_ = _e1421;
-                                    phi_1622_ = _e1427;
-                                    phi_1623_ = _e1429;
+                                    phi_1718_ = _e1506;
+                                    phi_1719_ = _e1512;
+                                    phi_1720_ = _e1514;
                                 }
-                                let _e1431 = phi_1108_;
-                                let _e1433 = phi_1621_;
-                                let _e1435 = phi_1622_;
-                                let _e1437 = phi_1623_;
-                                local_7 = _e1435;
-                                local_8 = _e1437;
+                                let _e1516 = phi_1108_;
+                                let _e1518 = phi_1718_;
+                                let _e1520 = phi_1719_;
+                                let _e1522 = phi_1720_;
+                                local_7 = _e1520;
+                                local_8 = _e1522;
                                 continue;
                                 continuing {
-                                    phi_1107_ = _e1431;
-                                    break if !(_e1433);
+                                    phi_1107_ = _e1516;
+                                    break if !(_e1518);
                                 }
                             }
-                            let _e1440 = local_5;
-                            if _e1440 {
-                                let _e1442 = local.group_mask;
-                                if ((_e1442 & 4278190080u) == 0u) {
-                                    let _e1446 = local.len;
-                                    if (_e1446 == 0u) {
-                                        phi_1665_ = false;
+                            let _e1525 = local_5;
+                            if _e1525 {
+                                let _e1527 = local.group_mask;
+                                if ((_e1527 & 4278190080u) == 0u) {
+                                    let _e1531 = local.len;
+                                    if (_e1531 == 0u) {
+                                        phi_1762_ = false;
                                     } else {
-                                        let _e1450 = local.len;
-                                        local.len = (_e1450 - 1u);
-                                        let _e1453 = local.len;
-                                        if (_e1453 < 32u) {
+                                        let _e1535 = local.len;
+                                        local.len = (_e1535 - 1u);
+                                        let _e1538 = local.len;
+                                        if (_e1538 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1458 = local.first[(0u + _e1453)];
-                                        local.group = _e1458;
-                                        let _e1461 = local.len;
-                                        if (_e1461 < 32u) {
+                                        let _e1543 = local.first[(0u + _e1538)];
+                                        local.group = _e1543;
+                                        let _e1546 = local.len;
+                                        if (_e1546 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1466 = local.mask[(0u + _e1461)];
-                                        local.group_mask = _e1466;
-                                        phi_1665_ = true;
+                                        let _e1551 = local.mask[(0u + _e1546)];
+                                        local.group_mask = _e1551;
+                                        phi_1762_ = true;
                                     }
-                                    let _e1469 = phi_1665_;
-                                    phi_1666_ = _e1469;
+                                    let _e1554 = phi_1762_;
+                                    phi_1763_ = _e1554;
                                 } else {
-                                    phi_1666_ = true;
+                                    phi_1763_ = true;
                                 }
-                                let _e1471 = phi_1666_;
-                                if _e1471 {
-                                    let _e1473 = local.group_mask;
-                                    let _e1479 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1473)), 32u, (_e1473 == 0u)));
-                                    let _e1483 = local.group_mask;
-                                    let _e1497 = local.group_mask;
-                                    local.group_mask = (_e1497 & ~((1u << bitcast<u32>((_e1479 & 31u)))));
-                                    let _e1500 = local.group;
-                                    phi_1697_ = (_e1500 + countOneBits(((_e1483 & ~((4294967295u << bitcast<u32>((((_e1479 - 24u) ^ _e446) & 31u))))) & 255u)));
+                                let _e1556 = phi_1763_;
+                                if _e1556 {
+                                    let _e1558 = local.group_mask;
+                                    let _e1564 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1558)), 32u, (_e1558 == 0u)));
+                                    let _e1568 = local.group_mask;
+                                    let _e1582 = local.group_mask;
+                                    local.group_mask = (_e1582 & ~((1u << bitcast<u32>((_e1564 & 31u)))));
+                                    let _e1585 = local.group;
+                                    phi_1794_ = (_e1585 + countOneBits(((_e1568 & ~((4294967295u << bitcast<u32>((((_e1564 - 24u) ^ _e446) & 31u))))) & 255u)));
                                 } else {
-                                    phi_1697_ = 4294967295u;
+                                    phi_1794_ = 4294967295u;
                                 }
-                                let _e1503 = phi_1697_;
-                                phi_1698_ = _e1503;
-                                phi_1699_ = false;
-                                phi_1700_ = false;
+                                let _e1588 = phi_1794_;
+                                phi_1795_ = _e1588;
+                                phi_1796_ = false;
+                                phi_1797_ = false;
                             } else {
-                                phi_1698_ = u32();
-                                let _e1716 = local_7;
-                                phi_1699_ = _e1716;
-                                let _e1719 = local_8;
-                                phi_1700_ = _e1719;
+                                phi_1795_ = u32();
+                                let _e1807 = local_7;
+                                phi_1796_ = _e1807;
+                                let _e1810 = local_8;
+                                phi_1797_ = _e1810;
                             }
-                            let _e1505 = phi_1698_;
-                            let _e1507 = phi_1699_;
-                            let _e1509 = phi_1700_;
-                            phi_778_ = _e1505;
-                            let _e1723 = local_9;
-                            phi_1701_ = _e1723;
-                            phi_1702_ = false;
-                            phi_1703_ = _e1507;
-                            phi_1704_ = _e1509;
+                            let _e1590 = phi_1795_;
+                            let _e1592 = phi_1796_;
+                            let _e1594 = phi_1797_;
+                            phi_778_ = _e1590;
+                            let _e1814 = local_9;
+                            phi_1798_ = _e1814;
+                            phi_1799_ = false;
+                            phi_1800_ = _e1592;
+                            phi_1801_ = _e1594;
                         } else {
                             phi_778_ = u32();
-                            phi_1701_ = false;
-                            phi_1702_ = true;
-                            phi_1703_ = false;
-                            phi_1704_ = false;
+                            phi_1798_ = false;
+                            phi_1799_ = true;
+                            phi_1800_ = false;
+                            phi_1801_ = false;
                         }
-                        let _e1511 = phi_778_;
-                        let _e1513 = phi_1701_;
-                        let _e1515 = phi_1702_;
-                        let _e1517 = phi_1703_;
-                        let _e1519 = phi_1704_;
-                        local_6 = _e1515;
-                        local_10 = _e1517;
-                        local_11 = _e1519;
+                        let _e1596 = phi_778_;
+                        let _e1598 = phi_1798_;
+                        let _e1600 = phi_1799_;
+                        let _e1602 = phi_1800_;
+                        let _e1604 = phi_1801_;
+                        local_6 = _e1600;
+                        local_10 = _e1602;
+                        local_11 = _e1604;
                         continue;
                         continuing {
-                            phi_777_ = _e1511;
-                            break if !(_e1513);
+                            phi_777_ = _e1596;
+                            break if !(_e1598);
                         }
                     }
-                    let _e1522 = local_6;
-                    if _e1522 {
-                        phi_1708_ = false;
-                        phi_1709_ = false;
+                    let _e1607 = local_6;
+                    if _e1607 {
+                        phi_1805_ = false;
+                        phi_1806_ = false;
                     } else {
-                        let _e1730 = local_10;
-                        phi_1708_ = _e1730;
-                        let _e1733 = local_11;
-                        phi_1709_ = _e1733;
+                        let _e1821 = local_10;
+                        phi_1805_ = _e1821;
+                        let _e1824 = local_11;
+                        phi_1806_ = _e1824;
                     }
-                    let _e1524 = phi_1708_;
-                    let _e1526 = phi_1709_;
-                    if _e1524 {
-                        phi_1713_ = true;
+                    let _e1609 = phi_1805_;
+                    let _e1611 = phi_1806_;
+                    if _e1609 {
+                        phi_1810_ = true;
                     } else {
-                        phi_1713_ = _e1526;
+                        phi_1810_ = _e1611;
                     }
-                    let _e1528 = phi_1713_;
-                    if _e1528 {
-                        phi_1717_ = true;
+                    let _e1613 = phi_1810_;
+                    if _e1613 {
+                        phi_1814_ = true;
                     } else {
-                        phi_1717_ = false;
+                        phi_1814_ = false;
                     }
-                    let _e1530 = phi_1717_;
-                    phi_1718_ = _e1530;
+                    let _e1615 = phi_1814_;
+                    phi_1815_ = _e1615;
                 }
-                let _e1532 = phi_1718_;
-                phi_1719_ = _e1532;
-                phi_1720_ = _e272;
+                let _e1617 = phi_1815_;
+                phi_1816_ = _e1617;
+                phi_1817_ = _e272;
             } else {
-                phi_1719_ = bool();
-                phi_1720_ = true;
+                phi_1816_ = bool();
+                phi_1817_ = true;
             }
-            let _e1534 = phi_1719_;
-            let _e1536 = phi_1720_;
-            if _e1536 {
-                phi_1724_ = false;
+            let _e1619 = phi_1816_;
+            let _e1621 = phi_1817_;
+            if _e1621 {
+                phi_1821_ = false;
             } else {
-                phi_1724_ = _e1534;
+                phi_1821_ = _e1619;
             }
-            let _e1538 = phi_1724_;
-            if _e1538 {
-                phi_1728_ = 0f;
+            let _e1623 = phi_1821_;
+            if _e1623 {
+                phi_1825_ = 0f;
             } else {
-                phi_1728_ = 1f;
+                phi_1825_ = 1f;
             }
-            let _e1540 = phi_1728_;
-            phi_1729_ = _e1540;
+            let _e1625 = phi_1825_;
+            phi_1826_ = _e1625;
         }
-        let _e1542 = phi_1729_;
+        let _e1627 = phi_1826_;
         if (_e73.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.first_primitive)] = _e1542;
+        visibility.member[(0u + _e73.first_primitive)] = _e1627;
     }
     return;
 }

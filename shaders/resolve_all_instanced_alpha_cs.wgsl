@@ -794,144 +794,150 @@ fn function_() {
     var phi_2491_: u32;
     var phi_2536_: vec3<f32>;
     var phi_2537_: vec3<f32>;
-    var phi_2568_: vec3<f32>;
-    var phi_2569_: vec3<f32>;
-    var phi_2600_: vec3<f32>;
-    var phi_2601_: vec3<f32>;
-    var phi_2621_: bool;
-    var phi_2622_: bool;
-    var phi_2626_: f32;
-    var phi_2627_: f32;
-    var phi_2628_: f32;
-    var phi_2629_: f32;
-    var phi_2637_: f32;
-    var phi_2647_: bool;
-    var phi_2648_: bool;
-    var phi_2652_: f32;
-    var phi_2653_: f32;
-    var phi_2654_: f32;
-    var phi_2655_: f32;
-    var phi_2663_: f32;
-    var phi_2673_: bool;
-    var phi_2674_: bool;
-    var phi_2678_: f32;
-    var phi_2679_: f32;
-    var phi_2680_: f32;
-    var phi_2681_: f32;
-    var phi_2689_: f32;
-    var phi_2704_: f32;
-    var phi_2705_: bool;
-    var phi_2706_: f32;
-    var phi_2707_: bool;
-    var phi_2708_: f32;
-    var phi_2709_: bool;
-    var phi_2727_: f32;
-    var phi_2728_: bool;
-    var phi_2729_: bool;
-    var phi_2730_: f32;
-    var phi_2731_: bool;
+    var phi_2566_: vec3<f32>;
+    var phi_2567_: vec3<f32>;
+    var phi_2596_: vec3<f32>;
+    var phi_2597_: vec3<f32>;
+    var phi_2615_: bool;
+    var phi_2616_: bool;
+    var phi_2620_: f32;
+    var phi_2621_: f32;
+    var phi_2622_: f32;
+    var phi_2623_: f32;
+    var phi_2631_: f32;
+    var phi_2641_: bool;
+    var phi_2642_: bool;
+    var phi_2646_: f32;
+    var phi_2647_: f32;
+    var phi_2648_: f32;
+    var phi_2649_: f32;
+    var phi_2657_: f32;
+    var phi_2667_: bool;
+    var phi_2668_: bool;
+    var phi_2672_: f32;
+    var phi_2673_: f32;
+    var phi_2674_: f32;
+    var phi_2675_: f32;
+    var phi_2683_: f32;
+    var phi_2698_: f32;
+    var phi_2699_: bool;
+    var phi_2700_: f32;
+    var phi_2701_: bool;
+    var phi_2702_: f32;
+    var phi_2703_: bool;
+    var phi_2721_: f32;
+    var phi_2722_: bool;
+    var phi_2723_: bool;
+    var phi_2724_: f32;
+    var phi_2725_: bool;
+    var phi_2726_: bool;
+    var phi_2730_: bool;
+    var phi_2731_: f32;
     var phi_2732_: bool;
-    var phi_2736_: bool;
-    var phi_2737_: f32;
-    var phi_2738_: bool;
-    var phi_2772_: f32;
-    var phi_2781_: f32;
-    var phi_2790_: f32;
-    var phi_2799_: f32;
-    var phi_2806_: f32;
-    var phi_2813_: f32;
-    var phi_2826_: f32;
-    var phi_2835_: f32;
-    var phi_2844_: f32;
-    var phi_2853_: f32;
-    var phi_2860_: f32;
-    var phi_2867_: f32;
-    var phi_2884_: f32;
-    var phi_2889_: f32;
-    var phi_2894_: f32;
-    var phi_2902_: f32;
-    var phi_2907_: f32;
-    var phi_2912_: f32;
-    var phi_2924_: f32;
-    var phi_2929_: f32;
-    var phi_2934_: f32;
-    var phi_2939_: f32;
-    var phi_2944_: lt_bvh_triangle_Intersection;
-    var phi_2945_: bool;
-    var phi_2946_: lt_bvh_triangle_Intersection;
-    var phi_2947_: bool;
-    var phi_2951_: lt_bvh_triangle_Intersection;
-    var phi_2952_: bool;
-    var phi_2953_: lt_bvh_triangle_Intersection;
-    var phi_2954_: bool;
-    var phi_2955_: bool;
-    var phi_2959_: bool;
-    var phi_2963_: lt_bvh_triangle_Intersection;
-    var phi_3177_: f32;
-    var phi_3180_: bool;
-    var phi_3181_: bool;
-    var phi_3185_: bool;
-    var phi_3186_: bool;
-    var phi_3187_: bool;
-    var phi_3188_: bool;
-    var phi_3189_: bool;
-    var phi_3190_: bool;
-    var phi_3191_: bool;
-    var phi_3192_: bool;
-    var phi_3193_: bool;
-    var phi_3194_: bool;
-    var phi_3195_: bool;
-    var phi_3196_: bool;
-    var phi_3200_: bool;
-    var phi_3201_: bool;
-    var phi_2492_: u32;
-    var phi_3202_: bool;
-    var phi_3203_: bool;
-    var phi_3204_: bool;
-    var local_10: bool;
-    var phi_3246_: bool;
-    var phi_3247_: bool;
-    var phi_3278_: u32;
-    var phi_3279_: u32;
-    var phi_3280_: bool;
-    var phi_3281_: bool;
-    var phi_2162_: u32;
+    var phi_2760_: vec3<f32>;
+    var phi_2761_: vec3<f32>;
+    var phi_2786_: vec3<f32>;
+    var phi_2787_: vec3<f32>;
+    var phi_2812_: vec3<f32>;
+    var phi_2813_: vec3<f32>;
+    var phi_2869_: f32;
+    var phi_2878_: f32;
+    var phi_2887_: f32;
+    var phi_2896_: f32;
+    var phi_2903_: f32;
+    var phi_2910_: f32;
+    var phi_2923_: f32;
+    var phi_2932_: f32;
+    var phi_2941_: f32;
+    var phi_2950_: f32;
+    var phi_2957_: f32;
+    var phi_2964_: f32;
+    var phi_2981_: f32;
+    var phi_2986_: f32;
+    var phi_2991_: f32;
+    var phi_2999_: f32;
+    var phi_3004_: f32;
+    var phi_3009_: f32;
+    var phi_3021_: f32;
+    var phi_3026_: f32;
+    var phi_3031_: f32;
+    var phi_3036_: f32;
+    var phi_3041_: lt_bvh_triangle_Intersection;
+    var phi_3042_: bool;
+    var phi_3043_: lt_bvh_triangle_Intersection;
+    var phi_3044_: bool;
+    var phi_3048_: lt_bvh_triangle_Intersection;
+    var phi_3049_: bool;
+    var phi_3050_: lt_bvh_triangle_Intersection;
+    var phi_3051_: bool;
+    var phi_3052_: bool;
+    var phi_3056_: bool;
+    var phi_3060_: lt_bvh_triangle_Intersection;
+    var phi_3274_: f32;
+    var phi_3277_: bool;
+    var phi_3278_: bool;
     var phi_3282_: bool;
     var phi_3283_: bool;
     var phi_3284_: bool;
     var phi_3285_: bool;
-    var local_11: bool;
+    var phi_3286_: bool;
+    var phi_3287_: bool;
+    var phi_3288_: bool;
     var phi_3289_: bool;
     var phi_3290_: bool;
-    var phi_3294_: bool;
+    var phi_3291_: bool;
+    var phi_3292_: bool;
+    var phi_3293_: bool;
+    var phi_3297_: bool;
     var phi_3298_: bool;
+    var phi_2492_: u32;
     var phi_3299_: bool;
     var phi_3300_: bool;
     var phi_3301_: bool;
-    var phi_3305_: bool;
-    var phi_3309_: bool;
-    var phi_3310_: bool;
-    var phi_3311_: bool;
-    var phi_3312_: bool;
-    var phi_1556_: u32;
-    var phi_3316_: bool;
-    var local_12: bool;
-    var phi_3358_: bool;
-    var phi_3359_: bool;
-    var phi_3390_: u32;
-    var phi_3391_: u32;
-    var phi_1226_: u32;
-    var phi_3392_: bool;
-    var phi_3393_: bool;
-    var local_13: bool;
+    var local_10: bool;
+    var phi_3343_: bool;
+    var phi_3344_: bool;
+    var phi_3375_: u32;
+    var phi_3376_: u32;
+    var phi_3377_: bool;
+    var phi_3378_: bool;
+    var phi_2162_: u32;
+    var phi_3379_: bool;
+    var phi_3380_: bool;
+    var phi_3381_: bool;
+    var phi_3382_: bool;
+    var local_11: bool;
+    var phi_3386_: bool;
+    var phi_3387_: bool;
+    var phi_3391_: bool;
+    var phi_3395_: bool;
+    var phi_3396_: bool;
     var phi_3397_: bool;
-    var phi_3401_: bool;
+    var phi_3398_: bool;
     var phi_3402_: bool;
-    var phi_3403_: bool;
-    var phi_3404_: bool;
+    var phi_3406_: bool;
+    var phi_3407_: bool;
     var phi_3408_: bool;
-    var phi_3412_: f32;
-    var phi_3413_: f32;
+    var phi_3409_: bool;
+    var phi_1556_: u32;
+    var phi_3413_: bool;
+    var local_12: bool;
+    var phi_3455_: bool;
+    var phi_3456_: bool;
+    var phi_3487_: u32;
+    var phi_3488_: u32;
+    var phi_1226_: u32;
+    var phi_3489_: bool;
+    var phi_3490_: bool;
+    var local_13: bool;
+    var phi_3494_: bool;
+    var phi_3498_: bool;
+    var phi_3499_: bool;
+    var phi_3500_: bool;
+    var phi_3501_: bool;
+    var phi_3505_: bool;
+    var phi_3509_: f32;
+    var phi_3510_: f32;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
@@ -979,7 +985,7 @@ fn function_() {
         let _e200 = phi_776_;
         let _e205 = p.member.root;
         if _e200.unnamed_1 {
-            phi_3413_ = _e200.unnamed.visibility;
+            phi_3510_ = _e200.unnamed.visibility;
         } else {
             let _e207 = p.member.light;
             let _e209 = local_3.position;
@@ -1107,7 +1113,7 @@ fn function_() {
             if _e302 {
                 let _e303 = (_e205 >= _e79);
                 if _e303 {
-                    phi_3402_ = bool();
+                    phi_3499_ = bool();
                 } else {
                     if (_e205 < _e79) {
                     } else {
@@ -1455,7 +1461,7 @@ fn function_() {
                                 local_19 = _e1022;
                                 if _e1022 {
                                     phi_1556_ = u32();
-                                    phi_3316_ = false;
+                                    phi_3413_ = false;
                                 } else {
                                     let _e1025 = nodes.member[(0u + _e585)].links[1u];
                                     let _e1029 = (_e1025 + select(firstTrailingBit(_e1021), 32u, (_e1021 == 0u)));
@@ -1637,7 +1643,7 @@ fn function_() {
                                                 if _e1233 {
                                                     let _e1234 = (_e1170 >= _e79);
                                                     if _e1234 {
-                                                        phi_3299_ = bool();
+                                                        phi_3396_ = bool();
                                                     } else {
                                                         if (_e1170 < _e79) {
                                                         } else {
@@ -1764,7 +1770,6 @@ fn function_() {
                                                         let _e1389 = phi_1990_;
                                                         let _e1392 = (_e1389.x / _e1389.z);
                                                         let _e1395 = (_e1389.y / _e1389.z);
-                                                        let _e1397 = (1f / _e1389.z);
                                                         if (_e1310 < 0f) {
                                                             phi_2003_ = 0u;
                                                         } else {
@@ -2027,9 +2032,9 @@ fn function_() {
                                                                     local_16 = _e1983;
                                                                     if _e1983 {
                                                                         phi_2492_ = u32();
-                                                                        phi_3202_ = false;
-                                                                        phi_3203_ = false;
-                                                                        phi_3204_ = false;
+                                                                        phi_3299_ = false;
+                                                                        phi_3300_ = false;
+                                                                        phi_3301_ = false;
                                                                     } else {
                                                                         let _e1986 = nodes.member[(0u + _e1546)].links[1u];
                                                                         let _e1991 = ((_e1172 + _e1986) + select(firstTrailingBit(_e1982), 32u, (_e1982 == 0u)));
@@ -2055,843 +2060,896 @@ fn function_() {
                                                                         let _e2014 = phi_2537_;
                                                                         let _e2018 = (_e2014.x - (_e1392 * _e2014.z));
                                                                         let _e2022 = (_e2014.y - (_e1395 * _e2014.z));
-                                                                        let _e2026 = triangles.member[(0u + _e1991)].v1_;
-                                                                        let _e2028 = (_e2026.x - _e1101);
-                                                                        let _e2030 = (_e2026.y - _e1114);
-                                                                        let _e2032 = (_e2026.z - _e1127);
+                                                                        let _e2024 = triangles.member[(0u + _e1991)].v1_;
+                                                                        let _e2026 = (_e2024.x - _e1101);
+                                                                        let _e2028 = (_e2024.y - _e1114);
+                                                                        let _e2030 = (_e2024.z - _e1127);
                                                                         if (_e1381 == 0u) {
-                                                                            phi_2569_ = vec3<f32>(_e2030, _e2032, _e2028);
+                                                                            phi_2567_ = vec3<f32>(_e2028, _e2030, _e2026);
                                                                         } else {
                                                                             if (_e1381 == 1u) {
-                                                                                phi_2568_ = vec3<f32>(_e2032, _e2028, _e2030);
+                                                                                phi_2566_ = vec3<f32>(_e2030, _e2026, _e2028);
                                                                             } else {
-                                                                                phi_2568_ = (_e2026 - vec3<f32>(_e1101, _e1114, _e1127));
+                                                                                phi_2566_ = (_e2024 - vec3<f32>(_e1101, _e1114, _e1127));
                                                                             }
-                                                                            let _e2040 = phi_2568_;
-                                                                            phi_2569_ = _e2040;
+                                                                            let _e2038 = phi_2566_;
+                                                                            phi_2567_ = _e2038;
                                                                         }
-                                                                        let _e2042 = phi_2569_;
-                                                                        let _e2046 = (_e2042.x - (_e1392 * _e2042.z));
-                                                                        let _e2050 = (_e2042.y - (_e1395 * _e2042.z));
-                                                                        let _e2054 = triangles.member[(0u + _e1991)].v2_;
-                                                                        let _e2056 = (_e2054.x - _e1101);
-                                                                        let _e2058 = (_e2054.y - _e1114);
-                                                                        let _e2060 = (_e2054.z - _e1127);
+                                                                        let _e2040 = phi_2567_;
+                                                                        let _e2044 = (_e2040.x - (_e1392 * _e2040.z));
+                                                                        let _e2048 = (_e2040.y - (_e1395 * _e2040.z));
+                                                                        let _e2050 = triangles.member[(0u + _e1991)].v2_;
+                                                                        let _e2052 = (_e2050.x - _e1101);
+                                                                        let _e2054 = (_e2050.y - _e1114);
+                                                                        let _e2056 = (_e2050.z - _e1127);
                                                                         if (_e1381 == 0u) {
-                                                                            phi_2601_ = vec3<f32>(_e2058, _e2060, _e2056);
+                                                                            phi_2597_ = vec3<f32>(_e2054, _e2056, _e2052);
                                                                         } else {
                                                                             if (_e1381 == 1u) {
-                                                                                phi_2600_ = vec3<f32>(_e2060, _e2056, _e2058);
+                                                                                phi_2596_ = vec3<f32>(_e2056, _e2052, _e2054);
                                                                             } else {
-                                                                                phi_2600_ = (_e2054 - vec3<f32>(_e1101, _e1114, _e1127));
+                                                                                phi_2596_ = (_e2050 - vec3<f32>(_e1101, _e1114, _e1127));
                                                                             }
-                                                                            let _e2068 = phi_2600_;
-                                                                            phi_2601_ = _e2068;
+                                                                            let _e2064 = phi_2596_;
+                                                                            phi_2597_ = _e2064;
                                                                         }
-                                                                        let _e2070 = phi_2601_;
-                                                                        let _e2074 = (_e2070.x - (_e1392 * _e2070.z));
-                                                                        let _e2078 = (_e2070.y - (_e1395 * _e2070.z));
-                                                                        if (_e2046 < _e2074) {
-                                                                            phi_2622_ = true;
+                                                                        let _e2066 = phi_2597_;
+                                                                        let _e2070 = (_e2066.x - (_e1392 * _e2066.z));
+                                                                        let _e2074 = (_e2066.y - (_e1395 * _e2066.z));
+                                                                        if (_e2044 < _e2070) {
+                                                                            phi_2616_ = true;
                                                                         } else {
-                                                                            if (_e2046 == _e2074) {
-                                                                                phi_2621_ = (_e2050 < _e2078);
+                                                                            if (_e2044 == _e2070) {
+                                                                                phi_2615_ = (_e2048 < _e2074);
                                                                             } else {
-                                                                                phi_2621_ = false;
+                                                                                phi_2615_ = false;
                                                                             }
-                                                                            let _e2085 = phi_2621_;
-                                                                            phi_2622_ = _e2085;
+                                                                            let _e2079 = phi_2615_;
+                                                                            phi_2616_ = _e2079;
                                                                         }
+                                                                        let _e2081 = phi_2616_;
+                                                                        if _e2081 {
+                                                                            phi_2620_ = _e2074;
+                                                                            phi_2621_ = _e2070;
+                                                                            phi_2622_ = _e2048;
+                                                                            phi_2623_ = _e2044;
+                                                                        } else {
+                                                                            phi_2620_ = _e2048;
+                                                                            phi_2621_ = _e2044;
+                                                                            phi_2622_ = _e2074;
+                                                                            phi_2623_ = _e2070;
+                                                                        }
+                                                                        let _e2083 = phi_2620_;
+                                                                        let _e2085 = phi_2621_;
                                                                         let _e2087 = phi_2622_;
-                                                                        if _e2087 {
-                                                                            phi_2626_ = _e2078;
-                                                                            phi_2627_ = _e2074;
-                                                                            phi_2628_ = _e2050;
-                                                                            phi_2629_ = _e2046;
+                                                                        let _e2089 = phi_2623_;
+                                                                        let _e2092 = ((_e2089 * _e2083) - (_e2087 * _e2085));
+                                                                        if _e2081 {
+                                                                            phi_2631_ = -(_e2092);
                                                                         } else {
-                                                                            phi_2626_ = _e2050;
-                                                                            phi_2627_ = _e2046;
-                                                                            phi_2628_ = _e2078;
-                                                                            phi_2629_ = _e2074;
+                                                                            phi_2631_ = _e2092;
                                                                         }
-                                                                        let _e2089 = phi_2626_;
-                                                                        let _e2091 = phi_2627_;
-                                                                        let _e2093 = phi_2628_;
-                                                                        let _e2095 = phi_2629_;
-                                                                        let _e2098 = ((_e2095 * _e2089) - (_e2093 * _e2091));
-                                                                        if _e2087 {
-                                                                            phi_2637_ = -(_e2098);
+                                                                        let _e2095 = phi_2631_;
+                                                                        if (_e2070 < _e2018) {
+                                                                            phi_2642_ = true;
                                                                         } else {
-                                                                            phi_2637_ = _e2098;
-                                                                        }
-                                                                        let _e2101 = phi_2637_;
-                                                                        if (_e2074 < _e2018) {
-                                                                            phi_2648_ = true;
-                                                                        } else {
-                                                                            if (_e2074 == _e2018) {
-                                                                                phi_2647_ = (_e2078 < _e2022);
+                                                                            if (_e2070 == _e2018) {
+                                                                                phi_2641_ = (_e2074 < _e2022);
                                                                             } else {
-                                                                                phi_2647_ = false;
+                                                                                phi_2641_ = false;
                                                                             }
-                                                                            let _e2106 = phi_2647_;
-                                                                            phi_2648_ = _e2106;
+                                                                            let _e2100 = phi_2641_;
+                                                                            phi_2642_ = _e2100;
                                                                         }
+                                                                        let _e2102 = phi_2642_;
+                                                                        if _e2102 {
+                                                                            phi_2646_ = _e2022;
+                                                                            phi_2647_ = _e2018;
+                                                                            phi_2648_ = _e2074;
+                                                                            phi_2649_ = _e2070;
+                                                                        } else {
+                                                                            phi_2646_ = _e2074;
+                                                                            phi_2647_ = _e2070;
+                                                                            phi_2648_ = _e2022;
+                                                                            phi_2649_ = _e2018;
+                                                                        }
+                                                                        let _e2104 = phi_2646_;
+                                                                        let _e2106 = phi_2647_;
                                                                         let _e2108 = phi_2648_;
-                                                                        if _e2108 {
-                                                                            phi_2652_ = _e2022;
-                                                                            phi_2653_ = _e2018;
-                                                                            phi_2654_ = _e2078;
-                                                                            phi_2655_ = _e2074;
+                                                                        let _e2110 = phi_2649_;
+                                                                        let _e2113 = ((_e2110 * _e2104) - (_e2108 * _e2106));
+                                                                        if _e2102 {
+                                                                            phi_2657_ = -(_e2113);
                                                                         } else {
-                                                                            phi_2652_ = _e2078;
-                                                                            phi_2653_ = _e2074;
-                                                                            phi_2654_ = _e2022;
-                                                                            phi_2655_ = _e2018;
+                                                                            phi_2657_ = _e2113;
                                                                         }
-                                                                        let _e2110 = phi_2652_;
-                                                                        let _e2112 = phi_2653_;
-                                                                        let _e2114 = phi_2654_;
-                                                                        let _e2116 = phi_2655_;
-                                                                        let _e2119 = ((_e2116 * _e2110) - (_e2114 * _e2112));
-                                                                        if _e2108 {
-                                                                            phi_2663_ = -(_e2119);
+                                                                        let _e2116 = phi_2657_;
+                                                                        if (_e2018 < _e2044) {
+                                                                            phi_2668_ = true;
                                                                         } else {
-                                                                            phi_2663_ = _e2119;
-                                                                        }
-                                                                        let _e2122 = phi_2663_;
-                                                                        if (_e2018 < _e2046) {
-                                                                            phi_2674_ = true;
-                                                                        } else {
-                                                                            if (_e2018 == _e2046) {
-                                                                                phi_2673_ = (_e2022 < _e2050);
+                                                                            if (_e2018 == _e2044) {
+                                                                                phi_2667_ = (_e2022 < _e2048);
                                                                             } else {
-                                                                                phi_2673_ = false;
+                                                                                phi_2667_ = false;
                                                                             }
-                                                                            let _e2127 = phi_2673_;
-                                                                            phi_2674_ = _e2127;
+                                                                            let _e2121 = phi_2667_;
+                                                                            phi_2668_ = _e2121;
                                                                         }
+                                                                        let _e2123 = phi_2668_;
+                                                                        if _e2123 {
+                                                                            phi_2672_ = _e2048;
+                                                                            phi_2673_ = _e2044;
+                                                                            phi_2674_ = _e2022;
+                                                                            phi_2675_ = _e2018;
+                                                                        } else {
+                                                                            phi_2672_ = _e2022;
+                                                                            phi_2673_ = _e2018;
+                                                                            phi_2674_ = _e2048;
+                                                                            phi_2675_ = _e2044;
+                                                                        }
+                                                                        let _e2125 = phi_2672_;
+                                                                        let _e2127 = phi_2673_;
                                                                         let _e2129 = phi_2674_;
-                                                                        if _e2129 {
-                                                                            phi_2678_ = _e2050;
-                                                                            phi_2679_ = _e2046;
-                                                                            phi_2680_ = _e2022;
-                                                                            phi_2681_ = _e2018;
+                                                                        let _e2131 = phi_2675_;
+                                                                        let _e2134 = ((_e2131 * _e2125) - (_e2129 * _e2127));
+                                                                        if _e2123 {
+                                                                            phi_2683_ = -(_e2134);
                                                                         } else {
-                                                                            phi_2678_ = _e2022;
-                                                                            phi_2679_ = _e2018;
-                                                                            phi_2680_ = _e2050;
-                                                                            phi_2681_ = _e2046;
+                                                                            phi_2683_ = _e2134;
                                                                         }
-                                                                        let _e2131 = phi_2678_;
-                                                                        let _e2133 = phi_2679_;
-                                                                        let _e2135 = phi_2680_;
-                                                                        let _e2137 = phi_2681_;
-                                                                        let _e2140 = ((_e2137 * _e2131) - (_e2135 * _e2133));
-                                                                        if _e2129 {
-                                                                            phi_2689_ = -(_e2140);
-                                                                        } else {
-                                                                            phi_2689_ = _e2140;
-                                                                        }
-                                                                        let _e2143 = phi_2689_;
-                                                                        if (_e2101 >= 0f) {
-                                                                            if (_e2122 >= 0f) {
-                                                                                if (_e2143 >= 0f) {
-                                                                                    phi_2704_ = ((_e2101 + _e2122) + _e2143);
-                                                                                    phi_2705_ = false;
+                                                                        let _e2137 = phi_2683_;
+                                                                        if (_e2095 >= 0f) {
+                                                                            if (_e2116 >= 0f) {
+                                                                                if (_e2137 >= 0f) {
+                                                                                    phi_2698_ = ((_e2095 + _e2116) + _e2137);
+                                                                                    phi_2699_ = false;
                                                                                 } else {
-                                                                                    phi_2704_ = f32();
-                                                                                    phi_2705_ = true;
+                                                                                    phi_2698_ = f32();
+                                                                                    phi_2699_ = true;
                                                                                 }
-                                                                                let _e2150 = phi_2704_;
-                                                                                let _e2152 = phi_2705_;
-                                                                                phi_2706_ = _e2150;
-                                                                                phi_2707_ = _e2152;
+                                                                                let _e2144 = phi_2698_;
+                                                                                let _e2146 = phi_2699_;
+                                                                                phi_2700_ = _e2144;
+                                                                                phi_2701_ = _e2146;
                                                                             } else {
-                                                                                phi_2706_ = f32();
-                                                                                phi_2707_ = true;
+                                                                                phi_2700_ = f32();
+                                                                                phi_2701_ = true;
                                                                             }
-                                                                            let _e2154 = phi_2706_;
-                                                                            let _e2156 = phi_2707_;
-                                                                            phi_2708_ = _e2154;
-                                                                            phi_2709_ = _e2156;
+                                                                            let _e2148 = phi_2700_;
+                                                                            let _e2150 = phi_2701_;
+                                                                            phi_2702_ = _e2148;
+                                                                            phi_2703_ = _e2150;
                                                                         } else {
-                                                                            phi_2708_ = f32();
-                                                                            phi_2709_ = true;
+                                                                            phi_2702_ = f32();
+                                                                            phi_2703_ = true;
                                                                         }
-                                                                        let _e2158 = phi_2708_;
-                                                                        let _e2160 = phi_2709_;
-                                                                        if _e2160 {
-                                                                            if (_e2101 <= 0f) {
-                                                                                if (_e2122 <= 0f) {
-                                                                                    let _e2163 = (_e2143 <= 0f);
-                                                                                    if _e2163 {
+                                                                        let _e2152 = phi_2702_;
+                                                                        let _e2154 = phi_2703_;
+                                                                        if _e2154 {
+                                                                            if (_e2095 <= 0f) {
+                                                                                if (_e2116 <= 0f) {
+                                                                                    let _e2157 = (_e2137 <= 0f);
+                                                                                    if _e2157 {
                                                                                     }
-                                                                                    phi_2727_ = ((_e2101 + _e2122) + _e2143);
-                                                                                    phi_2728_ = false;
-                                                                                    phi_2729_ = _e2163;
+                                                                                    phi_2721_ = ((_e2095 + _e2116) + _e2137);
+                                                                                    phi_2722_ = false;
+                                                                                    phi_2723_ = _e2157;
                                                                                 } else {
-                                                                                    phi_2727_ = f32();
-                                                                                    phi_2728_ = true;
-                                                                                    phi_2729_ = false;
+                                                                                    phi_2721_ = f32();
+                                                                                    phi_2722_ = true;
+                                                                                    phi_2723_ = false;
                                                                                 }
-                                                                                let _e2167 = phi_2727_;
-                                                                                let _e2169 = phi_2728_;
-                                                                                let _e2171 = phi_2729_;
-                                                                                phi_2730_ = _e2167;
-                                                                                phi_2731_ = _e2169;
-                                                                                phi_2732_ = _e2171;
+                                                                                let _e2161 = phi_2721_;
+                                                                                let _e2163 = phi_2722_;
+                                                                                let _e2165 = phi_2723_;
+                                                                                phi_2724_ = _e2161;
+                                                                                phi_2725_ = _e2163;
+                                                                                phi_2726_ = _e2165;
                                                                             } else {
-                                                                                phi_2730_ = f32();
-                                                                                phi_2731_ = true;
-                                                                                phi_2732_ = false;
+                                                                                phi_2724_ = f32();
+                                                                                phi_2725_ = true;
+                                                                                phi_2726_ = false;
+                                                                            }
+                                                                            let _e2167 = phi_2724_;
+                                                                            let _e2169 = phi_2725_;
+                                                                            let _e2171 = phi_2726_;
+                                                                            if _e2169 {
+                                                                                phi_2730_ = false;
+                                                                            } else {
+                                                                                phi_2730_ = _e2171;
                                                                             }
                                                                             let _e2173 = phi_2730_;
-                                                                            let _e2175 = phi_2731_;
-                                                                            let _e2177 = phi_2732_;
-                                                                            if _e2175 {
-                                                                                phi_2736_ = false;
-                                                                            } else {
-                                                                                phi_2736_ = _e2177;
-                                                                            }
-                                                                            let _e2179 = phi_2736_;
-                                                                            phi_2737_ = _e2173;
-                                                                            phi_2738_ = _e2179;
+                                                                            phi_2731_ = _e2167;
+                                                                            phi_2732_ = _e2173;
                                                                         } else {
-                                                                            phi_2737_ = _e2158;
-                                                                            phi_2738_ = true;
+                                                                            phi_2731_ = _e2152;
+                                                                            phi_2732_ = true;
                                                                         }
-                                                                        let _e2181 = phi_2737_;
-                                                                        let _e2183 = phi_2738_;
-                                                                        if _e2183 {
-                                                                            let _e2184 = (_e2181 == 0f);
-                                                                            if _e2184 {
-                                                                                phi_2951_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2952_ = false;
+                                                                        let _e2175 = phi_2731_;
+                                                                        let _e2177 = phi_2732_;
+                                                                        if _e2177 {
+                                                                            let _e2178 = (_e2175 == 0f);
+                                                                            if _e2178 {
+                                                                                phi_3048_ = lt_bvh_triangle_Intersection();
+                                                                                phi_3049_ = false;
                                                                             } else {
-                                                                                let _e2190 = ((((_e2101 * (_e1397 * _e2014.z)) + (_e2122 * (_e1397 * _e2042.z))) + (_e2143 * (_e1397 * _e2070.z))) / _e2181);
-                                                                                if (_e2190 > 0f) {
-                                                                                    if (_e2190 < _e231) {
-                                                                                        let _e2194 = triangles.member[(0u + _e1991)].v0_;
-                                                                                        let _e2196 = triangles.member[(0u + _e1991)].v1_;
-                                                                                        if (_e2194.x < _e2196.x) {
-                                                                                            phi_2772_ = _e2194.x;
-                                                                                        } else {
-                                                                                            phi_2772_ = _e2196.x;
-                                                                                        }
-                                                                                        let _e2203 = phi_2772_;
-                                                                                        if (_e2194.y < _e2196.y) {
-                                                                                            phi_2781_ = _e2194.y;
-                                                                                        } else {
-                                                                                            phi_2781_ = _e2196.y;
-                                                                                        }
-                                                                                        let _e2210 = phi_2781_;
-                                                                                        if (_e2194.z < _e2196.z) {
-                                                                                            phi_2790_ = _e2194.z;
-                                                                                        } else {
-                                                                                            phi_2790_ = _e2196.z;
-                                                                                        }
-                                                                                        let _e2217 = phi_2790_;
-                                                                                        let _e2219 = triangles.member[(0u + _e1991)].v2_;
-                                                                                        if (_e2203 < _e2219.x) {
-                                                                                            phi_2799_ = _e2203;
-                                                                                        } else {
-                                                                                            phi_2799_ = _e2219.x;
-                                                                                        }
-                                                                                        let _e2224 = phi_2799_;
-                                                                                        if (_e2210 < _e2219.y) {
-                                                                                            phi_2806_ = _e2210;
-                                                                                        } else {
-                                                                                            phi_2806_ = _e2219.y;
-                                                                                        }
-                                                                                        let _e2229 = phi_2806_;
-                                                                                        if (_e2217 < _e2219.z) {
-                                                                                            phi_2813_ = _e2217;
-                                                                                        } else {
-                                                                                            phi_2813_ = _e2219.z;
-                                                                                        }
-                                                                                        let _e2234 = phi_2813_;
-                                                                                        let _e2236 = triangles.member[(0u + _e1991)].v0_;
-                                                                                        let _e2238 = triangles.member[(0u + _e1991)].v1_;
-                                                                                        if (_e2236.x > _e2238.x) {
-                                                                                            phi_2826_ = _e2236.x;
-                                                                                        } else {
-                                                                                            phi_2826_ = _e2238.x;
-                                                                                        }
-                                                                                        let _e2245 = phi_2826_;
-                                                                                        if (_e2236.y > _e2238.y) {
-                                                                                            phi_2835_ = _e2236.y;
-                                                                                        } else {
-                                                                                            phi_2835_ = _e2238.y;
-                                                                                        }
-                                                                                        let _e2252 = phi_2835_;
-                                                                                        if (_e2236.z > _e2238.z) {
-                                                                                            phi_2844_ = _e2236.z;
-                                                                                        } else {
-                                                                                            phi_2844_ = _e2238.z;
-                                                                                        }
-                                                                                        let _e2259 = phi_2844_;
-                                                                                        let _e2261 = triangles.member[(0u + _e1991)].v2_;
-                                                                                        if (_e2245 > _e2261.x) {
-                                                                                            phi_2853_ = _e2245;
-                                                                                        } else {
-                                                                                            phi_2853_ = _e2261.x;
-                                                                                        }
-                                                                                        let _e2266 = phi_2853_;
-                                                                                        if (_e2252 > _e2261.y) {
-                                                                                            phi_2860_ = _e2252;
-                                                                                        } else {
-                                                                                            phi_2860_ = _e2261.y;
-                                                                                        }
-                                                                                        let _e2271 = phi_2860_;
-                                                                                        if (_e2259 > _e2261.z) {
-                                                                                            phi_2867_ = _e2259;
-                                                                                        } else {
-                                                                                            phi_2867_ = _e2261.z;
-                                                                                        }
-                                                                                        let _e2276 = phi_2867_;
-                                                                                        let _e2280 = ((_e2224 - _e1101) * _e1310);
-                                                                                        let _e2281 = ((_e2229 - _e1114) * _e1320);
-                                                                                        let _e2282 = ((_e2234 - _e1127) * _e1330);
-                                                                                        let _e2286 = ((_e2266 - _e1101) * _e1310);
-                                                                                        let _e2287 = ((_e2271 - _e1114) * _e1320);
-                                                                                        let _e2288 = ((_e2276 - _e1127) * _e1330);
-                                                                                        if (_e2280 < _e2286) {
-                                                                                            phi_2884_ = _e2280;
-                                                                                        } else {
-                                                                                            phi_2884_ = _e2286;
-                                                                                        }
-                                                                                        let _e2291 = phi_2884_;
-                                                                                        if (_e2281 < _e2287) {
-                                                                                            phi_2889_ = _e2281;
-                                                                                        } else {
-                                                                                            phi_2889_ = _e2287;
-                                                                                        }
-                                                                                        let _e2294 = phi_2889_;
-                                                                                        if (_e2282 < _e2288) {
-                                                                                            phi_2894_ = _e2282;
-                                                                                        } else {
-                                                                                            phi_2894_ = _e2288;
-                                                                                        }
-                                                                                        let _e2297 = phi_2894_;
-                                                                                        if (_e2280 > _e2286) {
-                                                                                            phi_2902_ = _e2280;
-                                                                                        } else {
-                                                                                            phi_2902_ = _e2286;
-                                                                                        }
-                                                                                        let _e2303 = phi_2902_;
-                                                                                        if (_e2281 > _e2287) {
-                                                                                            phi_2907_ = _e2281;
-                                                                                        } else {
-                                                                                            phi_2907_ = _e2287;
-                                                                                        }
-                                                                                        let _e2306 = phi_2907_;
-                                                                                        if (_e2282 > _e2288) {
-                                                                                            phi_2912_ = _e2282;
-                                                                                        } else {
-                                                                                            phi_2912_ = _e2288;
-                                                                                        }
-                                                                                        let _e2309 = phi_2912_;
-                                                                                        let _e2313 = core_intrinsics_maximum_number_nsz_f32_((_e2291 - _e1365), (_e2294 - _e1366));
-                                                                                        let _e2314 = core_intrinsics_maximum_number_nsz_f32_(_e2313, (_e2297 - _e1367));
-                                                                                        let _e2315 = core_intrinsics_minimum_number_nsz_f32_((_e2303 + _e1365), (_e2306 + _e1366));
-                                                                                        let _e2316 = core_intrinsics_minimum_number_nsz_f32_(_e2315, (_e2309 + _e1367));
-                                                                                        if (_e2314 > _e1082) {
-                                                                                            phi_2924_ = _e2314;
-                                                                                        } else {
-                                                                                            phi_2924_ = _e1082;
-                                                                                        }
-                                                                                        let _e2319 = phi_2924_;
-                                                                                        if (_e2316 < _e1084) {
-                                                                                            phi_2929_ = _e2316;
-                                                                                        } else {
-                                                                                            phi_2929_ = _e1084;
-                                                                                        }
-                                                                                        let _e2322 = phi_2929_;
-                                                                                        if (_e2190 < _e2319) {
-                                                                                            phi_2934_ = _e2319;
-                                                                                        } else {
-                                                                                            phi_2934_ = _e2190;
-                                                                                        }
-                                                                                        let _e2325 = phi_2934_;
-                                                                                        if (_e2325 > _e2322) {
-                                                                                            phi_2939_ = _e2322;
-                                                                                        } else {
-                                                                                            phi_2939_ = _e2325;
-                                                                                        }
-                                                                                        let _e2328 = phi_2939_;
-                                                                                        phi_2944_ = lt_bvh_triangle_Intersection(_e2328, (_e2122 / _e2181), (_e2143 / _e2181), (_e2319 <= _e2322));
-                                                                                        phi_2945_ = false;
-                                                                                    } else {
-                                                                                        phi_2944_ = lt_bvh_triangle_Intersection();
-                                                                                        phi_2945_ = true;
-                                                                                    }
-                                                                                    let _e2334 = phi_2944_;
-                                                                                    let _e2336 = phi_2945_;
-                                                                                    phi_2946_ = _e2334;
-                                                                                    phi_2947_ = _e2336;
+                                                                                let _e2180 = triangles.member[(0u + _e1991)].v0_;
+                                                                                let _e2182 = (_e2180.x - _e1101);
+                                                                                let _e2184 = (_e2180.y - _e1114);
+                                                                                let _e2186 = (_e2180.z - _e1127);
+                                                                                if (_e1381 == 0u) {
+                                                                                    phi_2761_ = vec3<f32>(_e2184, _e2186, _e2182);
                                                                                 } else {
-                                                                                    phi_2946_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2947_ = true;
+                                                                                    if (_e1381 == 1u) {
+                                                                                        phi_2760_ = vec3<f32>(_e2186, _e2182, _e2184);
+                                                                                    } else {
+                                                                                        phi_2760_ = (_e2180 - vec3<f32>(_e1101, _e1114, _e1127));
+                                                                                    }
+                                                                                    let _e2194 = phi_2760_;
+                                                                                    phi_2761_ = _e2194;
                                                                                 }
-                                                                                let _e2338 = phi_2946_;
-                                                                                let _e2340 = phi_2947_;
-                                                                                if _e2340 {
+                                                                                let _e2196 = phi_2761_;
+                                                                                let _e2198 = triangles.member[(0u + _e1991)].v1_;
+                                                                                let _e2200 = triangles.member[(0u + _e1991)].v0_;
+                                                                                let _e2203 = (_e2198.x - _e2200.x);
+                                                                                let _e2206 = (_e2198.y - _e2200.y);
+                                                                                let _e2209 = (_e2198.z - _e2200.z);
+                                                                                if (_e1381 == 0u) {
+                                                                                    phi_2787_ = vec3<f32>(_e2206, _e2209, _e2203);
+                                                                                } else {
+                                                                                    if (_e1381 == 1u) {
+                                                                                        phi_2786_ = vec3<f32>(_e2209, _e2203, _e2206);
+                                                                                    } else {
+                                                                                        phi_2786_ = (_e2198 - _e2200);
+                                                                                    }
+                                                                                    let _e2216 = phi_2786_;
+                                                                                    phi_2787_ = _e2216;
                                                                                 }
-                                                                                phi_2951_ = _e2338;
-                                                                                phi_2952_ = _e2340;
+                                                                                let _e2218 = phi_2787_;
+                                                                                let _e2220 = triangles.member[(0u + _e1991)].v2_;
+                                                                                let _e2222 = triangles.member[(0u + _e1991)].v0_;
+                                                                                let _e2225 = (_e2220.x - _e2222.x);
+                                                                                let _e2228 = (_e2220.y - _e2222.y);
+                                                                                let _e2231 = (_e2220.z - _e2222.z);
+                                                                                if (_e1381 == 0u) {
+                                                                                    phi_2813_ = vec3<f32>(_e2228, _e2231, _e2225);
+                                                                                } else {
+                                                                                    if (_e1381 == 1u) {
+                                                                                        phi_2812_ = vec3<f32>(_e2231, _e2225, _e2228);
+                                                                                    } else {
+                                                                                        phi_2812_ = (_e2220 - _e2222);
+                                                                                    }
+                                                                                    let _e2238 = phi_2812_;
+                                                                                    phi_2813_ = _e2238;
+                                                                                }
+                                                                                let _e2240 = phi_2813_;
+                                                                                let _e2247 = ((_e2218.y * _e2240.z) - (_e2218.z * _e2240.y));
+                                                                                let _e2254 = ((_e2218.z * _e2240.x) - (_e2218.x * _e2240.z));
+                                                                                let _e2261 = ((_e2218.x * _e2240.y) - (_e2218.y * _e2240.x));
+                                                                                let _e2275 = (((1f / _e1389.z) * (((_e2247 * _e2196.x) + (_e2254 * _e2196.y)) + (_e2261 * _e2196.z))) / (((_e2247 * _e1392) + (_e2254 * _e1395)) + _e2261));
+                                                                                if (_e2275 > 0f) {
+                                                                                    if (_e2275 < _e231) {
+                                                                                        let _e2279 = triangles.member[(0u + _e1991)].v0_;
+                                                                                        let _e2281 = triangles.member[(0u + _e1991)].v1_;
+                                                                                        if (_e2279.x < _e2281.x) {
+                                                                                            phi_2869_ = _e2279.x;
+                                                                                        } else {
+                                                                                            phi_2869_ = _e2281.x;
+                                                                                        }
+                                                                                        let _e2288 = phi_2869_;
+                                                                                        if (_e2279.y < _e2281.y) {
+                                                                                            phi_2878_ = _e2279.y;
+                                                                                        } else {
+                                                                                            phi_2878_ = _e2281.y;
+                                                                                        }
+                                                                                        let _e2295 = phi_2878_;
+                                                                                        if (_e2279.z < _e2281.z) {
+                                                                                            phi_2887_ = _e2279.z;
+                                                                                        } else {
+                                                                                            phi_2887_ = _e2281.z;
+                                                                                        }
+                                                                                        let _e2302 = phi_2887_;
+                                                                                        let _e2304 = triangles.member[(0u + _e1991)].v2_;
+                                                                                        if (_e2288 < _e2304.x) {
+                                                                                            phi_2896_ = _e2288;
+                                                                                        } else {
+                                                                                            phi_2896_ = _e2304.x;
+                                                                                        }
+                                                                                        let _e2309 = phi_2896_;
+                                                                                        if (_e2295 < _e2304.y) {
+                                                                                            phi_2903_ = _e2295;
+                                                                                        } else {
+                                                                                            phi_2903_ = _e2304.y;
+                                                                                        }
+                                                                                        let _e2314 = phi_2903_;
+                                                                                        if (_e2302 < _e2304.z) {
+                                                                                            phi_2910_ = _e2302;
+                                                                                        } else {
+                                                                                            phi_2910_ = _e2304.z;
+                                                                                        }
+                                                                                        let _e2319 = phi_2910_;
+                                                                                        let _e2321 = triangles.member[(0u + _e1991)].v0_;
+                                                                                        let _e2323 = triangles.member[(0u + _e1991)].v1_;
+                                                                                        if (_e2321.x > _e2323.x) {
+                                                                                            phi_2923_ = _e2321.x;
+                                                                                        } else {
+                                                                                            phi_2923_ = _e2323.x;
+                                                                                        }
+                                                                                        let _e2330 = phi_2923_;
+                                                                                        if (_e2321.y > _e2323.y) {
+                                                                                            phi_2932_ = _e2321.y;
+                                                                                        } else {
+                                                                                            phi_2932_ = _e2323.y;
+                                                                                        }
+                                                                                        let _e2337 = phi_2932_;
+                                                                                        if (_e2321.z > _e2323.z) {
+                                                                                            phi_2941_ = _e2321.z;
+                                                                                        } else {
+                                                                                            phi_2941_ = _e2323.z;
+                                                                                        }
+                                                                                        let _e2344 = phi_2941_;
+                                                                                        let _e2346 = triangles.member[(0u + _e1991)].v2_;
+                                                                                        if (_e2330 > _e2346.x) {
+                                                                                            phi_2950_ = _e2330;
+                                                                                        } else {
+                                                                                            phi_2950_ = _e2346.x;
+                                                                                        }
+                                                                                        let _e2351 = phi_2950_;
+                                                                                        if (_e2337 > _e2346.y) {
+                                                                                            phi_2957_ = _e2337;
+                                                                                        } else {
+                                                                                            phi_2957_ = _e2346.y;
+                                                                                        }
+                                                                                        let _e2356 = phi_2957_;
+                                                                                        if (_e2344 > _e2346.z) {
+                                                                                            phi_2964_ = _e2344;
+                                                                                        } else {
+                                                                                            phi_2964_ = _e2346.z;
+                                                                                        }
+                                                                                        let _e2361 = phi_2964_;
+                                                                                        let _e2365 = ((_e2309 - _e1101) * _e1310);
+                                                                                        let _e2366 = ((_e2314 - _e1114) * _e1320);
+                                                                                        let _e2367 = ((_e2319 - _e1127) * _e1330);
+                                                                                        let _e2371 = ((_e2351 - _e1101) * _e1310);
+                                                                                        let _e2372 = ((_e2356 - _e1114) * _e1320);
+                                                                                        let _e2373 = ((_e2361 - _e1127) * _e1330);
+                                                                                        if (_e2365 < _e2371) {
+                                                                                            phi_2981_ = _e2365;
+                                                                                        } else {
+                                                                                            phi_2981_ = _e2371;
+                                                                                        }
+                                                                                        let _e2376 = phi_2981_;
+                                                                                        if (_e2366 < _e2372) {
+                                                                                            phi_2986_ = _e2366;
+                                                                                        } else {
+                                                                                            phi_2986_ = _e2372;
+                                                                                        }
+                                                                                        let _e2379 = phi_2986_;
+                                                                                        if (_e2367 < _e2373) {
+                                                                                            phi_2991_ = _e2367;
+                                                                                        } else {
+                                                                                            phi_2991_ = _e2373;
+                                                                                        }
+                                                                                        let _e2382 = phi_2991_;
+                                                                                        if (_e2365 > _e2371) {
+                                                                                            phi_2999_ = _e2365;
+                                                                                        } else {
+                                                                                            phi_2999_ = _e2371;
+                                                                                        }
+                                                                                        let _e2388 = phi_2999_;
+                                                                                        if (_e2366 > _e2372) {
+                                                                                            phi_3004_ = _e2366;
+                                                                                        } else {
+                                                                                            phi_3004_ = _e2372;
+                                                                                        }
+                                                                                        let _e2391 = phi_3004_;
+                                                                                        if (_e2367 > _e2373) {
+                                                                                            phi_3009_ = _e2367;
+                                                                                        } else {
+                                                                                            phi_3009_ = _e2373;
+                                                                                        }
+                                                                                        let _e2394 = phi_3009_;
+                                                                                        let _e2398 = core_intrinsics_maximum_number_nsz_f32_((_e2376 - _e1365), (_e2379 - _e1366));
+                                                                                        let _e2399 = core_intrinsics_maximum_number_nsz_f32_(_e2398, (_e2382 - _e1367));
+                                                                                        let _e2400 = core_intrinsics_minimum_number_nsz_f32_((_e2388 + _e1365), (_e2391 + _e1366));
+                                                                                        let _e2401 = core_intrinsics_minimum_number_nsz_f32_(_e2400, (_e2394 + _e1367));
+                                                                                        if (_e2399 > _e1082) {
+                                                                                            phi_3021_ = _e2399;
+                                                                                        } else {
+                                                                                            phi_3021_ = _e1082;
+                                                                                        }
+                                                                                        let _e2404 = phi_3021_;
+                                                                                        if (_e2401 < _e1084) {
+                                                                                            phi_3026_ = _e2401;
+                                                                                        } else {
+                                                                                            phi_3026_ = _e1084;
+                                                                                        }
+                                                                                        let _e2407 = phi_3026_;
+                                                                                        if (_e2275 < _e2404) {
+                                                                                            phi_3031_ = _e2404;
+                                                                                        } else {
+                                                                                            phi_3031_ = _e2275;
+                                                                                        }
+                                                                                        let _e2410 = phi_3031_;
+                                                                                        if (_e2410 > _e2407) {
+                                                                                            phi_3036_ = _e2407;
+                                                                                        } else {
+                                                                                            phi_3036_ = _e2410;
+                                                                                        }
+                                                                                        let _e2413 = phi_3036_;
+                                                                                        phi_3041_ = lt_bvh_triangle_Intersection(_e2413, (_e2116 / _e2175), (_e2137 / _e2175), (_e2404 <= _e2407));
+                                                                                        phi_3042_ = false;
+                                                                                    } else {
+                                                                                        phi_3041_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_3042_ = true;
+                                                                                    }
+                                                                                    let _e2419 = phi_3041_;
+                                                                                    let _e2421 = phi_3042_;
+                                                                                    phi_3043_ = _e2419;
+                                                                                    phi_3044_ = _e2421;
+                                                                                } else {
+                                                                                    phi_3043_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_3044_ = true;
+                                                                                }
+                                                                                let _e2423 = phi_3043_;
+                                                                                let _e2425 = phi_3044_;
+                                                                                if _e2425 {
+                                                                                }
+                                                                                phi_3048_ = _e2423;
+                                                                                phi_3049_ = _e2425;
                                                                             }
-                                                                            let _e2342 = phi_2951_;
-                                                                            let _e2344 = phi_2952_;
-                                                                            phi_2953_ = _e2342;
-                                                                            phi_2954_ = _e2184;
-                                                                            phi_2955_ = _e2344;
+                                                                            let _e2427 = phi_3048_;
+                                                                            let _e2429 = phi_3049_;
+                                                                            phi_3050_ = _e2427;
+                                                                            phi_3051_ = _e2178;
+                                                                            phi_3052_ = _e2429;
                                                                         } else {
-                                                                            phi_2953_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2954_ = true;
-                                                                            phi_2955_ = false;
+                                                                            phi_3050_ = lt_bvh_triangle_Intersection();
+                                                                            phi_3051_ = true;
+                                                                            phi_3052_ = false;
                                                                         }
-                                                                        let _e2346 = phi_2953_;
-                                                                        let _e2348 = phi_2954_;
-                                                                        let _e2350 = phi_2955_;
-                                                                        if _e2348 {
-                                                                            phi_2959_ = true;
+                                                                        let _e2431 = phi_3050_;
+                                                                        let _e2433 = phi_3051_;
+                                                                        let _e2435 = phi_3052_;
+                                                                        if _e2433 {
+                                                                            phi_3056_ = true;
                                                                         } else {
-                                                                            phi_2959_ = _e2350;
+                                                                            phi_3056_ = _e2435;
                                                                         }
-                                                                        let _e2352 = phi_2959_;
-                                                                        if _e2352 {
-                                                                            phi_2963_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        let _e2437 = phi_3056_;
+                                                                        if _e2437 {
+                                                                            phi_3060_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                         } else {
-                                                                            phi_2963_ = _e2346;
+                                                                            phi_3060_ = _e2431;
                                                                         }
-                                                                        let _e2354 = phi_2963_;
-                                                                        if _e2354.is_hit {
-                                                                            if (_e2354.t > 0f) {
-                                                                                if (_e2354.t < _e231) {
-                                                                                    let _e2361 = triangles.member[(0u + _e1991)].i0_;
-                                                                                    let _e2363 = ((_e2361 & 2147483648u) == 0u);
-                                                                                    if _e2363 {
-                                                                                        phi_3186_ = false;
-                                                                                        phi_3187_ = false;
+                                                                        let _e2439 = phi_3060_;
+                                                                        if _e2439.is_hit {
+                                                                            if (_e2439.t > 0f) {
+                                                                                if (_e2439.t < _e231) {
+                                                                                    let _e2446 = triangles.member[(0u + _e1991)].i0_;
+                                                                                    let _e2448 = ((_e2446 & 2147483648u) == 0u);
+                                                                                    if _e2448 {
+                                                                                        phi_3283_ = false;
+                                                                                        phi_3284_ = false;
                                                                                     } else {
                                                                                         if (_e1991 < _e82) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2370 = triangles.member[(0u + _e1991)].i0_;
-                                                                                        let _e2371 = (_e2370 & 2147483647u);
-                                                                                        let _e2373 = triangles.member[(0u + _e1991)].i1_;
-                                                                                        let _e2375 = triangles.member[(0u + _e1991)].i2_;
-                                                                                        if (_e2371 < _e91) {
+                                                                                        let _e2455 = triangles.member[(0u + _e1991)].i0_;
+                                                                                        let _e2456 = (_e2455 & 2147483647u);
+                                                                                        let _e2458 = triangles.member[(0u + _e1991)].i1_;
+                                                                                        let _e2460 = triangles.member[(0u + _e1991)].i2_;
+                                                                                        if (_e2456 < _e91) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2379 = vertices.member[(0u + _e2371)];
-                                                                                        if (_e2373 < _e91) {
+                                                                                        let _e2464 = vertices.member[(0u + _e2456)];
+                                                                                        if (_e2458 < _e91) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2383 = vertices.member[(0u + _e2373)];
-                                                                                        if (_e2375 < _e91) {
+                                                                                        let _e2468 = vertices.member[(0u + _e2458)];
+                                                                                        if (_e2460 < _e91) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2387 = vertices.member[(0u + _e2375)];
-                                                                                        let _e2388 = array<abi_Vertex, 3>(_e2379, _e2383, _e2387);
-                                                                                        if (_e2388[0].material < arrayLength((&materials.member))) {
+                                                                                        let _e2472 = vertices.member[(0u + _e2460)];
+                                                                                        let _e2473 = array<abi_Vertex, 3>(_e2464, _e2468, _e2472);
+                                                                                        if (_e2473[0].material < arrayLength((&materials.member))) {
                                                                                         } else {
                                                                                             return;
                                                                                         }
-                                                                                        let _e2394 = materials.member[(0u + _e2388[0].material)];
-                                                                                        if ((_e2394.flags & 1u) == 1u) {
-                                                                                            let _e2399 = ((1f - _e2354.u) - _e2354.v);
-                                                                                            if (_e2394.cutoff <= 0f) {
-                                                                                                phi_3180_ = true;
+                                                                                        let _e2479 = materials.member[(0u + _e2473[0].material)];
+                                                                                        if ((_e2479.flags & 1u) == 1u) {
+                                                                                            let _e2484 = ((1f - _e2439.u) - _e2439.v);
+                                                                                            if (_e2479.cutoff <= 0f) {
+                                                                                                phi_3277_ = true;
                                                                                             } else {
-                                                                                                let _e2426 = (_e2394.base_color.w * ((((f32((_e2388[0].color >> bitcast<u32>(24i))) * _e2399) + (f32((_e2388[1].color >> bitcast<u32>(24i))) * _e2354.u)) + (f32((_e2388[2].color >> bitcast<u32>(24i))) * _e2354.v)) * (1f / 255f)));
-                                                                                                if (_e2394.alpha_size == 0u) {
-                                                                                                    phi_3177_ = _e2426;
+                                                                                                let _e2511 = (_e2479.base_color.w * ((((f32((_e2473[0].color >> bitcast<u32>(24i))) * _e2484) + (f32((_e2473[1].color >> bitcast<u32>(24i))) * _e2439.u)) + (f32((_e2473[2].color >> bitcast<u32>(24i))) * _e2439.v)) * (1f / 255f)));
+                                                                                                if (_e2479.alpha_size == 0u) {
+                                                                                                    phi_3274_ = _e2511;
                                                                                                 } else {
-                                                                                                    local.offset = _e2394.alpha_offset;
-                                                                                                    local.size = _e2394.alpha_size;
-                                                                                                    local.flags = _e2394.flags;
-                                                                                                    let _e2457 = _lt_shaders_texture_TextureView_quad((&local), (((_e2388[0].u * _e2399) + (_e2388[1].u * _e2354.u)) + (_e2388[2].u * _e2354.v)), (((_e2388[0].v * _e2399) + (_e2388[1].v * _e2354.u)) + (_e2388[2].v * _e2354.v)));
-                                                                                                    let _e2461 = (_e2457.indices[0] >> bitcast<u32>(2i));
-                                                                                                    if (_e2461 < _e97) {
+                                                                                                    local.offset = _e2479.alpha_offset;
+                                                                                                    local.size = _e2479.alpha_size;
+                                                                                                    local.flags = _e2479.flags;
+                                                                                                    let _e2542 = _lt_shaders_texture_TextureView_quad((&local), (((_e2473[0].u * _e2484) + (_e2473[1].u * _e2439.u)) + (_e2473[2].u * _e2439.v)), (((_e2473[0].v * _e2484) + (_e2473[1].v * _e2439.u)) + (_e2473[2].v * _e2439.v)));
+                                                                                                    let _e2546 = (_e2542.indices[0] >> bitcast<u32>(2i));
+                                                                                                    if (_e2546 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2465 = alpha_texels.member[(0u + _e2461)];
-                                                                                                    let _e2481 = (_e2457.indices[1] >> bitcast<u32>(2i));
-                                                                                                    if (_e2481 < _e97) {
+                                                                                                    let _e2550 = alpha_texels.member[(0u + _e2546)];
+                                                                                                    let _e2566 = (_e2542.indices[1] >> bitcast<u32>(2i));
+                                                                                                    if (_e2566 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2485 = alpha_texels.member[(0u + _e2481)];
-                                                                                                    let _e2502 = (_e2457.indices[2] >> bitcast<u32>(2i));
-                                                                                                    if (_e2502 < _e97) {
+                                                                                                    let _e2570 = alpha_texels.member[(0u + _e2566)];
+                                                                                                    let _e2587 = (_e2542.indices[2] >> bitcast<u32>(2i));
+                                                                                                    if (_e2587 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2506 = alpha_texels.member[(0u + _e2502)];
-                                                                                                    let _e2523 = (_e2457.indices[3] >> bitcast<u32>(2i));
-                                                                                                    if (_e2523 < _e97) {
+                                                                                                    let _e2591 = alpha_texels.member[(0u + _e2587)];
+                                                                                                    let _e2608 = (_e2542.indices[3] >> bitcast<u32>(2i));
+                                                                                                    if (_e2608 < _e97) {
                                                                                                     } else {
                                                                                                         return;
                                                                                                     }
-                                                                                                    let _e2527 = alpha_texels.member[(0u + _e2523)];
-                                                                                                    phi_3177_ = (_e2426 * (((((f32(((_e2465 >> bitcast<u32>((((_e2457.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.x) + ((f32(((_e2485 >> bitcast<u32>((((_e2457.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.y)) + ((f32(((_e2506 >> bitcast<u32>((((_e2457.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.z)) + ((f32(((_e2527 >> bitcast<u32>((((_e2457.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.w)));
+                                                                                                    let _e2612 = alpha_texels.member[(0u + _e2608)];
+                                                                                                    phi_3274_ = (_e2511 * (((((f32(((_e2550 >> bitcast<u32>((((_e2542.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2542.weights.x) + ((f32(((_e2570 >> bitcast<u32>((((_e2542.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2542.weights.y)) + ((f32(((_e2591 >> bitcast<u32>((((_e2542.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2542.weights.z)) + ((f32(((_e2612 >> bitcast<u32>((((_e2542.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2542.weights.w)));
                                                                                                 }
-                                                                                                let _e2543 = phi_3177_;
-                                                                                                phi_3180_ = (_e2543 >= _e2394.cutoff);
+                                                                                                let _e2628 = phi_3274_;
+                                                                                                phi_3277_ = (_e2628 >= _e2479.cutoff);
                                                                                             }
-                                                                                            let _e2547 = phi_3180_;
-                                                                                            phi_3181_ = _e2547;
+                                                                                            let _e2632 = phi_3277_;
+                                                                                            phi_3278_ = _e2632;
                                                                                         } else {
-                                                                                            phi_3181_ = false;
+                                                                                            phi_3278_ = false;
                                                                                         }
-                                                                                        let _e2549 = phi_3181_;
-                                                                                        if _e2549 {
-                                                                                            phi_3185_ = false;
+                                                                                        let _e2634 = phi_3278_;
+                                                                                        if _e2634 {
+                                                                                            phi_3282_ = false;
                                                                                         } else {
-                                                                                            phi_3185_ = true;
+                                                                                            phi_3282_ = true;
                                                                                         }
-                                                                                        let _e2551 = phi_3185_;
-                                                                                        phi_3186_ = _e2551;
-                                                                                        phi_3187_ = _e2549;
+                                                                                        let _e2636 = phi_3282_;
+                                                                                        phi_3283_ = _e2636;
+                                                                                        phi_3284_ = _e2634;
                                                                                     }
-                                                                                    let _e2553 = phi_3186_;
-                                                                                    let _e2555 = phi_3187_;
-                                                                                    phi_3188_ = _e2553;
-                                                                                    phi_3189_ = _e2363;
-                                                                                    phi_3190_ = _e2555;
+                                                                                    let _e2638 = phi_3283_;
+                                                                                    let _e2640 = phi_3284_;
+                                                                                    phi_3285_ = _e2638;
+                                                                                    phi_3286_ = _e2448;
+                                                                                    phi_3287_ = _e2640;
                                                                                 } else {
-                                                                                    phi_3188_ = true;
-                                                                                    phi_3189_ = false;
-                                                                                    phi_3190_ = false;
+                                                                                    phi_3285_ = true;
+                                                                                    phi_3286_ = false;
+                                                                                    phi_3287_ = false;
                                                                                 }
-                                                                                let _e2557 = phi_3188_;
-                                                                                let _e2559 = phi_3189_;
-                                                                                let _e2561 = phi_3190_;
-                                                                                phi_3191_ = _e2557;
-                                                                                phi_3192_ = _e2559;
-                                                                                phi_3193_ = _e2561;
+                                                                                let _e2642 = phi_3285_;
+                                                                                let _e2644 = phi_3286_;
+                                                                                let _e2646 = phi_3287_;
+                                                                                phi_3288_ = _e2642;
+                                                                                phi_3289_ = _e2644;
+                                                                                phi_3290_ = _e2646;
                                                                             } else {
-                                                                                phi_3191_ = true;
-                                                                                phi_3192_ = false;
-                                                                                phi_3193_ = false;
+                                                                                phi_3288_ = true;
+                                                                                phi_3289_ = false;
+                                                                                phi_3290_ = false;
                                                                             }
-                                                                            let _e2563 = phi_3191_;
-                                                                            let _e2565 = phi_3192_;
-                                                                            let _e2567 = phi_3193_;
-                                                                            phi_3194_ = _e2563;
-                                                                            phi_3195_ = _e2565;
-                                                                            phi_3196_ = _e2567;
+                                                                            let _e2648 = phi_3288_;
+                                                                            let _e2650 = phi_3289_;
+                                                                            let _e2652 = phi_3290_;
+                                                                            phi_3291_ = _e2648;
+                                                                            phi_3292_ = _e2650;
+                                                                            phi_3293_ = _e2652;
                                                                         } else {
-                                                                            phi_3194_ = true;
-                                                                            phi_3195_ = false;
-                                                                            phi_3196_ = false;
+                                                                            phi_3291_ = true;
+                                                                            phi_3292_ = false;
+                                                                            phi_3293_ = false;
                                                                         }
-                                                                        let _e2569 = phi_3194_;
-                                                                        let _e2571 = phi_3195_;
-                                                                        let _e2573 = phi_3196_;
-                                                                        if _e2569 {
-                                                                            phi_3200_ = false;
-                                                                            phi_3201_ = false;
+                                                                        let _e2654 = phi_3291_;
+                                                                        let _e2656 = phi_3292_;
+                                                                        let _e2658 = phi_3293_;
+                                                                        if _e2654 {
+                                                                            phi_3297_ = false;
+                                                                            phi_3298_ = false;
                                                                         } else {
-                                                                            phi_3200_ = _e2571;
-                                                                            phi_3201_ = _e2573;
+                                                                            phi_3297_ = _e2656;
+                                                                            phi_3298_ = _e2658;
                                                                         }
-                                                                        let _e2575 = phi_3200_;
-                                                                        let _e2577 = phi_3201_;
+                                                                        let _e2660 = phi_3297_;
+                                                                        let _e2662 = phi_3298_;
                                                                         phi_2492_ = (_e1982 & (_e1982 - 1u));
-                                                                        phi_3202_ = _e2569;
-                                                                        phi_3203_ = _e2575;
-                                                                        phi_3204_ = _e2577;
+                                                                        phi_3299_ = _e2654;
+                                                                        phi_3300_ = _e2660;
+                                                                        phi_3301_ = _e2662;
                                                                     }
-                                                                    let _e2579 = phi_2492_;
-                                                                    let _e2581 = phi_3202_;
-                                                                    let _e2583 = phi_3203_;
-                                                                    let _e2585 = phi_3204_;
-                                                                    local_14 = _e2583;
-                                                                    local_15 = _e2585;
+                                                                    let _e2664 = phi_2492_;
+                                                                    let _e2666 = phi_3299_;
+                                                                    let _e2668 = phi_3300_;
+                                                                    let _e2670 = phi_3301_;
+                                                                    local_14 = _e2668;
+                                                                    local_15 = _e2670;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2491_ = _e2579;
-                                                                        break if !(_e2581);
+                                                                        phi_2491_ = _e2664;
+                                                                        break if !(_e2666);
                                                                     }
                                                                 }
-                                                                let _e2588 = local_10;
-                                                                if _e2588 {
-                                                                    let _e2590 = local_1.group_mask;
-                                                                    if ((_e2590 & 4278190080u) == 0u) {
-                                                                        let _e2594 = local_1.len;
-                                                                        if (_e2594 == 0u) {
-                                                                            phi_3246_ = false;
+                                                                let _e2673 = local_10;
+                                                                if _e2673 {
+                                                                    let _e2675 = local_1.group_mask;
+                                                                    if ((_e2675 & 4278190080u) == 0u) {
+                                                                        let _e2679 = local_1.len;
+                                                                        if (_e2679 == 0u) {
+                                                                            phi_3343_ = false;
                                                                         } else {
-                                                                            let _e2598 = local_1.len;
-                                                                            local_1.len = (_e2598 - 1u);
-                                                                            let _e2601 = local_1.len;
-                                                                            if (_e2601 < 32u) {
+                                                                            let _e2683 = local_1.len;
+                                                                            local_1.len = (_e2683 - 1u);
+                                                                            let _e2686 = local_1.len;
+                                                                            if (_e2686 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2606 = local_1.first[(0u + _e2601)];
-                                                                            local_1.group = _e2606;
-                                                                            let _e2609 = local_1.len;
-                                                                            if (_e2609 < 32u) {
+                                                                            let _e2691 = local_1.first[(0u + _e2686)];
+                                                                            local_1.group = _e2691;
+                                                                            let _e2694 = local_1.len;
+                                                                            if (_e2694 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2614 = local_1.mask[(0u + _e2609)];
-                                                                            local_1.group_mask = _e2614;
-                                                                            phi_3246_ = true;
+                                                                            let _e2699 = local_1.mask[(0u + _e2694)];
+                                                                            local_1.group_mask = _e2699;
+                                                                            phi_3343_ = true;
                                                                         }
-                                                                        let _e2617 = phi_3246_;
-                                                                        phi_3247_ = _e2617;
+                                                                        let _e2702 = phi_3343_;
+                                                                        phi_3344_ = _e2702;
                                                                     } else {
-                                                                        phi_3247_ = true;
+                                                                        phi_3344_ = true;
                                                                     }
-                                                                    let _e2619 = phi_3247_;
-                                                                    if _e2619 {
-                                                                        let _e2621 = local_1.group_mask;
-                                                                        let _e2627 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2621)), 32u, (_e2621 == 0u)));
-                                                                        let _e2631 = local_1.group_mask;
-                                                                        let _e2645 = local_1.group_mask;
-                                                                        local_1.group_mask = (_e2645 & ~((1u << bitcast<u32>((_e2627 & 31u)))));
-                                                                        let _e2648 = local_1.group;
-                                                                        phi_3278_ = (_e2648 + countOneBits(((_e2631 & ~((4294967295u << bitcast<u32>((((_e2627 - 24u) ^ _e1408) & 31u))))) & 255u)));
+                                                                    let _e2704 = phi_3344_;
+                                                                    if _e2704 {
+                                                                        let _e2706 = local_1.group_mask;
+                                                                        let _e2712 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2706)), 32u, (_e2706 == 0u)));
+                                                                        let _e2716 = local_1.group_mask;
+                                                                        let _e2730 = local_1.group_mask;
+                                                                        local_1.group_mask = (_e2730 & ~((1u << bitcast<u32>((_e2712 & 31u)))));
+                                                                        let _e2733 = local_1.group;
+                                                                        phi_3375_ = (_e2733 + countOneBits(((_e2716 & ~((4294967295u << bitcast<u32>((((_e2712 - 24u) ^ _e1408) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_3278_ = 4294967295u;
+                                                                        phi_3375_ = 4294967295u;
                                                                     }
-                                                                    let _e2651 = phi_3278_;
-                                                                    phi_3279_ = _e2651;
-                                                                    phi_3280_ = false;
-                                                                    phi_3281_ = false;
+                                                                    let _e2736 = phi_3375_;
+                                                                    phi_3376_ = _e2736;
+                                                                    phi_3377_ = false;
+                                                                    phi_3378_ = false;
                                                                 } else {
-                                                                    phi_3279_ = u32();
-                                                                    let _e3035 = local_14;
-                                                                    phi_3280_ = _e3035;
-                                                                    let _e3038 = local_15;
-                                                                    phi_3281_ = _e3038;
+                                                                    phi_3376_ = u32();
+                                                                    let _e3126 = local_14;
+                                                                    phi_3377_ = _e3126;
+                                                                    let _e3129 = local_15;
+                                                                    phi_3378_ = _e3129;
                                                                 }
-                                                                let _e2653 = phi_3279_;
-                                                                let _e2655 = phi_3280_;
-                                                                let _e2657 = phi_3281_;
-                                                                phi_2162_ = _e2653;
-                                                                let _e3042 = local_16;
-                                                                phi_3282_ = _e3042;
-                                                                phi_3283_ = false;
-                                                                phi_3284_ = _e2655;
-                                                                phi_3285_ = _e2657;
+                                                                let _e2738 = phi_3376_;
+                                                                let _e2740 = phi_3377_;
+                                                                let _e2742 = phi_3378_;
+                                                                phi_2162_ = _e2738;
+                                                                let _e3133 = local_16;
+                                                                phi_3379_ = _e3133;
+                                                                phi_3380_ = false;
+                                                                phi_3381_ = _e2740;
+                                                                phi_3382_ = _e2742;
                                                             } else {
                                                                 phi_2162_ = u32();
-                                                                phi_3282_ = false;
-                                                                phi_3283_ = true;
-                                                                phi_3284_ = false;
-                                                                phi_3285_ = false;
+                                                                phi_3379_ = false;
+                                                                phi_3380_ = true;
+                                                                phi_3381_ = false;
+                                                                phi_3382_ = false;
                                                             }
-                                                            let _e2659 = phi_2162_;
-                                                            let _e2661 = phi_3282_;
-                                                            let _e2663 = phi_3283_;
-                                                            let _e2665 = phi_3284_;
-                                                            let _e2667 = phi_3285_;
-                                                            local_11 = _e2663;
-                                                            local_17 = _e2665;
-                                                            local_18 = _e2667;
+                                                            let _e2744 = phi_2162_;
+                                                            let _e2746 = phi_3379_;
+                                                            let _e2748 = phi_3380_;
+                                                            let _e2750 = phi_3381_;
+                                                            let _e2752 = phi_3382_;
+                                                            local_11 = _e2748;
+                                                            local_17 = _e2750;
+                                                            local_18 = _e2752;
                                                             continue;
                                                             continuing {
-                                                                phi_2161_ = _e2659;
-                                                                break if !(_e2661);
+                                                                phi_2161_ = _e2744;
+                                                                break if !(_e2746);
                                                             }
                                                         }
-                                                        let _e2670 = local_11;
-                                                        if _e2670 {
-                                                            phi_3289_ = false;
-                                                            phi_3290_ = false;
+                                                        let _e2755 = local_11;
+                                                        if _e2755 {
+                                                            phi_3386_ = false;
+                                                            phi_3387_ = false;
                                                         } else {
-                                                            let _e3049 = local_17;
-                                                            phi_3289_ = _e3049;
-                                                            let _e3052 = local_18;
-                                                            phi_3290_ = _e3052;
+                                                            let _e3140 = local_17;
+                                                            phi_3386_ = _e3140;
+                                                            let _e3143 = local_18;
+                                                            phi_3387_ = _e3143;
                                                         }
-                                                        let _e2672 = phi_3289_;
-                                                        let _e2674 = phi_3290_;
-                                                        if _e2672 {
-                                                            phi_3294_ = true;
+                                                        let _e2757 = phi_3386_;
+                                                        let _e2759 = phi_3387_;
+                                                        if _e2757 {
+                                                            phi_3391_ = true;
                                                         } else {
-                                                            phi_3294_ = _e2674;
+                                                            phi_3391_ = _e2759;
                                                         }
-                                                        let _e2676 = phi_3294_;
-                                                        if _e2676 {
-                                                            phi_3298_ = true;
+                                                        let _e2761 = phi_3391_;
+                                                        if _e2761 {
+                                                            phi_3395_ = true;
                                                         } else {
-                                                            phi_3298_ = false;
+                                                            phi_3395_ = false;
                                                         }
-                                                        let _e2678 = phi_3298_;
-                                                        phi_3299_ = _e2678;
+                                                        let _e2763 = phi_3395_;
+                                                        phi_3396_ = _e2763;
                                                     }
-                                                    let _e2680 = phi_3299_;
-                                                    phi_3300_ = _e2680;
-                                                    phi_3301_ = _e1234;
+                                                    let _e2765 = phi_3396_;
+                                                    phi_3397_ = _e2765;
+                                                    phi_3398_ = _e1234;
                                                 } else {
-                                                    phi_3300_ = bool();
-                                                    phi_3301_ = true;
+                                                    phi_3397_ = bool();
+                                                    phi_3398_ = true;
                                                 }
-                                                let _e2682 = phi_3300_;
-                                                let _e2684 = phi_3301_;
-                                                if _e2684 {
-                                                    phi_3305_ = false;
+                                                let _e2767 = phi_3397_;
+                                                let _e2769 = phi_3398_;
+                                                if _e2769 {
+                                                    phi_3402_ = false;
                                                 } else {
-                                                    phi_3305_ = _e2682;
+                                                    phi_3402_ = _e2767;
                                                 }
-                                                let _e2686 = phi_3305_;
-                                                if _e2686 {
-                                                    phi_3309_ = false;
+                                                let _e2771 = phi_3402_;
+                                                if _e2771 {
+                                                    phi_3406_ = false;
                                                 } else {
-                                                    phi_3309_ = true;
+                                                    phi_3406_ = true;
                                                 }
-                                                let _e2688 = phi_3309_;
-                                                phi_3310_ = _e2688;
+                                                let _e2773 = phi_3406_;
+                                                phi_3407_ = _e2773;
                                             } else {
-                                                phi_3310_ = true;
+                                                phi_3407_ = true;
                                             }
-                                            let _e2690 = phi_3310_;
-                                            phi_3311_ = _e2690;
+                                            let _e2775 = phi_3407_;
+                                            phi_3408_ = _e2775;
                                         } else {
-                                            phi_3311_ = true;
+                                            phi_3408_ = true;
                                         }
-                                        let _e2692 = phi_3311_;
-                                        phi_3312_ = _e2692;
+                                        let _e2777 = phi_3408_;
+                                        phi_3409_ = _e2777;
                                     } else {
-                                        phi_3312_ = true;
+                                        phi_3409_ = true;
                                     }
-                                    let _e2694 = phi_3312_;
-                                    if _e2694 {
+                                    let _e2779 = phi_3409_;
+                                    if _e2779 {
                                     }
                                     phi_1556_ = (_e1021 & (_e1021 - 1u));
-                                    phi_3316_ = _e2694;
+                                    phi_3413_ = _e2779;
                                 }
-                                let _e2696 = phi_1556_;
-                                let _e2698 = phi_3316_;
+                                let _e2781 = phi_1556_;
+                                let _e2783 = phi_3413_;
                                 continue;
                                 continuing {
-                                    phi_1555_ = _e2696;
-                                    break if !(_e2698);
+                                    phi_1555_ = _e2781;
+                                    break if !(_e2783);
                                 }
                             }
-                            let _e2701 = local_12;
-                            if _e2701 {
-                                let _e2703 = local_2.group_mask;
-                                if ((_e2703 & 4278190080u) == 0u) {
-                                    let _e2707 = local_2.len;
-                                    if (_e2707 == 0u) {
-                                        phi_3358_ = false;
+                            let _e2786 = local_12;
+                            if _e2786 {
+                                let _e2788 = local_2.group_mask;
+                                if ((_e2788 & 4278190080u) == 0u) {
+                                    let _e2792 = local_2.len;
+                                    if (_e2792 == 0u) {
+                                        phi_3455_ = false;
                                     } else {
-                                        let _e2711 = local_2.len;
-                                        local_2.len = (_e2711 - 1u);
-                                        let _e2714 = local_2.len;
-                                        if (_e2714 < 32u) {
+                                        let _e2796 = local_2.len;
+                                        local_2.len = (_e2796 - 1u);
+                                        let _e2799 = local_2.len;
+                                        if (_e2799 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2719 = local_2.first[(0u + _e2714)];
-                                        local_2.group = _e2719;
-                                        let _e2722 = local_2.len;
-                                        if (_e2722 < 32u) {
+                                        let _e2804 = local_2.first[(0u + _e2799)];
+                                        local_2.group = _e2804;
+                                        let _e2807 = local_2.len;
+                                        if (_e2807 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2727 = local_2.mask[(0u + _e2722)];
-                                        local_2.group_mask = _e2727;
-                                        phi_3358_ = true;
+                                        let _e2812 = local_2.mask[(0u + _e2807)];
+                                        local_2.group_mask = _e2812;
+                                        phi_3455_ = true;
                                     }
-                                    let _e2730 = phi_3358_;
-                                    phi_3359_ = _e2730;
+                                    let _e2815 = phi_3455_;
+                                    phi_3456_ = _e2815;
                                 } else {
-                                    phi_3359_ = true;
+                                    phi_3456_ = true;
                                 }
-                                let _e2732 = phi_3359_;
-                                if _e2732 {
-                                    let _e2734 = local_2.group_mask;
-                                    let _e2740 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2734)), 32u, (_e2734 == 0u)));
-                                    let _e2744 = local_2.group_mask;
-                                    let _e2758 = local_2.group_mask;
-                                    local_2.group_mask = (_e2758 & ~((1u << bitcast<u32>((_e2740 & 31u)))));
-                                    let _e2761 = local_2.group;
-                                    phi_3390_ = (_e2761 + countOneBits(((_e2744 & ~((4294967295u << bitcast<u32>((((_e2740 - 24u) ^ _e447) & 31u))))) & 255u)));
+                                let _e2817 = phi_3456_;
+                                if _e2817 {
+                                    let _e2819 = local_2.group_mask;
+                                    let _e2825 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2819)), 32u, (_e2819 == 0u)));
+                                    let _e2829 = local_2.group_mask;
+                                    let _e2843 = local_2.group_mask;
+                                    local_2.group_mask = (_e2843 & ~((1u << bitcast<u32>((_e2825 & 31u)))));
+                                    let _e2846 = local_2.group;
+                                    phi_3487_ = (_e2846 + countOneBits(((_e2829 & ~((4294967295u << bitcast<u32>((((_e2825 - 24u) ^ _e447) & 31u))))) & 255u)));
                                 } else {
-                                    phi_3390_ = 4294967295u;
+                                    phi_3487_ = 4294967295u;
                                 }
-                                let _e2764 = phi_3390_;
-                                phi_3391_ = _e2764;
+                                let _e2849 = phi_3487_;
+                                phi_3488_ = _e2849;
                             } else {
-                                phi_3391_ = u32();
+                                phi_3488_ = u32();
                             }
-                            let _e2766 = phi_3391_;
-                            phi_1226_ = _e2766;
-                            let _e3073 = local_19;
-                            phi_3392_ = _e3073;
-                            phi_3393_ = false;
+                            let _e2851 = phi_3488_;
+                            phi_1226_ = _e2851;
+                            let _e3164 = local_19;
+                            phi_3489_ = _e3164;
+                            phi_3490_ = false;
                         } else {
                             phi_1226_ = u32();
-                            phi_3392_ = false;
-                            phi_3393_ = true;
+                            phi_3489_ = false;
+                            phi_3490_ = true;
                         }
-                        let _e2768 = phi_1226_;
-                        let _e2770 = phi_3392_;
-                        let _e2772 = phi_3393_;
-                        local_13 = _e2772;
+                        let _e2853 = phi_1226_;
+                        let _e2855 = phi_3489_;
+                        let _e2857 = phi_3490_;
+                        local_13 = _e2857;
                         continue;
                         continuing {
-                            phi_1225_ = _e2768;
-                            break if !(_e2770);
+                            phi_1225_ = _e2853;
+                            break if !(_e2855);
                         }
                     }
-                    let _e2775 = local_13;
-                    if _e2775 {
-                        phi_3397_ = false;
+                    let _e2860 = local_13;
+                    if _e2860 {
+                        phi_3494_ = false;
                     } else {
-                        phi_3397_ = true;
+                        phi_3494_ = true;
                     }
-                    let _e2777 = phi_3397_;
-                    if _e2777 {
-                        phi_3401_ = true;
+                    let _e2862 = phi_3494_;
+                    if _e2862 {
+                        phi_3498_ = true;
                     } else {
-                        phi_3401_ = false;
+                        phi_3498_ = false;
                     }
-                    let _e2779 = phi_3401_;
-                    phi_3402_ = _e2779;
+                    let _e2864 = phi_3498_;
+                    phi_3499_ = _e2864;
                 }
-                let _e2781 = phi_3402_;
-                phi_3403_ = _e2781;
-                phi_3404_ = _e303;
+                let _e2866 = phi_3499_;
+                phi_3500_ = _e2866;
+                phi_3501_ = _e303;
             } else {
-                phi_3403_ = bool();
-                phi_3404_ = true;
+                phi_3500_ = bool();
+                phi_3501_ = true;
             }
-            let _e2783 = phi_3403_;
-            let _e2785 = phi_3404_;
-            if _e2785 {
-                phi_3408_ = false;
+            let _e2868 = phi_3500_;
+            let _e2870 = phi_3501_;
+            if _e2870 {
+                phi_3505_ = false;
             } else {
-                phi_3408_ = _e2783;
+                phi_3505_ = _e2868;
             }
-            let _e2787 = phi_3408_;
-            if _e2787 {
-                phi_3412_ = 0f;
+            let _e2872 = phi_3505_;
+            if _e2872 {
+                phi_3509_ = 0f;
             } else {
-                phi_3412_ = 1f;
+                phi_3509_ = 1f;
             }
-            let _e2789 = phi_3412_;
-            phi_3413_ = _e2789;
+            let _e2874 = phi_3509_;
+            phi_3510_ = _e2874;
         }
-        let _e2791 = phi_3413_;
+        let _e2876 = phi_3510_;
         if (_e103.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e103.first_primitive)] = _e2791;
+        visibility.member[(0u + _e103.first_primitive)] = _e2876;
     }
     return;
 }

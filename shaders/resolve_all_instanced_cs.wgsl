@@ -390,141 +390,147 @@ fn function_() {
     var phi_2058_: u32;
     var phi_2103_: vec3<f32>;
     var phi_2104_: vec3<f32>;
-    var phi_2135_: vec3<f32>;
-    var phi_2136_: vec3<f32>;
-    var phi_2167_: vec3<f32>;
-    var phi_2168_: vec3<f32>;
-    var phi_2188_: bool;
-    var phi_2189_: bool;
-    var phi_2193_: f32;
-    var phi_2194_: f32;
-    var phi_2195_: f32;
-    var phi_2196_: f32;
-    var phi_2204_: f32;
-    var phi_2214_: bool;
-    var phi_2215_: bool;
-    var phi_2219_: f32;
-    var phi_2220_: f32;
-    var phi_2221_: f32;
-    var phi_2222_: f32;
-    var phi_2230_: f32;
-    var phi_2240_: bool;
-    var phi_2241_: bool;
-    var phi_2245_: f32;
-    var phi_2246_: f32;
-    var phi_2247_: f32;
-    var phi_2248_: f32;
-    var phi_2256_: f32;
-    var phi_2271_: f32;
-    var phi_2272_: bool;
-    var phi_2273_: f32;
-    var phi_2274_: bool;
-    var phi_2275_: f32;
-    var phi_2276_: bool;
-    var phi_2294_: f32;
-    var phi_2295_: bool;
-    var phi_2296_: bool;
-    var phi_2297_: f32;
-    var phi_2298_: bool;
+    var phi_2133_: vec3<f32>;
+    var phi_2134_: vec3<f32>;
+    var phi_2163_: vec3<f32>;
+    var phi_2164_: vec3<f32>;
+    var phi_2182_: bool;
+    var phi_2183_: bool;
+    var phi_2187_: f32;
+    var phi_2188_: f32;
+    var phi_2189_: f32;
+    var phi_2190_: f32;
+    var phi_2198_: f32;
+    var phi_2208_: bool;
+    var phi_2209_: bool;
+    var phi_2213_: f32;
+    var phi_2214_: f32;
+    var phi_2215_: f32;
+    var phi_2216_: f32;
+    var phi_2224_: f32;
+    var phi_2234_: bool;
+    var phi_2235_: bool;
+    var phi_2239_: f32;
+    var phi_2240_: f32;
+    var phi_2241_: f32;
+    var phi_2242_: f32;
+    var phi_2250_: f32;
+    var phi_2265_: f32;
+    var phi_2266_: bool;
+    var phi_2267_: f32;
+    var phi_2268_: bool;
+    var phi_2269_: f32;
+    var phi_2270_: bool;
+    var phi_2288_: f32;
+    var phi_2289_: bool;
+    var phi_2290_: bool;
+    var phi_2291_: f32;
+    var phi_2292_: bool;
+    var phi_2293_: bool;
+    var phi_2297_: bool;
+    var phi_2298_: f32;
     var phi_2299_: bool;
-    var phi_2303_: bool;
-    var phi_2304_: f32;
-    var phi_2305_: bool;
-    var phi_2339_: f32;
-    var phi_2348_: f32;
-    var phi_2357_: f32;
-    var phi_2366_: f32;
-    var phi_2373_: f32;
-    var phi_2380_: f32;
-    var phi_2393_: f32;
-    var phi_2402_: f32;
-    var phi_2411_: f32;
-    var phi_2420_: f32;
-    var phi_2427_: f32;
-    var phi_2434_: f32;
-    var phi_2451_: f32;
-    var phi_2456_: f32;
-    var phi_2461_: f32;
-    var phi_2469_: f32;
-    var phi_2474_: f32;
-    var phi_2479_: f32;
-    var phi_2491_: f32;
-    var phi_2496_: f32;
-    var phi_2501_: f32;
-    var phi_2506_: f32;
-    var phi_2511_: lt_bvh_triangle_Intersection;
-    var phi_2512_: bool;
-    var phi_2513_: lt_bvh_triangle_Intersection;
-    var phi_2514_: bool;
-    var phi_2518_: lt_bvh_triangle_Intersection;
-    var phi_2519_: bool;
-    var phi_2520_: lt_bvh_triangle_Intersection;
-    var phi_2521_: bool;
-    var phi_2522_: bool;
-    var phi_2526_: bool;
-    var phi_2530_: lt_bvh_triangle_Intersection;
-    var phi_2555_: bool;
-    var phi_2556_: bool;
-    var phi_2557_: bool;
-    var phi_2558_: bool;
-    var phi_2559_: bool;
-    var phi_2560_: bool;
-    var phi_2561_: bool;
-    var phi_2562_: bool;
-    var phi_2563_: bool;
-    var phi_2564_: bool;
-    var phi_2565_: bool;
-    var phi_2566_: bool;
-    var phi_2570_: bool;
-    var phi_2571_: bool;
-    var phi_2059_: u32;
-    var phi_2572_: bool;
-    var phi_2573_: bool;
-    var phi_2574_: bool;
-    var local_9: bool;
+    var phi_2327_: vec3<f32>;
+    var phi_2328_: vec3<f32>;
+    var phi_2353_: vec3<f32>;
+    var phi_2354_: vec3<f32>;
+    var phi_2379_: vec3<f32>;
+    var phi_2380_: vec3<f32>;
+    var phi_2436_: f32;
+    var phi_2445_: f32;
+    var phi_2454_: f32;
+    var phi_2463_: f32;
+    var phi_2470_: f32;
+    var phi_2477_: f32;
+    var phi_2490_: f32;
+    var phi_2499_: f32;
+    var phi_2508_: f32;
+    var phi_2517_: f32;
+    var phi_2524_: f32;
+    var phi_2531_: f32;
+    var phi_2548_: f32;
+    var phi_2553_: f32;
+    var phi_2558_: f32;
+    var phi_2566_: f32;
+    var phi_2571_: f32;
+    var phi_2576_: f32;
+    var phi_2588_: f32;
+    var phi_2593_: f32;
+    var phi_2598_: f32;
+    var phi_2603_: f32;
+    var phi_2608_: lt_bvh_triangle_Intersection;
+    var phi_2609_: bool;
+    var phi_2610_: lt_bvh_triangle_Intersection;
+    var phi_2611_: bool;
+    var phi_2615_: lt_bvh_triangle_Intersection;
     var phi_2616_: bool;
-    var phi_2617_: bool;
-    var phi_2648_: u32;
-    var phi_2649_: u32;
-    var phi_2650_: bool;
-    var phi_2651_: bool;
-    var phi_1729_: u32;
+    var phi_2617_: lt_bvh_triangle_Intersection;
+    var phi_2618_: bool;
+    var phi_2619_: bool;
+    var phi_2623_: bool;
+    var phi_2627_: lt_bvh_triangle_Intersection;
     var phi_2652_: bool;
     var phi_2653_: bool;
     var phi_2654_: bool;
     var phi_2655_: bool;
-    var local_10: bool;
+    var phi_2656_: bool;
+    var phi_2657_: bool;
+    var phi_2658_: bool;
     var phi_2659_: bool;
     var phi_2660_: bool;
-    var phi_2664_: bool;
+    var phi_2661_: bool;
+    var phi_2662_: bool;
+    var phi_2663_: bool;
+    var phi_2667_: bool;
     var phi_2668_: bool;
+    var phi_2059_: u32;
     var phi_2669_: bool;
     var phi_2670_: bool;
     var phi_2671_: bool;
-    var phi_2675_: bool;
-    var phi_2679_: bool;
-    var phi_2680_: bool;
-    var phi_2681_: bool;
-    var phi_2682_: bool;
-    var phi_1123_: u32;
-    var phi_2686_: bool;
-    var local_11: bool;
-    var phi_2728_: bool;
-    var phi_2729_: bool;
-    var phi_2760_: u32;
-    var phi_2761_: u32;
-    var phi_793_: u32;
-    var phi_2762_: bool;
-    var phi_2763_: bool;
-    var local_12: bool;
+    var local_9: bool;
+    var phi_2713_: bool;
+    var phi_2714_: bool;
+    var phi_2745_: u32;
+    var phi_2746_: u32;
+    var phi_2747_: bool;
+    var phi_2748_: bool;
+    var phi_1729_: u32;
+    var phi_2749_: bool;
+    var phi_2750_: bool;
+    var phi_2751_: bool;
+    var phi_2752_: bool;
+    var local_10: bool;
+    var phi_2756_: bool;
+    var phi_2757_: bool;
+    var phi_2761_: bool;
+    var phi_2765_: bool;
+    var phi_2766_: bool;
     var phi_2767_: bool;
-    var phi_2771_: bool;
+    var phi_2768_: bool;
     var phi_2772_: bool;
-    var phi_2773_: bool;
-    var phi_2774_: bool;
+    var phi_2776_: bool;
+    var phi_2777_: bool;
     var phi_2778_: bool;
-    var phi_2782_: f32;
-    var phi_2783_: f32;
+    var phi_2779_: bool;
+    var phi_1123_: u32;
+    var phi_2783_: bool;
+    var local_11: bool;
+    var phi_2825_: bool;
+    var phi_2826_: bool;
+    var phi_2857_: u32;
+    var phi_2858_: u32;
+    var phi_793_: u32;
+    var phi_2859_: bool;
+    var phi_2860_: bool;
+    var local_12: bool;
+    var phi_2864_: bool;
+    var phi_2868_: bool;
+    var phi_2869_: bool;
+    var phi_2870_: bool;
+    var phi_2871_: bool;
+    var phi_2875_: bool;
+    var phi_2879_: f32;
+    var phi_2880_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -569,7 +575,7 @@ fn function_() {
         let _e176 = phi_352_;
         let _e181 = p.member.root;
         if _e176.unnamed_1 {
-            phi_2783_ = _e176.unnamed.visibility;
+            phi_2880_ = _e176.unnamed.visibility;
         } else {
             let _e183 = p.member.light;
             let _e185 = local_2.position;
@@ -697,7 +703,7 @@ fn function_() {
             if _e278 {
                 let _e279 = (_e181 >= _e64);
                 if _e279 {
-                    phi_2772_ = bool();
+                    phi_2869_ = bool();
                 } else {
                     if (_e181 < _e64) {
                     } else {
@@ -1045,7 +1051,7 @@ fn function_() {
                                 local_18 = _e998;
                                 if _e998 {
                                     phi_1123_ = u32();
-                                    phi_2686_ = false;
+                                    phi_2783_ = false;
                                 } else {
                                     let _e1001 = nodes.member[(0u + _e561)].links[1u];
                                     let _e1005 = (_e1001 + select(firstTrailingBit(_e997), 32u, (_e997 == 0u)));
@@ -1227,7 +1233,7 @@ fn function_() {
                                                 if _e1209 {
                                                     let _e1210 = (_e1146 >= _e64);
                                                     if _e1210 {
-                                                        phi_2669_ = bool();
+                                                        phi_2766_ = bool();
                                                     } else {
                                                         if (_e1146 < _e64) {
                                                         } else {
@@ -1354,7 +1360,6 @@ fn function_() {
                                                         let _e1365 = phi_1557_;
                                                         let _e1368 = (_e1365.x / _e1365.z);
                                                         let _e1371 = (_e1365.y / _e1365.z);
-                                                        let _e1373 = (1f / _e1365.z);
                                                         if (_e1286 < 0f) {
                                                             phi_1570_ = 0u;
                                                         } else {
@@ -1617,9 +1622,9 @@ fn function_() {
                                                                     local_15 = _e1959;
                                                                     if _e1959 {
                                                                         phi_2059_ = u32();
-                                                                        phi_2572_ = false;
-                                                                        phi_2573_ = false;
-                                                                        phi_2574_ = false;
+                                                                        phi_2669_ = false;
+                                                                        phi_2670_ = false;
+                                                                        phi_2671_ = false;
                                                                     } else {
                                                                         let _e1962 = nodes.member[(0u + _e1522)].links[1u];
                                                                         let _e1967 = ((_e1148 + _e1962) + select(firstTrailingBit(_e1958), 32u, (_e1958 == 0u)));
@@ -1645,766 +1650,819 @@ fn function_() {
                                                                         let _e1990 = phi_2104_;
                                                                         let _e1994 = (_e1990.x - (_e1368 * _e1990.z));
                                                                         let _e1998 = (_e1990.y - (_e1371 * _e1990.z));
-                                                                        let _e2002 = triangles.member[(0u + _e1967)].v1_;
-                                                                        let _e2004 = (_e2002.x - _e1077);
-                                                                        let _e2006 = (_e2002.y - _e1090);
-                                                                        let _e2008 = (_e2002.z - _e1103);
+                                                                        let _e2000 = triangles.member[(0u + _e1967)].v1_;
+                                                                        let _e2002 = (_e2000.x - _e1077);
+                                                                        let _e2004 = (_e2000.y - _e1090);
+                                                                        let _e2006 = (_e2000.z - _e1103);
                                                                         if (_e1357 == 0u) {
-                                                                            phi_2136_ = vec3<f32>(_e2006, _e2008, _e2004);
+                                                                            phi_2134_ = vec3<f32>(_e2004, _e2006, _e2002);
                                                                         } else {
                                                                             if (_e1357 == 1u) {
-                                                                                phi_2135_ = vec3<f32>(_e2008, _e2004, _e2006);
+                                                                                phi_2133_ = vec3<f32>(_e2006, _e2002, _e2004);
                                                                             } else {
-                                                                                phi_2135_ = (_e2002 - vec3<f32>(_e1077, _e1090, _e1103));
+                                                                                phi_2133_ = (_e2000 - vec3<f32>(_e1077, _e1090, _e1103));
                                                                             }
-                                                                            let _e2016 = phi_2135_;
-                                                                            phi_2136_ = _e2016;
+                                                                            let _e2014 = phi_2133_;
+                                                                            phi_2134_ = _e2014;
                                                                         }
-                                                                        let _e2018 = phi_2136_;
-                                                                        let _e2022 = (_e2018.x - (_e1368 * _e2018.z));
-                                                                        let _e2026 = (_e2018.y - (_e1371 * _e2018.z));
-                                                                        let _e2030 = triangles.member[(0u + _e1967)].v2_;
-                                                                        let _e2032 = (_e2030.x - _e1077);
-                                                                        let _e2034 = (_e2030.y - _e1090);
-                                                                        let _e2036 = (_e2030.z - _e1103);
+                                                                        let _e2016 = phi_2134_;
+                                                                        let _e2020 = (_e2016.x - (_e1368 * _e2016.z));
+                                                                        let _e2024 = (_e2016.y - (_e1371 * _e2016.z));
+                                                                        let _e2026 = triangles.member[(0u + _e1967)].v2_;
+                                                                        let _e2028 = (_e2026.x - _e1077);
+                                                                        let _e2030 = (_e2026.y - _e1090);
+                                                                        let _e2032 = (_e2026.z - _e1103);
                                                                         if (_e1357 == 0u) {
-                                                                            phi_2168_ = vec3<f32>(_e2034, _e2036, _e2032);
+                                                                            phi_2164_ = vec3<f32>(_e2030, _e2032, _e2028);
                                                                         } else {
                                                                             if (_e1357 == 1u) {
-                                                                                phi_2167_ = vec3<f32>(_e2036, _e2032, _e2034);
+                                                                                phi_2163_ = vec3<f32>(_e2032, _e2028, _e2030);
                                                                             } else {
-                                                                                phi_2167_ = (_e2030 - vec3<f32>(_e1077, _e1090, _e1103));
+                                                                                phi_2163_ = (_e2026 - vec3<f32>(_e1077, _e1090, _e1103));
                                                                             }
-                                                                            let _e2044 = phi_2167_;
-                                                                            phi_2168_ = _e2044;
+                                                                            let _e2040 = phi_2163_;
+                                                                            phi_2164_ = _e2040;
                                                                         }
-                                                                        let _e2046 = phi_2168_;
-                                                                        let _e2050 = (_e2046.x - (_e1368 * _e2046.z));
-                                                                        let _e2054 = (_e2046.y - (_e1371 * _e2046.z));
-                                                                        if (_e2022 < _e2050) {
-                                                                            phi_2189_ = true;
+                                                                        let _e2042 = phi_2164_;
+                                                                        let _e2046 = (_e2042.x - (_e1368 * _e2042.z));
+                                                                        let _e2050 = (_e2042.y - (_e1371 * _e2042.z));
+                                                                        if (_e2020 < _e2046) {
+                                                                            phi_2183_ = true;
                                                                         } else {
-                                                                            if (_e2022 == _e2050) {
-                                                                                phi_2188_ = (_e2026 < _e2054);
+                                                                            if (_e2020 == _e2046) {
+                                                                                phi_2182_ = (_e2024 < _e2050);
                                                                             } else {
-                                                                                phi_2188_ = false;
+                                                                                phi_2182_ = false;
                                                                             }
-                                                                            let _e2061 = phi_2188_;
-                                                                            phi_2189_ = _e2061;
+                                                                            let _e2055 = phi_2182_;
+                                                                            phi_2183_ = _e2055;
                                                                         }
+                                                                        let _e2057 = phi_2183_;
+                                                                        if _e2057 {
+                                                                            phi_2187_ = _e2050;
+                                                                            phi_2188_ = _e2046;
+                                                                            phi_2189_ = _e2024;
+                                                                            phi_2190_ = _e2020;
+                                                                        } else {
+                                                                            phi_2187_ = _e2024;
+                                                                            phi_2188_ = _e2020;
+                                                                            phi_2189_ = _e2050;
+                                                                            phi_2190_ = _e2046;
+                                                                        }
+                                                                        let _e2059 = phi_2187_;
+                                                                        let _e2061 = phi_2188_;
                                                                         let _e2063 = phi_2189_;
-                                                                        if _e2063 {
-                                                                            phi_2193_ = _e2054;
-                                                                            phi_2194_ = _e2050;
-                                                                            phi_2195_ = _e2026;
-                                                                            phi_2196_ = _e2022;
+                                                                        let _e2065 = phi_2190_;
+                                                                        let _e2068 = ((_e2065 * _e2059) - (_e2063 * _e2061));
+                                                                        if _e2057 {
+                                                                            phi_2198_ = -(_e2068);
                                                                         } else {
-                                                                            phi_2193_ = _e2026;
-                                                                            phi_2194_ = _e2022;
-                                                                            phi_2195_ = _e2054;
-                                                                            phi_2196_ = _e2050;
+                                                                            phi_2198_ = _e2068;
                                                                         }
-                                                                        let _e2065 = phi_2193_;
-                                                                        let _e2067 = phi_2194_;
-                                                                        let _e2069 = phi_2195_;
-                                                                        let _e2071 = phi_2196_;
-                                                                        let _e2074 = ((_e2071 * _e2065) - (_e2069 * _e2067));
-                                                                        if _e2063 {
-                                                                            phi_2204_ = -(_e2074);
+                                                                        let _e2071 = phi_2198_;
+                                                                        if (_e2046 < _e1994) {
+                                                                            phi_2209_ = true;
                                                                         } else {
-                                                                            phi_2204_ = _e2074;
-                                                                        }
-                                                                        let _e2077 = phi_2204_;
-                                                                        if (_e2050 < _e1994) {
-                                                                            phi_2215_ = true;
-                                                                        } else {
-                                                                            if (_e2050 == _e1994) {
-                                                                                phi_2214_ = (_e2054 < _e1998);
+                                                                            if (_e2046 == _e1994) {
+                                                                                phi_2208_ = (_e2050 < _e1998);
                                                                             } else {
-                                                                                phi_2214_ = false;
+                                                                                phi_2208_ = false;
                                                                             }
-                                                                            let _e2082 = phi_2214_;
-                                                                            phi_2215_ = _e2082;
+                                                                            let _e2076 = phi_2208_;
+                                                                            phi_2209_ = _e2076;
                                                                         }
+                                                                        let _e2078 = phi_2209_;
+                                                                        if _e2078 {
+                                                                            phi_2213_ = _e1998;
+                                                                            phi_2214_ = _e1994;
+                                                                            phi_2215_ = _e2050;
+                                                                            phi_2216_ = _e2046;
+                                                                        } else {
+                                                                            phi_2213_ = _e2050;
+                                                                            phi_2214_ = _e2046;
+                                                                            phi_2215_ = _e1998;
+                                                                            phi_2216_ = _e1994;
+                                                                        }
+                                                                        let _e2080 = phi_2213_;
+                                                                        let _e2082 = phi_2214_;
                                                                         let _e2084 = phi_2215_;
-                                                                        if _e2084 {
-                                                                            phi_2219_ = _e1998;
-                                                                            phi_2220_ = _e1994;
-                                                                            phi_2221_ = _e2054;
-                                                                            phi_2222_ = _e2050;
+                                                                        let _e2086 = phi_2216_;
+                                                                        let _e2089 = ((_e2086 * _e2080) - (_e2084 * _e2082));
+                                                                        if _e2078 {
+                                                                            phi_2224_ = -(_e2089);
                                                                         } else {
-                                                                            phi_2219_ = _e2054;
-                                                                            phi_2220_ = _e2050;
-                                                                            phi_2221_ = _e1998;
-                                                                            phi_2222_ = _e1994;
+                                                                            phi_2224_ = _e2089;
                                                                         }
-                                                                        let _e2086 = phi_2219_;
-                                                                        let _e2088 = phi_2220_;
-                                                                        let _e2090 = phi_2221_;
-                                                                        let _e2092 = phi_2222_;
-                                                                        let _e2095 = ((_e2092 * _e2086) - (_e2090 * _e2088));
-                                                                        if _e2084 {
-                                                                            phi_2230_ = -(_e2095);
+                                                                        let _e2092 = phi_2224_;
+                                                                        if (_e1994 < _e2020) {
+                                                                            phi_2235_ = true;
                                                                         } else {
-                                                                            phi_2230_ = _e2095;
-                                                                        }
-                                                                        let _e2098 = phi_2230_;
-                                                                        if (_e1994 < _e2022) {
-                                                                            phi_2241_ = true;
-                                                                        } else {
-                                                                            if (_e1994 == _e2022) {
-                                                                                phi_2240_ = (_e1998 < _e2026);
+                                                                            if (_e1994 == _e2020) {
+                                                                                phi_2234_ = (_e1998 < _e2024);
                                                                             } else {
-                                                                                phi_2240_ = false;
+                                                                                phi_2234_ = false;
                                                                             }
-                                                                            let _e2103 = phi_2240_;
-                                                                            phi_2241_ = _e2103;
+                                                                            let _e2097 = phi_2234_;
+                                                                            phi_2235_ = _e2097;
                                                                         }
+                                                                        let _e2099 = phi_2235_;
+                                                                        if _e2099 {
+                                                                            phi_2239_ = _e2024;
+                                                                            phi_2240_ = _e2020;
+                                                                            phi_2241_ = _e1998;
+                                                                            phi_2242_ = _e1994;
+                                                                        } else {
+                                                                            phi_2239_ = _e1998;
+                                                                            phi_2240_ = _e1994;
+                                                                            phi_2241_ = _e2024;
+                                                                            phi_2242_ = _e2020;
+                                                                        }
+                                                                        let _e2101 = phi_2239_;
+                                                                        let _e2103 = phi_2240_;
                                                                         let _e2105 = phi_2241_;
-                                                                        if _e2105 {
-                                                                            phi_2245_ = _e2026;
-                                                                            phi_2246_ = _e2022;
-                                                                            phi_2247_ = _e1998;
-                                                                            phi_2248_ = _e1994;
+                                                                        let _e2107 = phi_2242_;
+                                                                        let _e2110 = ((_e2107 * _e2101) - (_e2105 * _e2103));
+                                                                        if _e2099 {
+                                                                            phi_2250_ = -(_e2110);
                                                                         } else {
-                                                                            phi_2245_ = _e1998;
-                                                                            phi_2246_ = _e1994;
-                                                                            phi_2247_ = _e2026;
-                                                                            phi_2248_ = _e2022;
+                                                                            phi_2250_ = _e2110;
                                                                         }
-                                                                        let _e2107 = phi_2245_;
-                                                                        let _e2109 = phi_2246_;
-                                                                        let _e2111 = phi_2247_;
-                                                                        let _e2113 = phi_2248_;
-                                                                        let _e2116 = ((_e2113 * _e2107) - (_e2111 * _e2109));
-                                                                        if _e2105 {
-                                                                            phi_2256_ = -(_e2116);
-                                                                        } else {
-                                                                            phi_2256_ = _e2116;
-                                                                        }
-                                                                        let _e2119 = phi_2256_;
-                                                                        if (_e2077 >= 0f) {
-                                                                            if (_e2098 >= 0f) {
-                                                                                if (_e2119 >= 0f) {
-                                                                                    phi_2271_ = ((_e2077 + _e2098) + _e2119);
-                                                                                    phi_2272_ = false;
+                                                                        let _e2113 = phi_2250_;
+                                                                        if (_e2071 >= 0f) {
+                                                                            if (_e2092 >= 0f) {
+                                                                                if (_e2113 >= 0f) {
+                                                                                    phi_2265_ = ((_e2071 + _e2092) + _e2113);
+                                                                                    phi_2266_ = false;
                                                                                 } else {
-                                                                                    phi_2271_ = f32();
-                                                                                    phi_2272_ = true;
+                                                                                    phi_2265_ = f32();
+                                                                                    phi_2266_ = true;
                                                                                 }
-                                                                                let _e2126 = phi_2271_;
-                                                                                let _e2128 = phi_2272_;
-                                                                                phi_2273_ = _e2126;
-                                                                                phi_2274_ = _e2128;
+                                                                                let _e2120 = phi_2265_;
+                                                                                let _e2122 = phi_2266_;
+                                                                                phi_2267_ = _e2120;
+                                                                                phi_2268_ = _e2122;
                                                                             } else {
-                                                                                phi_2273_ = f32();
-                                                                                phi_2274_ = true;
+                                                                                phi_2267_ = f32();
+                                                                                phi_2268_ = true;
                                                                             }
-                                                                            let _e2130 = phi_2273_;
-                                                                            let _e2132 = phi_2274_;
-                                                                            phi_2275_ = _e2130;
-                                                                            phi_2276_ = _e2132;
+                                                                            let _e2124 = phi_2267_;
+                                                                            let _e2126 = phi_2268_;
+                                                                            phi_2269_ = _e2124;
+                                                                            phi_2270_ = _e2126;
                                                                         } else {
-                                                                            phi_2275_ = f32();
-                                                                            phi_2276_ = true;
+                                                                            phi_2269_ = f32();
+                                                                            phi_2270_ = true;
                                                                         }
-                                                                        let _e2134 = phi_2275_;
-                                                                        let _e2136 = phi_2276_;
-                                                                        if _e2136 {
-                                                                            if (_e2077 <= 0f) {
-                                                                                if (_e2098 <= 0f) {
-                                                                                    let _e2139 = (_e2119 <= 0f);
-                                                                                    if _e2139 {
+                                                                        let _e2128 = phi_2269_;
+                                                                        let _e2130 = phi_2270_;
+                                                                        if _e2130 {
+                                                                            if (_e2071 <= 0f) {
+                                                                                if (_e2092 <= 0f) {
+                                                                                    let _e2133 = (_e2113 <= 0f);
+                                                                                    if _e2133 {
                                                                                     }
-                                                                                    phi_2294_ = ((_e2077 + _e2098) + _e2119);
-                                                                                    phi_2295_ = false;
-                                                                                    phi_2296_ = _e2139;
+                                                                                    phi_2288_ = ((_e2071 + _e2092) + _e2113);
+                                                                                    phi_2289_ = false;
+                                                                                    phi_2290_ = _e2133;
                                                                                 } else {
-                                                                                    phi_2294_ = f32();
-                                                                                    phi_2295_ = true;
-                                                                                    phi_2296_ = false;
+                                                                                    phi_2288_ = f32();
+                                                                                    phi_2289_ = true;
+                                                                                    phi_2290_ = false;
                                                                                 }
-                                                                                let _e2143 = phi_2294_;
-                                                                                let _e2145 = phi_2295_;
-                                                                                let _e2147 = phi_2296_;
-                                                                                phi_2297_ = _e2143;
-                                                                                phi_2298_ = _e2145;
-                                                                                phi_2299_ = _e2147;
+                                                                                let _e2137 = phi_2288_;
+                                                                                let _e2139 = phi_2289_;
+                                                                                let _e2141 = phi_2290_;
+                                                                                phi_2291_ = _e2137;
+                                                                                phi_2292_ = _e2139;
+                                                                                phi_2293_ = _e2141;
                                                                             } else {
-                                                                                phi_2297_ = f32();
-                                                                                phi_2298_ = true;
-                                                                                phi_2299_ = false;
+                                                                                phi_2291_ = f32();
+                                                                                phi_2292_ = true;
+                                                                                phi_2293_ = false;
+                                                                            }
+                                                                            let _e2143 = phi_2291_;
+                                                                            let _e2145 = phi_2292_;
+                                                                            let _e2147 = phi_2293_;
+                                                                            if _e2145 {
+                                                                                phi_2297_ = false;
+                                                                            } else {
+                                                                                phi_2297_ = _e2147;
                                                                             }
                                                                             let _e2149 = phi_2297_;
-                                                                            let _e2151 = phi_2298_;
-                                                                            let _e2153 = phi_2299_;
-                                                                            if _e2151 {
-                                                                                phi_2303_ = false;
-                                                                            } else {
-                                                                                phi_2303_ = _e2153;
-                                                                            }
-                                                                            let _e2155 = phi_2303_;
-                                                                            phi_2304_ = _e2149;
-                                                                            phi_2305_ = _e2155;
+                                                                            phi_2298_ = _e2143;
+                                                                            phi_2299_ = _e2149;
                                                                         } else {
-                                                                            phi_2304_ = _e2134;
-                                                                            phi_2305_ = true;
+                                                                            phi_2298_ = _e2128;
+                                                                            phi_2299_ = true;
                                                                         }
-                                                                        let _e2157 = phi_2304_;
-                                                                        let _e2159 = phi_2305_;
-                                                                        if _e2159 {
-                                                                            let _e2160 = (_e2157 == 0f);
-                                                                            if _e2160 {
-                                                                                phi_2518_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2519_ = false;
+                                                                        let _e2151 = phi_2298_;
+                                                                        let _e2153 = phi_2299_;
+                                                                        if _e2153 {
+                                                                            let _e2154 = (_e2151 == 0f);
+                                                                            if _e2154 {
+                                                                                phi_2615_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2616_ = false;
                                                                             } else {
-                                                                                let _e2166 = ((((_e2077 * (_e1373 * _e1990.z)) + (_e2098 * (_e1373 * _e2018.z))) + (_e2119 * (_e1373 * _e2046.z))) / _e2157);
-                                                                                if (_e2166 > 0f) {
-                                                                                    if (_e2166 < _e207) {
-                                                                                        let _e2170 = triangles.member[(0u + _e1967)].v0_;
-                                                                                        let _e2172 = triangles.member[(0u + _e1967)].v1_;
-                                                                                        if (_e2170.x < _e2172.x) {
-                                                                                            phi_2339_ = _e2170.x;
-                                                                                        } else {
-                                                                                            phi_2339_ = _e2172.x;
-                                                                                        }
-                                                                                        let _e2179 = phi_2339_;
-                                                                                        if (_e2170.y < _e2172.y) {
-                                                                                            phi_2348_ = _e2170.y;
-                                                                                        } else {
-                                                                                            phi_2348_ = _e2172.y;
-                                                                                        }
-                                                                                        let _e2186 = phi_2348_;
-                                                                                        if (_e2170.z < _e2172.z) {
-                                                                                            phi_2357_ = _e2170.z;
-                                                                                        } else {
-                                                                                            phi_2357_ = _e2172.z;
-                                                                                        }
-                                                                                        let _e2193 = phi_2357_;
-                                                                                        let _e2195 = triangles.member[(0u + _e1967)].v2_;
-                                                                                        if (_e2179 < _e2195.x) {
-                                                                                            phi_2366_ = _e2179;
-                                                                                        } else {
-                                                                                            phi_2366_ = _e2195.x;
-                                                                                        }
-                                                                                        let _e2200 = phi_2366_;
-                                                                                        if (_e2186 < _e2195.y) {
-                                                                                            phi_2373_ = _e2186;
-                                                                                        } else {
-                                                                                            phi_2373_ = _e2195.y;
-                                                                                        }
-                                                                                        let _e2205 = phi_2373_;
-                                                                                        if (_e2193 < _e2195.z) {
-                                                                                            phi_2380_ = _e2193;
-                                                                                        } else {
-                                                                                            phi_2380_ = _e2195.z;
-                                                                                        }
-                                                                                        let _e2210 = phi_2380_;
-                                                                                        let _e2212 = triangles.member[(0u + _e1967)].v0_;
-                                                                                        let _e2214 = triangles.member[(0u + _e1967)].v1_;
-                                                                                        if (_e2212.x > _e2214.x) {
-                                                                                            phi_2393_ = _e2212.x;
-                                                                                        } else {
-                                                                                            phi_2393_ = _e2214.x;
-                                                                                        }
-                                                                                        let _e2221 = phi_2393_;
-                                                                                        if (_e2212.y > _e2214.y) {
-                                                                                            phi_2402_ = _e2212.y;
-                                                                                        } else {
-                                                                                            phi_2402_ = _e2214.y;
-                                                                                        }
-                                                                                        let _e2228 = phi_2402_;
-                                                                                        if (_e2212.z > _e2214.z) {
-                                                                                            phi_2411_ = _e2212.z;
-                                                                                        } else {
-                                                                                            phi_2411_ = _e2214.z;
-                                                                                        }
-                                                                                        let _e2235 = phi_2411_;
-                                                                                        let _e2237 = triangles.member[(0u + _e1967)].v2_;
-                                                                                        if (_e2221 > _e2237.x) {
-                                                                                            phi_2420_ = _e2221;
-                                                                                        } else {
-                                                                                            phi_2420_ = _e2237.x;
-                                                                                        }
-                                                                                        let _e2242 = phi_2420_;
-                                                                                        if (_e2228 > _e2237.y) {
-                                                                                            phi_2427_ = _e2228;
-                                                                                        } else {
-                                                                                            phi_2427_ = _e2237.y;
-                                                                                        }
-                                                                                        let _e2247 = phi_2427_;
-                                                                                        if (_e2235 > _e2237.z) {
-                                                                                            phi_2434_ = _e2235;
-                                                                                        } else {
-                                                                                            phi_2434_ = _e2237.z;
-                                                                                        }
-                                                                                        let _e2252 = phi_2434_;
-                                                                                        let _e2256 = ((_e2200 - _e1077) * _e1286);
-                                                                                        let _e2257 = ((_e2205 - _e1090) * _e1296);
-                                                                                        let _e2258 = ((_e2210 - _e1103) * _e1306);
-                                                                                        let _e2262 = ((_e2242 - _e1077) * _e1286);
-                                                                                        let _e2263 = ((_e2247 - _e1090) * _e1296);
-                                                                                        let _e2264 = ((_e2252 - _e1103) * _e1306);
-                                                                                        if (_e2256 < _e2262) {
-                                                                                            phi_2451_ = _e2256;
-                                                                                        } else {
-                                                                                            phi_2451_ = _e2262;
-                                                                                        }
-                                                                                        let _e2267 = phi_2451_;
-                                                                                        if (_e2257 < _e2263) {
-                                                                                            phi_2456_ = _e2257;
-                                                                                        } else {
-                                                                                            phi_2456_ = _e2263;
-                                                                                        }
-                                                                                        let _e2270 = phi_2456_;
-                                                                                        if (_e2258 < _e2264) {
-                                                                                            phi_2461_ = _e2258;
-                                                                                        } else {
-                                                                                            phi_2461_ = _e2264;
-                                                                                        }
-                                                                                        let _e2273 = phi_2461_;
-                                                                                        if (_e2256 > _e2262) {
-                                                                                            phi_2469_ = _e2256;
-                                                                                        } else {
-                                                                                            phi_2469_ = _e2262;
-                                                                                        }
-                                                                                        let _e2279 = phi_2469_;
-                                                                                        if (_e2257 > _e2263) {
-                                                                                            phi_2474_ = _e2257;
-                                                                                        } else {
-                                                                                            phi_2474_ = _e2263;
-                                                                                        }
-                                                                                        let _e2282 = phi_2474_;
-                                                                                        if (_e2258 > _e2264) {
-                                                                                            phi_2479_ = _e2258;
-                                                                                        } else {
-                                                                                            phi_2479_ = _e2264;
-                                                                                        }
-                                                                                        let _e2285 = phi_2479_;
-                                                                                        let _e2289 = core_intrinsics_maximum_number_nsz_f32_((_e2267 - _e1341), (_e2270 - _e1342));
-                                                                                        let _e2290 = core_intrinsics_maximum_number_nsz_f32_(_e2289, (_e2273 - _e1343));
-                                                                                        let _e2291 = core_intrinsics_minimum_number_nsz_f32_((_e2279 + _e1341), (_e2282 + _e1342));
-                                                                                        let _e2292 = core_intrinsics_minimum_number_nsz_f32_(_e2291, (_e2285 + _e1343));
-                                                                                        if (_e2290 > _e1058) {
-                                                                                            phi_2491_ = _e2290;
-                                                                                        } else {
-                                                                                            phi_2491_ = _e1058;
-                                                                                        }
-                                                                                        let _e2295 = phi_2491_;
-                                                                                        if (_e2292 < _e1060) {
-                                                                                            phi_2496_ = _e2292;
-                                                                                        } else {
-                                                                                            phi_2496_ = _e1060;
-                                                                                        }
-                                                                                        let _e2298 = phi_2496_;
-                                                                                        if (_e2166 < _e2295) {
-                                                                                            phi_2501_ = _e2295;
-                                                                                        } else {
-                                                                                            phi_2501_ = _e2166;
-                                                                                        }
-                                                                                        let _e2301 = phi_2501_;
-                                                                                        if (_e2301 > _e2298) {
-                                                                                            phi_2506_ = _e2298;
-                                                                                        } else {
-                                                                                            phi_2506_ = _e2301;
-                                                                                        }
-                                                                                        let _e2304 = phi_2506_;
-                                                                                        phi_2511_ = lt_bvh_triangle_Intersection(_e2304, (_e2098 / _e2157), (_e2119 / _e2157), (_e2295 <= _e2298));
-                                                                                        phi_2512_ = false;
-                                                                                    } else {
-                                                                                        phi_2511_ = lt_bvh_triangle_Intersection();
-                                                                                        phi_2512_ = true;
-                                                                                    }
-                                                                                    let _e2310 = phi_2511_;
-                                                                                    let _e2312 = phi_2512_;
-                                                                                    phi_2513_ = _e2310;
-                                                                                    phi_2514_ = _e2312;
+                                                                                let _e2156 = triangles.member[(0u + _e1967)].v0_;
+                                                                                let _e2158 = (_e2156.x - _e1077);
+                                                                                let _e2160 = (_e2156.y - _e1090);
+                                                                                let _e2162 = (_e2156.z - _e1103);
+                                                                                if (_e1357 == 0u) {
+                                                                                    phi_2328_ = vec3<f32>(_e2160, _e2162, _e2158);
                                                                                 } else {
-                                                                                    phi_2513_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2514_ = true;
+                                                                                    if (_e1357 == 1u) {
+                                                                                        phi_2327_ = vec3<f32>(_e2162, _e2158, _e2160);
+                                                                                    } else {
+                                                                                        phi_2327_ = (_e2156 - vec3<f32>(_e1077, _e1090, _e1103));
+                                                                                    }
+                                                                                    let _e2170 = phi_2327_;
+                                                                                    phi_2328_ = _e2170;
                                                                                 }
-                                                                                let _e2314 = phi_2513_;
-                                                                                let _e2316 = phi_2514_;
-                                                                                if _e2316 {
+                                                                                let _e2172 = phi_2328_;
+                                                                                let _e2174 = triangles.member[(0u + _e1967)].v1_;
+                                                                                let _e2176 = triangles.member[(0u + _e1967)].v0_;
+                                                                                let _e2179 = (_e2174.x - _e2176.x);
+                                                                                let _e2182 = (_e2174.y - _e2176.y);
+                                                                                let _e2185 = (_e2174.z - _e2176.z);
+                                                                                if (_e1357 == 0u) {
+                                                                                    phi_2354_ = vec3<f32>(_e2182, _e2185, _e2179);
+                                                                                } else {
+                                                                                    if (_e1357 == 1u) {
+                                                                                        phi_2353_ = vec3<f32>(_e2185, _e2179, _e2182);
+                                                                                    } else {
+                                                                                        phi_2353_ = (_e2174 - _e2176);
+                                                                                    }
+                                                                                    let _e2192 = phi_2353_;
+                                                                                    phi_2354_ = _e2192;
                                                                                 }
-                                                                                phi_2518_ = _e2314;
-                                                                                phi_2519_ = _e2316;
+                                                                                let _e2194 = phi_2354_;
+                                                                                let _e2196 = triangles.member[(0u + _e1967)].v2_;
+                                                                                let _e2198 = triangles.member[(0u + _e1967)].v0_;
+                                                                                let _e2201 = (_e2196.x - _e2198.x);
+                                                                                let _e2204 = (_e2196.y - _e2198.y);
+                                                                                let _e2207 = (_e2196.z - _e2198.z);
+                                                                                if (_e1357 == 0u) {
+                                                                                    phi_2380_ = vec3<f32>(_e2204, _e2207, _e2201);
+                                                                                } else {
+                                                                                    if (_e1357 == 1u) {
+                                                                                        phi_2379_ = vec3<f32>(_e2207, _e2201, _e2204);
+                                                                                    } else {
+                                                                                        phi_2379_ = (_e2196 - _e2198);
+                                                                                    }
+                                                                                    let _e2214 = phi_2379_;
+                                                                                    phi_2380_ = _e2214;
+                                                                                }
+                                                                                let _e2216 = phi_2380_;
+                                                                                let _e2223 = ((_e2194.y * _e2216.z) - (_e2194.z * _e2216.y));
+                                                                                let _e2230 = ((_e2194.z * _e2216.x) - (_e2194.x * _e2216.z));
+                                                                                let _e2237 = ((_e2194.x * _e2216.y) - (_e2194.y * _e2216.x));
+                                                                                let _e2251 = (((1f / _e1365.z) * (((_e2223 * _e2172.x) + (_e2230 * _e2172.y)) + (_e2237 * _e2172.z))) / (((_e2223 * _e1368) + (_e2230 * _e1371)) + _e2237));
+                                                                                if (_e2251 > 0f) {
+                                                                                    if (_e2251 < _e207) {
+                                                                                        let _e2255 = triangles.member[(0u + _e1967)].v0_;
+                                                                                        let _e2257 = triangles.member[(0u + _e1967)].v1_;
+                                                                                        if (_e2255.x < _e2257.x) {
+                                                                                            phi_2436_ = _e2255.x;
+                                                                                        } else {
+                                                                                            phi_2436_ = _e2257.x;
+                                                                                        }
+                                                                                        let _e2264 = phi_2436_;
+                                                                                        if (_e2255.y < _e2257.y) {
+                                                                                            phi_2445_ = _e2255.y;
+                                                                                        } else {
+                                                                                            phi_2445_ = _e2257.y;
+                                                                                        }
+                                                                                        let _e2271 = phi_2445_;
+                                                                                        if (_e2255.z < _e2257.z) {
+                                                                                            phi_2454_ = _e2255.z;
+                                                                                        } else {
+                                                                                            phi_2454_ = _e2257.z;
+                                                                                        }
+                                                                                        let _e2278 = phi_2454_;
+                                                                                        let _e2280 = triangles.member[(0u + _e1967)].v2_;
+                                                                                        if (_e2264 < _e2280.x) {
+                                                                                            phi_2463_ = _e2264;
+                                                                                        } else {
+                                                                                            phi_2463_ = _e2280.x;
+                                                                                        }
+                                                                                        let _e2285 = phi_2463_;
+                                                                                        if (_e2271 < _e2280.y) {
+                                                                                            phi_2470_ = _e2271;
+                                                                                        } else {
+                                                                                            phi_2470_ = _e2280.y;
+                                                                                        }
+                                                                                        let _e2290 = phi_2470_;
+                                                                                        if (_e2278 < _e2280.z) {
+                                                                                            phi_2477_ = _e2278;
+                                                                                        } else {
+                                                                                            phi_2477_ = _e2280.z;
+                                                                                        }
+                                                                                        let _e2295 = phi_2477_;
+                                                                                        let _e2297 = triangles.member[(0u + _e1967)].v0_;
+                                                                                        let _e2299 = triangles.member[(0u + _e1967)].v1_;
+                                                                                        if (_e2297.x > _e2299.x) {
+                                                                                            phi_2490_ = _e2297.x;
+                                                                                        } else {
+                                                                                            phi_2490_ = _e2299.x;
+                                                                                        }
+                                                                                        let _e2306 = phi_2490_;
+                                                                                        if (_e2297.y > _e2299.y) {
+                                                                                            phi_2499_ = _e2297.y;
+                                                                                        } else {
+                                                                                            phi_2499_ = _e2299.y;
+                                                                                        }
+                                                                                        let _e2313 = phi_2499_;
+                                                                                        if (_e2297.z > _e2299.z) {
+                                                                                            phi_2508_ = _e2297.z;
+                                                                                        } else {
+                                                                                            phi_2508_ = _e2299.z;
+                                                                                        }
+                                                                                        let _e2320 = phi_2508_;
+                                                                                        let _e2322 = triangles.member[(0u + _e1967)].v2_;
+                                                                                        if (_e2306 > _e2322.x) {
+                                                                                            phi_2517_ = _e2306;
+                                                                                        } else {
+                                                                                            phi_2517_ = _e2322.x;
+                                                                                        }
+                                                                                        let _e2327 = phi_2517_;
+                                                                                        if (_e2313 > _e2322.y) {
+                                                                                            phi_2524_ = _e2313;
+                                                                                        } else {
+                                                                                            phi_2524_ = _e2322.y;
+                                                                                        }
+                                                                                        let _e2332 = phi_2524_;
+                                                                                        if (_e2320 > _e2322.z) {
+                                                                                            phi_2531_ = _e2320;
+                                                                                        } else {
+                                                                                            phi_2531_ = _e2322.z;
+                                                                                        }
+                                                                                        let _e2337 = phi_2531_;
+                                                                                        let _e2341 = ((_e2285 - _e1077) * _e1286);
+                                                                                        let _e2342 = ((_e2290 - _e1090) * _e1296);
+                                                                                        let _e2343 = ((_e2295 - _e1103) * _e1306);
+                                                                                        let _e2347 = ((_e2327 - _e1077) * _e1286);
+                                                                                        let _e2348 = ((_e2332 - _e1090) * _e1296);
+                                                                                        let _e2349 = ((_e2337 - _e1103) * _e1306);
+                                                                                        if (_e2341 < _e2347) {
+                                                                                            phi_2548_ = _e2341;
+                                                                                        } else {
+                                                                                            phi_2548_ = _e2347;
+                                                                                        }
+                                                                                        let _e2352 = phi_2548_;
+                                                                                        if (_e2342 < _e2348) {
+                                                                                            phi_2553_ = _e2342;
+                                                                                        } else {
+                                                                                            phi_2553_ = _e2348;
+                                                                                        }
+                                                                                        let _e2355 = phi_2553_;
+                                                                                        if (_e2343 < _e2349) {
+                                                                                            phi_2558_ = _e2343;
+                                                                                        } else {
+                                                                                            phi_2558_ = _e2349;
+                                                                                        }
+                                                                                        let _e2358 = phi_2558_;
+                                                                                        if (_e2341 > _e2347) {
+                                                                                            phi_2566_ = _e2341;
+                                                                                        } else {
+                                                                                            phi_2566_ = _e2347;
+                                                                                        }
+                                                                                        let _e2364 = phi_2566_;
+                                                                                        if (_e2342 > _e2348) {
+                                                                                            phi_2571_ = _e2342;
+                                                                                        } else {
+                                                                                            phi_2571_ = _e2348;
+                                                                                        }
+                                                                                        let _e2367 = phi_2571_;
+                                                                                        if (_e2343 > _e2349) {
+                                                                                            phi_2576_ = _e2343;
+                                                                                        } else {
+                                                                                            phi_2576_ = _e2349;
+                                                                                        }
+                                                                                        let _e2370 = phi_2576_;
+                                                                                        let _e2374 = core_intrinsics_maximum_number_nsz_f32_((_e2352 - _e1341), (_e2355 - _e1342));
+                                                                                        let _e2375 = core_intrinsics_maximum_number_nsz_f32_(_e2374, (_e2358 - _e1343));
+                                                                                        let _e2376 = core_intrinsics_minimum_number_nsz_f32_((_e2364 + _e1341), (_e2367 + _e1342));
+                                                                                        let _e2377 = core_intrinsics_minimum_number_nsz_f32_(_e2376, (_e2370 + _e1343));
+                                                                                        if (_e2375 > _e1058) {
+                                                                                            phi_2588_ = _e2375;
+                                                                                        } else {
+                                                                                            phi_2588_ = _e1058;
+                                                                                        }
+                                                                                        let _e2380 = phi_2588_;
+                                                                                        if (_e2377 < _e1060) {
+                                                                                            phi_2593_ = _e2377;
+                                                                                        } else {
+                                                                                            phi_2593_ = _e1060;
+                                                                                        }
+                                                                                        let _e2383 = phi_2593_;
+                                                                                        if (_e2251 < _e2380) {
+                                                                                            phi_2598_ = _e2380;
+                                                                                        } else {
+                                                                                            phi_2598_ = _e2251;
+                                                                                        }
+                                                                                        let _e2386 = phi_2598_;
+                                                                                        if (_e2386 > _e2383) {
+                                                                                            phi_2603_ = _e2383;
+                                                                                        } else {
+                                                                                            phi_2603_ = _e2386;
+                                                                                        }
+                                                                                        let _e2389 = phi_2603_;
+                                                                                        phi_2608_ = lt_bvh_triangle_Intersection(_e2389, (_e2092 / _e2151), (_e2113 / _e2151), (_e2380 <= _e2383));
+                                                                                        phi_2609_ = false;
+                                                                                    } else {
+                                                                                        phi_2608_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_2609_ = true;
+                                                                                    }
+                                                                                    let _e2395 = phi_2608_;
+                                                                                    let _e2397 = phi_2609_;
+                                                                                    phi_2610_ = _e2395;
+                                                                                    phi_2611_ = _e2397;
+                                                                                } else {
+                                                                                    phi_2610_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2611_ = true;
+                                                                                }
+                                                                                let _e2399 = phi_2610_;
+                                                                                let _e2401 = phi_2611_;
+                                                                                if _e2401 {
+                                                                                }
+                                                                                phi_2615_ = _e2399;
+                                                                                phi_2616_ = _e2401;
                                                                             }
-                                                                            let _e2318 = phi_2518_;
-                                                                            let _e2320 = phi_2519_;
-                                                                            phi_2520_ = _e2318;
-                                                                            phi_2521_ = _e2160;
-                                                                            phi_2522_ = _e2320;
+                                                                            let _e2403 = phi_2615_;
+                                                                            let _e2405 = phi_2616_;
+                                                                            phi_2617_ = _e2403;
+                                                                            phi_2618_ = _e2154;
+                                                                            phi_2619_ = _e2405;
                                                                         } else {
-                                                                            phi_2520_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2521_ = true;
-                                                                            phi_2522_ = false;
+                                                                            phi_2617_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2618_ = true;
+                                                                            phi_2619_ = false;
                                                                         }
-                                                                        let _e2322 = phi_2520_;
-                                                                        let _e2324 = phi_2521_;
-                                                                        let _e2326 = phi_2522_;
-                                                                        if _e2324 {
-                                                                            phi_2526_ = true;
+                                                                        let _e2407 = phi_2617_;
+                                                                        let _e2409 = phi_2618_;
+                                                                        let _e2411 = phi_2619_;
+                                                                        if _e2409 {
+                                                                            phi_2623_ = true;
                                                                         } else {
-                                                                            phi_2526_ = _e2326;
+                                                                            phi_2623_ = _e2411;
                                                                         }
-                                                                        let _e2328 = phi_2526_;
-                                                                        if _e2328 {
-                                                                            phi_2530_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        let _e2413 = phi_2623_;
+                                                                        if _e2413 {
+                                                                            phi_2627_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                         } else {
-                                                                            phi_2530_ = _e2322;
+                                                                            phi_2627_ = _e2407;
                                                                         }
-                                                                        let _e2330 = phi_2530_;
-                                                                        if _e2330.is_hit {
-                                                                            if (_e2330.t > 0f) {
-                                                                                if (_e2330.t < _e207) {
-                                                                                    let _e2337 = triangles.member[(0u + _e1967)].i0_;
-                                                                                    let _e2339 = ((_e2337 & 2147483648u) == 0u);
-                                                                                    if _e2339 {
-                                                                                        phi_2556_ = false;
-                                                                                        phi_2557_ = false;
+                                                                        let _e2415 = phi_2627_;
+                                                                        if _e2415.is_hit {
+                                                                            if (_e2415.t > 0f) {
+                                                                                if (_e2415.t < _e207) {
+                                                                                    let _e2422 = triangles.member[(0u + _e1967)].i0_;
+                                                                                    let _e2424 = ((_e2422 & 2147483648u) == 0u);
+                                                                                    if _e2424 {
+                                                                                        phi_2653_ = false;
+                                                                                        phi_2654_ = false;
                                                                                     } else {
                                                                                         if true {
-                                                                                            phi_2555_ = false;
+                                                                                            phi_2652_ = false;
                                                                                         } else {
-                                                                                            phi_2555_ = true;
+                                                                                            phi_2652_ = true;
                                                                                         }
-                                                                                        let _e2341 = phi_2555_;
-                                                                                        phi_2556_ = _e2341;
-                                                                                        phi_2557_ = true;
+                                                                                        let _e2426 = phi_2652_;
+                                                                                        phi_2653_ = _e2426;
+                                                                                        phi_2654_ = true;
                                                                                     }
-                                                                                    let _e2343 = phi_2556_;
-                                                                                    let _e2345 = phi_2557_;
-                                                                                    phi_2558_ = _e2343;
-                                                                                    phi_2559_ = _e2339;
-                                                                                    phi_2560_ = _e2345;
+                                                                                    let _e2428 = phi_2653_;
+                                                                                    let _e2430 = phi_2654_;
+                                                                                    phi_2655_ = _e2428;
+                                                                                    phi_2656_ = _e2424;
+                                                                                    phi_2657_ = _e2430;
                                                                                 } else {
-                                                                                    phi_2558_ = true;
-                                                                                    phi_2559_ = false;
-                                                                                    phi_2560_ = false;
+                                                                                    phi_2655_ = true;
+                                                                                    phi_2656_ = false;
+                                                                                    phi_2657_ = false;
                                                                                 }
-                                                                                let _e2347 = phi_2558_;
-                                                                                let _e2349 = phi_2559_;
-                                                                                let _e2351 = phi_2560_;
-                                                                                phi_2561_ = _e2347;
-                                                                                phi_2562_ = _e2349;
-                                                                                phi_2563_ = _e2351;
+                                                                                let _e2432 = phi_2655_;
+                                                                                let _e2434 = phi_2656_;
+                                                                                let _e2436 = phi_2657_;
+                                                                                phi_2658_ = _e2432;
+                                                                                phi_2659_ = _e2434;
+                                                                                phi_2660_ = _e2436;
                                                                             } else {
-                                                                                phi_2561_ = true;
-                                                                                phi_2562_ = false;
-                                                                                phi_2563_ = false;
+                                                                                phi_2658_ = true;
+                                                                                phi_2659_ = false;
+                                                                                phi_2660_ = false;
                                                                             }
-                                                                            let _e2353 = phi_2561_;
-                                                                            let _e2355 = phi_2562_;
-                                                                            let _e2357 = phi_2563_;
-                                                                            phi_2564_ = _e2353;
-                                                                            phi_2565_ = _e2355;
-                                                                            phi_2566_ = _e2357;
+                                                                            let _e2438 = phi_2658_;
+                                                                            let _e2440 = phi_2659_;
+                                                                            let _e2442 = phi_2660_;
+                                                                            phi_2661_ = _e2438;
+                                                                            phi_2662_ = _e2440;
+                                                                            phi_2663_ = _e2442;
                                                                         } else {
-                                                                            phi_2564_ = true;
-                                                                            phi_2565_ = false;
-                                                                            phi_2566_ = false;
+                                                                            phi_2661_ = true;
+                                                                            phi_2662_ = false;
+                                                                            phi_2663_ = false;
                                                                         }
-                                                                        let _e2359 = phi_2564_;
-                                                                        let _e2361 = phi_2565_;
-                                                                        let _e2363 = phi_2566_;
-                                                                        if _e2359 {
-                                                                            phi_2570_ = false;
-                                                                            phi_2571_ = false;
+                                                                        let _e2444 = phi_2661_;
+                                                                        let _e2446 = phi_2662_;
+                                                                        let _e2448 = phi_2663_;
+                                                                        if _e2444 {
+                                                                            phi_2667_ = false;
+                                                                            phi_2668_ = false;
                                                                         } else {
-                                                                            phi_2570_ = _e2361;
-                                                                            phi_2571_ = _e2363;
+                                                                            phi_2667_ = _e2446;
+                                                                            phi_2668_ = _e2448;
                                                                         }
-                                                                        let _e2365 = phi_2570_;
-                                                                        let _e2367 = phi_2571_;
+                                                                        let _e2450 = phi_2667_;
+                                                                        let _e2452 = phi_2668_;
                                                                         phi_2059_ = (_e1958 & (_e1958 - 1u));
-                                                                        phi_2572_ = _e2359;
-                                                                        phi_2573_ = _e2365;
-                                                                        phi_2574_ = _e2367;
+                                                                        phi_2669_ = _e2444;
+                                                                        phi_2670_ = _e2450;
+                                                                        phi_2671_ = _e2452;
                                                                     }
-                                                                    let _e2369 = phi_2059_;
-                                                                    let _e2371 = phi_2572_;
-                                                                    let _e2373 = phi_2573_;
-                                                                    let _e2375 = phi_2574_;
-                                                                    local_13 = _e2373;
-                                                                    local_14 = _e2375;
+                                                                    let _e2454 = phi_2059_;
+                                                                    let _e2456 = phi_2669_;
+                                                                    let _e2458 = phi_2670_;
+                                                                    let _e2460 = phi_2671_;
+                                                                    local_13 = _e2458;
+                                                                    local_14 = _e2460;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2058_ = _e2369;
-                                                                        break if !(_e2371);
+                                                                        phi_2058_ = _e2454;
+                                                                        break if !(_e2456);
                                                                     }
                                                                 }
-                                                                let _e2378 = local_9;
-                                                                if _e2378 {
-                                                                    let _e2380 = local.group_mask;
-                                                                    if ((_e2380 & 4278190080u) == 0u) {
-                                                                        let _e2384 = local.len;
-                                                                        if (_e2384 == 0u) {
-                                                                            phi_2616_ = false;
+                                                                let _e2463 = local_9;
+                                                                if _e2463 {
+                                                                    let _e2465 = local.group_mask;
+                                                                    if ((_e2465 & 4278190080u) == 0u) {
+                                                                        let _e2469 = local.len;
+                                                                        if (_e2469 == 0u) {
+                                                                            phi_2713_ = false;
                                                                         } else {
-                                                                            let _e2388 = local.len;
-                                                                            local.len = (_e2388 - 1u);
-                                                                            let _e2391 = local.len;
-                                                                            if (_e2391 < 32u) {
+                                                                            let _e2473 = local.len;
+                                                                            local.len = (_e2473 - 1u);
+                                                                            let _e2476 = local.len;
+                                                                            if (_e2476 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2396 = local.first[(0u + _e2391)];
-                                                                            local.group = _e2396;
-                                                                            let _e2399 = local.len;
-                                                                            if (_e2399 < 32u) {
+                                                                            let _e2481 = local.first[(0u + _e2476)];
+                                                                            local.group = _e2481;
+                                                                            let _e2484 = local.len;
+                                                                            if (_e2484 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2404 = local.mask[(0u + _e2399)];
-                                                                            local.group_mask = _e2404;
-                                                                            phi_2616_ = true;
+                                                                            let _e2489 = local.mask[(0u + _e2484)];
+                                                                            local.group_mask = _e2489;
+                                                                            phi_2713_ = true;
                                                                         }
-                                                                        let _e2407 = phi_2616_;
-                                                                        phi_2617_ = _e2407;
+                                                                        let _e2492 = phi_2713_;
+                                                                        phi_2714_ = _e2492;
                                                                     } else {
-                                                                        phi_2617_ = true;
+                                                                        phi_2714_ = true;
                                                                     }
-                                                                    let _e2409 = phi_2617_;
-                                                                    if _e2409 {
-                                                                        let _e2411 = local.group_mask;
-                                                                        let _e2417 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2411)), 32u, (_e2411 == 0u)));
-                                                                        let _e2421 = local.group_mask;
-                                                                        let _e2435 = local.group_mask;
-                                                                        local.group_mask = (_e2435 & ~((1u << bitcast<u32>((_e2417 & 31u)))));
-                                                                        let _e2438 = local.group;
-                                                                        phi_2648_ = (_e2438 + countOneBits(((_e2421 & ~((4294967295u << bitcast<u32>((((_e2417 - 24u) ^ _e1384) & 31u))))) & 255u)));
+                                                                    let _e2494 = phi_2714_;
+                                                                    if _e2494 {
+                                                                        let _e2496 = local.group_mask;
+                                                                        let _e2502 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2496)), 32u, (_e2496 == 0u)));
+                                                                        let _e2506 = local.group_mask;
+                                                                        let _e2520 = local.group_mask;
+                                                                        local.group_mask = (_e2520 & ~((1u << bitcast<u32>((_e2502 & 31u)))));
+                                                                        let _e2523 = local.group;
+                                                                        phi_2745_ = (_e2523 + countOneBits(((_e2506 & ~((4294967295u << bitcast<u32>((((_e2502 - 24u) ^ _e1384) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_2648_ = 4294967295u;
+                                                                        phi_2745_ = 4294967295u;
                                                                     }
-                                                                    let _e2441 = phi_2648_;
-                                                                    phi_2649_ = _e2441;
-                                                                    phi_2650_ = false;
-                                                                    phi_2651_ = false;
+                                                                    let _e2526 = phi_2745_;
+                                                                    phi_2746_ = _e2526;
+                                                                    phi_2747_ = false;
+                                                                    phi_2748_ = false;
                                                                 } else {
-                                                                    phi_2649_ = u32();
-                                                                    let _e2822 = local_13;
-                                                                    phi_2650_ = _e2822;
-                                                                    let _e2825 = local_14;
-                                                                    phi_2651_ = _e2825;
+                                                                    phi_2746_ = u32();
+                                                                    let _e2913 = local_13;
+                                                                    phi_2747_ = _e2913;
+                                                                    let _e2916 = local_14;
+                                                                    phi_2748_ = _e2916;
                                                                 }
-                                                                let _e2443 = phi_2649_;
-                                                                let _e2445 = phi_2650_;
-                                                                let _e2447 = phi_2651_;
-                                                                phi_1729_ = _e2443;
-                                                                let _e2829 = local_15;
-                                                                phi_2652_ = _e2829;
-                                                                phi_2653_ = false;
-                                                                phi_2654_ = _e2445;
-                                                                phi_2655_ = _e2447;
+                                                                let _e2528 = phi_2746_;
+                                                                let _e2530 = phi_2747_;
+                                                                let _e2532 = phi_2748_;
+                                                                phi_1729_ = _e2528;
+                                                                let _e2920 = local_15;
+                                                                phi_2749_ = _e2920;
+                                                                phi_2750_ = false;
+                                                                phi_2751_ = _e2530;
+                                                                phi_2752_ = _e2532;
                                                             } else {
                                                                 phi_1729_ = u32();
-                                                                phi_2652_ = false;
-                                                                phi_2653_ = true;
-                                                                phi_2654_ = false;
-                                                                phi_2655_ = false;
+                                                                phi_2749_ = false;
+                                                                phi_2750_ = true;
+                                                                phi_2751_ = false;
+                                                                phi_2752_ = false;
                                                             }
-                                                            let _e2449 = phi_1729_;
-                                                            let _e2451 = phi_2652_;
-                                                            let _e2453 = phi_2653_;
-                                                            let _e2455 = phi_2654_;
-                                                            let _e2457 = phi_2655_;
-                                                            local_10 = _e2453;
-                                                            local_16 = _e2455;
-                                                            local_17 = _e2457;
+                                                            let _e2534 = phi_1729_;
+                                                            let _e2536 = phi_2749_;
+                                                            let _e2538 = phi_2750_;
+                                                            let _e2540 = phi_2751_;
+                                                            let _e2542 = phi_2752_;
+                                                            local_10 = _e2538;
+                                                            local_16 = _e2540;
+                                                            local_17 = _e2542;
                                                             continue;
                                                             continuing {
-                                                                phi_1728_ = _e2449;
-                                                                break if !(_e2451);
+                                                                phi_1728_ = _e2534;
+                                                                break if !(_e2536);
                                                             }
                                                         }
-                                                        let _e2460 = local_10;
-                                                        if _e2460 {
-                                                            phi_2659_ = false;
-                                                            phi_2660_ = false;
+                                                        let _e2545 = local_10;
+                                                        if _e2545 {
+                                                            phi_2756_ = false;
+                                                            phi_2757_ = false;
                                                         } else {
-                                                            let _e2836 = local_16;
-                                                            phi_2659_ = _e2836;
-                                                            let _e2839 = local_17;
-                                                            phi_2660_ = _e2839;
+                                                            let _e2927 = local_16;
+                                                            phi_2756_ = _e2927;
+                                                            let _e2930 = local_17;
+                                                            phi_2757_ = _e2930;
                                                         }
-                                                        let _e2462 = phi_2659_;
-                                                        let _e2464 = phi_2660_;
-                                                        if _e2462 {
-                                                            phi_2664_ = true;
+                                                        let _e2547 = phi_2756_;
+                                                        let _e2549 = phi_2757_;
+                                                        if _e2547 {
+                                                            phi_2761_ = true;
                                                         } else {
-                                                            phi_2664_ = _e2464;
+                                                            phi_2761_ = _e2549;
                                                         }
-                                                        let _e2466 = phi_2664_;
-                                                        if _e2466 {
-                                                            phi_2668_ = true;
+                                                        let _e2551 = phi_2761_;
+                                                        if _e2551 {
+                                                            phi_2765_ = true;
                                                         } else {
-                                                            phi_2668_ = false;
+                                                            phi_2765_ = false;
                                                         }
-                                                        let _e2468 = phi_2668_;
-                                                        phi_2669_ = _e2468;
+                                                        let _e2553 = phi_2765_;
+                                                        phi_2766_ = _e2553;
                                                     }
-                                                    let _e2470 = phi_2669_;
-                                                    phi_2670_ = _e2470;
-                                                    phi_2671_ = _e1210;
+                                                    let _e2555 = phi_2766_;
+                                                    phi_2767_ = _e2555;
+                                                    phi_2768_ = _e1210;
                                                 } else {
-                                                    phi_2670_ = bool();
-                                                    phi_2671_ = true;
+                                                    phi_2767_ = bool();
+                                                    phi_2768_ = true;
                                                 }
-                                                let _e2472 = phi_2670_;
-                                                let _e2474 = phi_2671_;
-                                                if _e2474 {
-                                                    phi_2675_ = false;
+                                                let _e2557 = phi_2767_;
+                                                let _e2559 = phi_2768_;
+                                                if _e2559 {
+                                                    phi_2772_ = false;
                                                 } else {
-                                                    phi_2675_ = _e2472;
+                                                    phi_2772_ = _e2557;
                                                 }
-                                                let _e2476 = phi_2675_;
-                                                if _e2476 {
-                                                    phi_2679_ = false;
+                                                let _e2561 = phi_2772_;
+                                                if _e2561 {
+                                                    phi_2776_ = false;
                                                 } else {
-                                                    phi_2679_ = true;
+                                                    phi_2776_ = true;
                                                 }
-                                                let _e2478 = phi_2679_;
-                                                phi_2680_ = _e2478;
+                                                let _e2563 = phi_2776_;
+                                                phi_2777_ = _e2563;
                                             } else {
-                                                phi_2680_ = true;
+                                                phi_2777_ = true;
                                             }
-                                            let _e2480 = phi_2680_;
-                                            phi_2681_ = _e2480;
+                                            let _e2565 = phi_2777_;
+                                            phi_2778_ = _e2565;
                                         } else {
-                                            phi_2681_ = true;
+                                            phi_2778_ = true;
                                         }
-                                        let _e2482 = phi_2681_;
-                                        phi_2682_ = _e2482;
+                                        let _e2567 = phi_2778_;
+                                        phi_2779_ = _e2567;
                                     } else {
-                                        phi_2682_ = true;
+                                        phi_2779_ = true;
                                     }
-                                    let _e2484 = phi_2682_;
-                                    if _e2484 {
+                                    let _e2569 = phi_2779_;
+                                    if _e2569 {
                                     }
                                     phi_1123_ = (_e997 & (_e997 - 1u));
-                                    phi_2686_ = _e2484;
+                                    phi_2783_ = _e2569;
                                 }
-                                let _e2486 = phi_1123_;
-                                let _e2488 = phi_2686_;
+                                let _e2571 = phi_1123_;
+                                let _e2573 = phi_2783_;
                                 continue;
                                 continuing {
-                                    phi_1122_ = _e2486;
-                                    break if !(_e2488);
+                                    phi_1122_ = _e2571;
+                                    break if !(_e2573);
                                 }
                             }
-                            let _e2491 = local_11;
-                            if _e2491 {
-                                let _e2493 = local_1.group_mask;
-                                if ((_e2493 & 4278190080u) == 0u) {
-                                    let _e2497 = local_1.len;
-                                    if (_e2497 == 0u) {
-                                        phi_2728_ = false;
+                            let _e2576 = local_11;
+                            if _e2576 {
+                                let _e2578 = local_1.group_mask;
+                                if ((_e2578 & 4278190080u) == 0u) {
+                                    let _e2582 = local_1.len;
+                                    if (_e2582 == 0u) {
+                                        phi_2825_ = false;
                                     } else {
-                                        let _e2501 = local_1.len;
-                                        local_1.len = (_e2501 - 1u);
-                                        let _e2504 = local_1.len;
-                                        if (_e2504 < 32u) {
+                                        let _e2586 = local_1.len;
+                                        local_1.len = (_e2586 - 1u);
+                                        let _e2589 = local_1.len;
+                                        if (_e2589 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2509 = local_1.first[(0u + _e2504)];
-                                        local_1.group = _e2509;
-                                        let _e2512 = local_1.len;
-                                        if (_e2512 < 32u) {
+                                        let _e2594 = local_1.first[(0u + _e2589)];
+                                        local_1.group = _e2594;
+                                        let _e2597 = local_1.len;
+                                        if (_e2597 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2517 = local_1.mask[(0u + _e2512)];
-                                        local_1.group_mask = _e2517;
-                                        phi_2728_ = true;
+                                        let _e2602 = local_1.mask[(0u + _e2597)];
+                                        local_1.group_mask = _e2602;
+                                        phi_2825_ = true;
                                     }
-                                    let _e2520 = phi_2728_;
-                                    phi_2729_ = _e2520;
+                                    let _e2605 = phi_2825_;
+                                    phi_2826_ = _e2605;
                                 } else {
-                                    phi_2729_ = true;
+                                    phi_2826_ = true;
                                 }
-                                let _e2522 = phi_2729_;
-                                if _e2522 {
-                                    let _e2524 = local_1.group_mask;
-                                    let _e2530 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2524)), 32u, (_e2524 == 0u)));
-                                    let _e2534 = local_1.group_mask;
-                                    let _e2548 = local_1.group_mask;
-                                    local_1.group_mask = (_e2548 & ~((1u << bitcast<u32>((_e2530 & 31u)))));
-                                    let _e2551 = local_1.group;
-                                    phi_2760_ = (_e2551 + countOneBits(((_e2534 & ~((4294967295u << bitcast<u32>((((_e2530 - 24u) ^ _e423) & 31u))))) & 255u)));
+                                let _e2607 = phi_2826_;
+                                if _e2607 {
+                                    let _e2609 = local_1.group_mask;
+                                    let _e2615 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2609)), 32u, (_e2609 == 0u)));
+                                    let _e2619 = local_1.group_mask;
+                                    let _e2633 = local_1.group_mask;
+                                    local_1.group_mask = (_e2633 & ~((1u << bitcast<u32>((_e2615 & 31u)))));
+                                    let _e2636 = local_1.group;
+                                    phi_2857_ = (_e2636 + countOneBits(((_e2619 & ~((4294967295u << bitcast<u32>((((_e2615 - 24u) ^ _e423) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2760_ = 4294967295u;
+                                    phi_2857_ = 4294967295u;
                                 }
-                                let _e2554 = phi_2760_;
-                                phi_2761_ = _e2554;
+                                let _e2639 = phi_2857_;
+                                phi_2858_ = _e2639;
                             } else {
-                                phi_2761_ = u32();
+                                phi_2858_ = u32();
                             }
-                            let _e2556 = phi_2761_;
-                            phi_793_ = _e2556;
-                            let _e2860 = local_18;
-                            phi_2762_ = _e2860;
-                            phi_2763_ = false;
+                            let _e2641 = phi_2858_;
+                            phi_793_ = _e2641;
+                            let _e2951 = local_18;
+                            phi_2859_ = _e2951;
+                            phi_2860_ = false;
                         } else {
                             phi_793_ = u32();
-                            phi_2762_ = false;
-                            phi_2763_ = true;
+                            phi_2859_ = false;
+                            phi_2860_ = true;
                         }
-                        let _e2558 = phi_793_;
-                        let _e2560 = phi_2762_;
-                        let _e2562 = phi_2763_;
-                        local_12 = _e2562;
+                        let _e2643 = phi_793_;
+                        let _e2645 = phi_2859_;
+                        let _e2647 = phi_2860_;
+                        local_12 = _e2647;
                         continue;
                         continuing {
-                            phi_792_ = _e2558;
-                            break if !(_e2560);
+                            phi_792_ = _e2643;
+                            break if !(_e2645);
                         }
                     }
-                    let _e2565 = local_12;
-                    if _e2565 {
-                        phi_2767_ = false;
+                    let _e2650 = local_12;
+                    if _e2650 {
+                        phi_2864_ = false;
                     } else {
-                        phi_2767_ = true;
+                        phi_2864_ = true;
                     }
-                    let _e2567 = phi_2767_;
-                    if _e2567 {
-                        phi_2771_ = true;
+                    let _e2652 = phi_2864_;
+                    if _e2652 {
+                        phi_2868_ = true;
                     } else {
-                        phi_2771_ = false;
+                        phi_2868_ = false;
                     }
-                    let _e2569 = phi_2771_;
-                    phi_2772_ = _e2569;
+                    let _e2654 = phi_2868_;
+                    phi_2869_ = _e2654;
                 }
-                let _e2571 = phi_2772_;
-                phi_2773_ = _e2571;
-                phi_2774_ = _e279;
+                let _e2656 = phi_2869_;
+                phi_2870_ = _e2656;
+                phi_2871_ = _e279;
             } else {
-                phi_2773_ = bool();
-                phi_2774_ = true;
+                phi_2870_ = bool();
+                phi_2871_ = true;
             }
-            let _e2573 = phi_2773_;
-            let _e2575 = phi_2774_;
-            if _e2575 {
-                phi_2778_ = false;
+            let _e2658 = phi_2870_;
+            let _e2660 = phi_2871_;
+            if _e2660 {
+                phi_2875_ = false;
             } else {
-                phi_2778_ = _e2573;
+                phi_2875_ = _e2658;
             }
-            let _e2577 = phi_2778_;
-            if _e2577 {
-                phi_2782_ = 0f;
+            let _e2662 = phi_2875_;
+            if _e2662 {
+                phi_2879_ = 0f;
             } else {
-                phi_2782_ = 1f;
+                phi_2879_ = 1f;
             }
-            let _e2579 = phi_2782_;
-            phi_2783_ = _e2579;
+            let _e2664 = phi_2879_;
+            phi_2880_ = _e2664;
         }
-        let _e2581 = phi_2783_;
+        let _e2666 = phi_2880_;
         if (_e79.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79.first_primitive)] = _e2581;
+        visibility.member[(0u + _e79.first_primitive)] = _e2666;
     }
     return;
 }

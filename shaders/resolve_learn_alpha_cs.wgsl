@@ -625,125 +625,131 @@ fn function_() {
     var phi_1447_: u32;
     var phi_1492_: vec3<f32>;
     var phi_1493_: vec3<f32>;
-    var phi_1524_: vec3<f32>;
-    var phi_1525_: vec3<f32>;
-    var phi_1556_: vec3<f32>;
-    var phi_1557_: vec3<f32>;
-    var phi_1577_: bool;
-    var phi_1578_: bool;
-    var phi_1582_: f32;
-    var phi_1583_: f32;
-    var phi_1584_: f32;
-    var phi_1585_: f32;
-    var phi_1593_: f32;
-    var phi_1603_: bool;
-    var phi_1604_: bool;
-    var phi_1608_: f32;
-    var phi_1609_: f32;
-    var phi_1610_: f32;
-    var phi_1611_: f32;
-    var phi_1619_: f32;
-    var phi_1629_: bool;
-    var phi_1630_: bool;
-    var phi_1634_: f32;
-    var phi_1635_: f32;
-    var phi_1636_: f32;
-    var phi_1637_: f32;
-    var phi_1645_: f32;
-    var phi_1660_: f32;
-    var phi_1661_: bool;
-    var phi_1662_: f32;
-    var phi_1663_: bool;
-    var phi_1664_: f32;
-    var phi_1665_: bool;
-    var phi_1683_: f32;
-    var phi_1684_: bool;
-    var phi_1685_: bool;
-    var phi_1686_: f32;
-    var phi_1687_: bool;
+    var phi_1522_: vec3<f32>;
+    var phi_1523_: vec3<f32>;
+    var phi_1552_: vec3<f32>;
+    var phi_1553_: vec3<f32>;
+    var phi_1571_: bool;
+    var phi_1572_: bool;
+    var phi_1576_: f32;
+    var phi_1577_: f32;
+    var phi_1578_: f32;
+    var phi_1579_: f32;
+    var phi_1587_: f32;
+    var phi_1597_: bool;
+    var phi_1598_: bool;
+    var phi_1602_: f32;
+    var phi_1603_: f32;
+    var phi_1604_: f32;
+    var phi_1605_: f32;
+    var phi_1613_: f32;
+    var phi_1623_: bool;
+    var phi_1624_: bool;
+    var phi_1628_: f32;
+    var phi_1629_: f32;
+    var phi_1630_: f32;
+    var phi_1631_: f32;
+    var phi_1639_: f32;
+    var phi_1654_: f32;
+    var phi_1655_: bool;
+    var phi_1656_: f32;
+    var phi_1657_: bool;
+    var phi_1658_: f32;
+    var phi_1659_: bool;
+    var phi_1677_: f32;
+    var phi_1678_: bool;
+    var phi_1679_: bool;
+    var phi_1680_: f32;
+    var phi_1681_: bool;
+    var phi_1682_: bool;
+    var phi_1686_: bool;
+    var phi_1687_: f32;
     var phi_1688_: bool;
-    var phi_1692_: bool;
-    var phi_1693_: f32;
-    var phi_1694_: bool;
-    var phi_1728_: f32;
-    var phi_1737_: f32;
-    var phi_1746_: f32;
-    var phi_1755_: f32;
-    var phi_1762_: f32;
-    var phi_1769_: f32;
-    var phi_1782_: f32;
-    var phi_1791_: f32;
-    var phi_1800_: f32;
-    var phi_1809_: f32;
-    var phi_1816_: f32;
-    var phi_1823_: f32;
-    var phi_1840_: f32;
-    var phi_1845_: f32;
-    var phi_1850_: f32;
-    var phi_1858_: f32;
-    var phi_1863_: f32;
-    var phi_1868_: f32;
-    var phi_1880_: f32;
-    var phi_1885_: f32;
-    var phi_1890_: f32;
-    var phi_1895_: f32;
-    var phi_1900_: lt_bvh_triangle_Intersection;
-    var phi_1901_: bool;
-    var phi_1902_: lt_bvh_triangle_Intersection;
-    var phi_1903_: bool;
-    var phi_1907_: lt_bvh_triangle_Intersection;
-    var phi_1908_: bool;
-    var phi_1909_: lt_bvh_triangle_Intersection;
-    var phi_1910_: bool;
-    var phi_1911_: bool;
-    var phi_1915_: bool;
-    var phi_1919_: lt_bvh_triangle_Intersection;
-    var phi_2133_: f32;
-    var phi_2136_: bool;
-    var phi_2137_: bool;
-    var phi_2141_: bool;
-    var phi_2142_: bool;
-    var phi_2143_: bool;
-    var phi_2144_: bool;
-    var phi_2145_: bool;
-    var phi_2146_: bool;
-    var phi_2147_: bool;
-    var phi_2148_: bool;
-    var phi_2149_: bool;
-    var phi_2150_: bool;
-    var phi_2151_: bool;
-    var phi_2152_: bool;
-    var phi_2156_: bool;
-    var phi_2157_: bool;
-    var phi_1448_: u32;
-    var phi_2158_: bool;
-    var phi_2159_: bool;
-    var phi_2160_: bool;
-    var local_5: bool;
-    var phi_2202_: bool;
-    var phi_2203_: bool;
-    var phi_2234_: u32;
-    var phi_2235_: u32;
-    var phi_2236_: bool;
-    var phi_2237_: bool;
-    var phi_1118_: u32;
+    var phi_1716_: vec3<f32>;
+    var phi_1717_: vec3<f32>;
+    var phi_1742_: vec3<f32>;
+    var phi_1743_: vec3<f32>;
+    var phi_1768_: vec3<f32>;
+    var phi_1769_: vec3<f32>;
+    var phi_1825_: f32;
+    var phi_1834_: f32;
+    var phi_1843_: f32;
+    var phi_1852_: f32;
+    var phi_1859_: f32;
+    var phi_1866_: f32;
+    var phi_1879_: f32;
+    var phi_1888_: f32;
+    var phi_1897_: f32;
+    var phi_1906_: f32;
+    var phi_1913_: f32;
+    var phi_1920_: f32;
+    var phi_1937_: f32;
+    var phi_1942_: f32;
+    var phi_1947_: f32;
+    var phi_1955_: f32;
+    var phi_1960_: f32;
+    var phi_1965_: f32;
+    var phi_1977_: f32;
+    var phi_1982_: f32;
+    var phi_1987_: f32;
+    var phi_1992_: f32;
+    var phi_1997_: lt_bvh_triangle_Intersection;
+    var phi_1998_: bool;
+    var phi_1999_: lt_bvh_triangle_Intersection;
+    var phi_2000_: bool;
+    var phi_2004_: lt_bvh_triangle_Intersection;
+    var phi_2005_: bool;
+    var phi_2006_: lt_bvh_triangle_Intersection;
+    var phi_2007_: bool;
+    var phi_2008_: bool;
+    var phi_2012_: bool;
+    var phi_2016_: lt_bvh_triangle_Intersection;
+    var phi_2230_: f32;
+    var phi_2233_: bool;
+    var phi_2234_: bool;
     var phi_2238_: bool;
     var phi_2239_: bool;
     var phi_2240_: bool;
     var phi_2241_: bool;
-    var local_6: bool;
+    var phi_2242_: bool;
+    var phi_2243_: bool;
+    var phi_2244_: bool;
     var phi_2245_: bool;
     var phi_2246_: bool;
-    var phi_2250_: bool;
+    var phi_2247_: bool;
+    var phi_2248_: bool;
+    var phi_2249_: bool;
+    var phi_2253_: bool;
     var phi_2254_: bool;
+    var phi_1448_: u32;
     var phi_2255_: bool;
     var phi_2256_: bool;
     var phi_2257_: bool;
-    var phi_2261_: bool;
-    var phi_2265_: f32;
-    var phi_2286_: u32;
-    var phi_2301_: u32;
-    var phi_2306_: u32;
+    var local_5: bool;
+    var phi_2299_: bool;
+    var phi_2300_: bool;
+    var phi_2331_: u32;
+    var phi_2332_: u32;
+    var phi_2333_: bool;
+    var phi_2334_: bool;
+    var phi_1118_: u32;
+    var phi_2335_: bool;
+    var phi_2336_: bool;
+    var phi_2337_: bool;
+    var phi_2338_: bool;
+    var local_6: bool;
+    var phi_2342_: bool;
+    var phi_2343_: bool;
+    var phi_2347_: bool;
+    var phi_2351_: bool;
+    var phi_2352_: bool;
+    var phi_2353_: bool;
+    var phi_2354_: bool;
+    var phi_2358_: bool;
+    var phi_2362_: f32;
+    var phi_2383_: u32;
+    var phi_2398_: u32;
+    var phi_2403_: u32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -901,7 +907,7 @@ fn function_() {
         if _e211 {
             let _e212 = (0u >= _e76);
             if _e212 {
-                phi_2255_ = bool();
+                phi_2352_ = bool();
             } else {
                 if (0u < _e76) {
                 } else {
@@ -1028,7 +1034,6 @@ fn function_() {
                 let _e367 = phi_946_;
                 let _e370 = (_e367.x / _e367.z);
                 let _e373 = (_e367.y / _e367.z);
-                let _e375 = (1f / _e367.z);
                 if (_e288 < 0f) {
                     phi_959_ = 0u;
                 } else {
@@ -1291,9 +1296,9 @@ fn function_() {
                             local_9 = _e961;
                             if _e961 {
                                 phi_1448_ = u32();
-                                phi_2158_ = false;
-                                phi_2159_ = false;
-                                phi_2160_ = false;
+                                phi_2255_ = false;
+                                phi_2256_ = false;
+                                phi_2257_ = false;
                             } else {
                                 let _e964 = nodes.member[(0u + _e524)].links[1u];
                                 let _e969 = ((0u + _e964) + select(firstTrailingBit(_e960), 32u, (_e960 == 0u)));
@@ -1319,741 +1324,794 @@ fn function_() {
                                 let _e992 = phi_1493_;
                                 let _e996 = (_e992.x - (_e370 * _e992.z));
                                 let _e1000 = (_e992.y - (_e373 * _e992.z));
-                                let _e1004 = triangles.member[(0u + _e969)].v1_;
-                                let _e1006 = (_e1004.x - _e131);
-                                let _e1008 = (_e1004.y - _e133);
-                                let _e1010 = (_e1004.z - _e135);
+                                let _e1002 = triangles.member[(0u + _e969)].v1_;
+                                let _e1004 = (_e1002.x - _e131);
+                                let _e1006 = (_e1002.y - _e133);
+                                let _e1008 = (_e1002.z - _e135);
                                 if (_e359 == 0u) {
-                                    phi_1525_ = vec3<f32>(_e1008, _e1010, _e1006);
+                                    phi_1523_ = vec3<f32>(_e1006, _e1008, _e1004);
                                 } else {
                                     if (_e359 == 1u) {
-                                        phi_1524_ = vec3<f32>(_e1010, _e1006, _e1008);
+                                        phi_1522_ = vec3<f32>(_e1008, _e1004, _e1006);
                                     } else {
-                                        phi_1524_ = (_e1004 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1522_ = (_e1002 - vec3<f32>(_e131, _e133, _e135));
                                     }
-                                    let _e1018 = phi_1524_;
-                                    phi_1525_ = _e1018;
+                                    let _e1016 = phi_1522_;
+                                    phi_1523_ = _e1016;
                                 }
-                                let _e1020 = phi_1525_;
-                                let _e1024 = (_e1020.x - (_e370 * _e1020.z));
-                                let _e1028 = (_e1020.y - (_e373 * _e1020.z));
-                                let _e1032 = triangles.member[(0u + _e969)].v2_;
-                                let _e1034 = (_e1032.x - _e131);
-                                let _e1036 = (_e1032.y - _e133);
-                                let _e1038 = (_e1032.z - _e135);
+                                let _e1018 = phi_1523_;
+                                let _e1022 = (_e1018.x - (_e370 * _e1018.z));
+                                let _e1026 = (_e1018.y - (_e373 * _e1018.z));
+                                let _e1028 = triangles.member[(0u + _e969)].v2_;
+                                let _e1030 = (_e1028.x - _e131);
+                                let _e1032 = (_e1028.y - _e133);
+                                let _e1034 = (_e1028.z - _e135);
                                 if (_e359 == 0u) {
-                                    phi_1557_ = vec3<f32>(_e1036, _e1038, _e1034);
+                                    phi_1553_ = vec3<f32>(_e1032, _e1034, _e1030);
                                 } else {
                                     if (_e359 == 1u) {
-                                        phi_1556_ = vec3<f32>(_e1038, _e1034, _e1036);
+                                        phi_1552_ = vec3<f32>(_e1034, _e1030, _e1032);
                                     } else {
-                                        phi_1556_ = (_e1032 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1552_ = (_e1028 - vec3<f32>(_e131, _e133, _e135));
                                     }
-                                    let _e1046 = phi_1556_;
-                                    phi_1557_ = _e1046;
+                                    let _e1042 = phi_1552_;
+                                    phi_1553_ = _e1042;
                                 }
-                                let _e1048 = phi_1557_;
-                                let _e1052 = (_e1048.x - (_e370 * _e1048.z));
-                                let _e1056 = (_e1048.y - (_e373 * _e1048.z));
-                                if (_e1024 < _e1052) {
-                                    phi_1578_ = true;
+                                let _e1044 = phi_1553_;
+                                let _e1048 = (_e1044.x - (_e370 * _e1044.z));
+                                let _e1052 = (_e1044.y - (_e373 * _e1044.z));
+                                if (_e1022 < _e1048) {
+                                    phi_1572_ = true;
                                 } else {
-                                    if (_e1024 == _e1052) {
-                                        phi_1577_ = (_e1028 < _e1056);
+                                    if (_e1022 == _e1048) {
+                                        phi_1571_ = (_e1026 < _e1052);
                                     } else {
-                                        phi_1577_ = false;
+                                        phi_1571_ = false;
                                     }
-                                    let _e1063 = phi_1577_;
-                                    phi_1578_ = _e1063;
+                                    let _e1057 = phi_1571_;
+                                    phi_1572_ = _e1057;
                                 }
+                                let _e1059 = phi_1572_;
+                                if _e1059 {
+                                    phi_1576_ = _e1052;
+                                    phi_1577_ = _e1048;
+                                    phi_1578_ = _e1026;
+                                    phi_1579_ = _e1022;
+                                } else {
+                                    phi_1576_ = _e1026;
+                                    phi_1577_ = _e1022;
+                                    phi_1578_ = _e1052;
+                                    phi_1579_ = _e1048;
+                                }
+                                let _e1061 = phi_1576_;
+                                let _e1063 = phi_1577_;
                                 let _e1065 = phi_1578_;
-                                if _e1065 {
-                                    phi_1582_ = _e1056;
-                                    phi_1583_ = _e1052;
-                                    phi_1584_ = _e1028;
-                                    phi_1585_ = _e1024;
+                                let _e1067 = phi_1579_;
+                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
+                                if _e1059 {
+                                    phi_1587_ = -(_e1070);
                                 } else {
-                                    phi_1582_ = _e1028;
-                                    phi_1583_ = _e1024;
-                                    phi_1584_ = _e1056;
-                                    phi_1585_ = _e1052;
+                                    phi_1587_ = _e1070;
                                 }
-                                let _e1067 = phi_1582_;
-                                let _e1069 = phi_1583_;
-                                let _e1071 = phi_1584_;
-                                let _e1073 = phi_1585_;
-                                let _e1076 = ((_e1073 * _e1067) - (_e1071 * _e1069));
-                                if _e1065 {
-                                    phi_1593_ = -(_e1076);
+                                let _e1073 = phi_1587_;
+                                if (_e1048 < _e996) {
+                                    phi_1598_ = true;
                                 } else {
-                                    phi_1593_ = _e1076;
-                                }
-                                let _e1079 = phi_1593_;
-                                if (_e1052 < _e996) {
-                                    phi_1604_ = true;
-                                } else {
-                                    if (_e1052 == _e996) {
-                                        phi_1603_ = (_e1056 < _e1000);
+                                    if (_e1048 == _e996) {
+                                        phi_1597_ = (_e1052 < _e1000);
                                     } else {
-                                        phi_1603_ = false;
+                                        phi_1597_ = false;
                                     }
-                                    let _e1084 = phi_1603_;
-                                    phi_1604_ = _e1084;
+                                    let _e1078 = phi_1597_;
+                                    phi_1598_ = _e1078;
                                 }
+                                let _e1080 = phi_1598_;
+                                if _e1080 {
+                                    phi_1602_ = _e1000;
+                                    phi_1603_ = _e996;
+                                    phi_1604_ = _e1052;
+                                    phi_1605_ = _e1048;
+                                } else {
+                                    phi_1602_ = _e1052;
+                                    phi_1603_ = _e1048;
+                                    phi_1604_ = _e1000;
+                                    phi_1605_ = _e996;
+                                }
+                                let _e1082 = phi_1602_;
+                                let _e1084 = phi_1603_;
                                 let _e1086 = phi_1604_;
-                                if _e1086 {
-                                    phi_1608_ = _e1000;
-                                    phi_1609_ = _e996;
-                                    phi_1610_ = _e1056;
-                                    phi_1611_ = _e1052;
+                                let _e1088 = phi_1605_;
+                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
+                                if _e1080 {
+                                    phi_1613_ = -(_e1091);
                                 } else {
-                                    phi_1608_ = _e1056;
-                                    phi_1609_ = _e1052;
-                                    phi_1610_ = _e1000;
-                                    phi_1611_ = _e996;
+                                    phi_1613_ = _e1091;
                                 }
-                                let _e1088 = phi_1608_;
-                                let _e1090 = phi_1609_;
-                                let _e1092 = phi_1610_;
-                                let _e1094 = phi_1611_;
-                                let _e1097 = ((_e1094 * _e1088) - (_e1092 * _e1090));
-                                if _e1086 {
-                                    phi_1619_ = -(_e1097);
+                                let _e1094 = phi_1613_;
+                                if (_e996 < _e1022) {
+                                    phi_1624_ = true;
                                 } else {
-                                    phi_1619_ = _e1097;
-                                }
-                                let _e1100 = phi_1619_;
-                                if (_e996 < _e1024) {
-                                    phi_1630_ = true;
-                                } else {
-                                    if (_e996 == _e1024) {
-                                        phi_1629_ = (_e1000 < _e1028);
+                                    if (_e996 == _e1022) {
+                                        phi_1623_ = (_e1000 < _e1026);
                                     } else {
-                                        phi_1629_ = false;
+                                        phi_1623_ = false;
                                     }
-                                    let _e1105 = phi_1629_;
-                                    phi_1630_ = _e1105;
+                                    let _e1099 = phi_1623_;
+                                    phi_1624_ = _e1099;
                                 }
+                                let _e1101 = phi_1624_;
+                                if _e1101 {
+                                    phi_1628_ = _e1026;
+                                    phi_1629_ = _e1022;
+                                    phi_1630_ = _e1000;
+                                    phi_1631_ = _e996;
+                                } else {
+                                    phi_1628_ = _e1000;
+                                    phi_1629_ = _e996;
+                                    phi_1630_ = _e1026;
+                                    phi_1631_ = _e1022;
+                                }
+                                let _e1103 = phi_1628_;
+                                let _e1105 = phi_1629_;
                                 let _e1107 = phi_1630_;
-                                if _e1107 {
-                                    phi_1634_ = _e1028;
-                                    phi_1635_ = _e1024;
-                                    phi_1636_ = _e1000;
-                                    phi_1637_ = _e996;
+                                let _e1109 = phi_1631_;
+                                let _e1112 = ((_e1109 * _e1103) - (_e1107 * _e1105));
+                                if _e1101 {
+                                    phi_1639_ = -(_e1112);
                                 } else {
-                                    phi_1634_ = _e1000;
-                                    phi_1635_ = _e996;
-                                    phi_1636_ = _e1028;
-                                    phi_1637_ = _e1024;
+                                    phi_1639_ = _e1112;
                                 }
-                                let _e1109 = phi_1634_;
-                                let _e1111 = phi_1635_;
-                                let _e1113 = phi_1636_;
-                                let _e1115 = phi_1637_;
-                                let _e1118 = ((_e1115 * _e1109) - (_e1113 * _e1111));
-                                if _e1107 {
-                                    phi_1645_ = -(_e1118);
-                                } else {
-                                    phi_1645_ = _e1118;
-                                }
-                                let _e1121 = phi_1645_;
-                                if (_e1079 >= 0f) {
-                                    if (_e1100 >= 0f) {
-                                        if (_e1121 >= 0f) {
-                                            phi_1660_ = ((_e1079 + _e1100) + _e1121);
-                                            phi_1661_ = false;
+                                let _e1115 = phi_1639_;
+                                if (_e1073 >= 0f) {
+                                    if (_e1094 >= 0f) {
+                                        if (_e1115 >= 0f) {
+                                            phi_1654_ = ((_e1073 + _e1094) + _e1115);
+                                            phi_1655_ = false;
                                         } else {
-                                            phi_1660_ = f32();
-                                            phi_1661_ = true;
+                                            phi_1654_ = f32();
+                                            phi_1655_ = true;
                                         }
-                                        let _e1128 = phi_1660_;
-                                        let _e1130 = phi_1661_;
-                                        phi_1662_ = _e1128;
-                                        phi_1663_ = _e1130;
+                                        let _e1122 = phi_1654_;
+                                        let _e1124 = phi_1655_;
+                                        phi_1656_ = _e1122;
+                                        phi_1657_ = _e1124;
                                     } else {
-                                        phi_1662_ = f32();
-                                        phi_1663_ = true;
+                                        phi_1656_ = f32();
+                                        phi_1657_ = true;
                                     }
-                                    let _e1132 = phi_1662_;
-                                    let _e1134 = phi_1663_;
-                                    phi_1664_ = _e1132;
-                                    phi_1665_ = _e1134;
+                                    let _e1126 = phi_1656_;
+                                    let _e1128 = phi_1657_;
+                                    phi_1658_ = _e1126;
+                                    phi_1659_ = _e1128;
                                 } else {
-                                    phi_1664_ = f32();
-                                    phi_1665_ = true;
+                                    phi_1658_ = f32();
+                                    phi_1659_ = true;
                                 }
-                                let _e1136 = phi_1664_;
-                                let _e1138 = phi_1665_;
-                                if _e1138 {
-                                    if (_e1079 <= 0f) {
-                                        if (_e1100 <= 0f) {
-                                            let _e1141 = (_e1121 <= 0f);
-                                            if _e1141 {
+                                let _e1130 = phi_1658_;
+                                let _e1132 = phi_1659_;
+                                if _e1132 {
+                                    if (_e1073 <= 0f) {
+                                        if (_e1094 <= 0f) {
+                                            let _e1135 = (_e1115 <= 0f);
+                                            if _e1135 {
                                             }
-                                            phi_1683_ = ((_e1079 + _e1100) + _e1121);
-                                            phi_1684_ = false;
-                                            phi_1685_ = _e1141;
+                                            phi_1677_ = ((_e1073 + _e1094) + _e1115);
+                                            phi_1678_ = false;
+                                            phi_1679_ = _e1135;
                                         } else {
-                                            phi_1683_ = f32();
-                                            phi_1684_ = true;
-                                            phi_1685_ = false;
+                                            phi_1677_ = f32();
+                                            phi_1678_ = true;
+                                            phi_1679_ = false;
                                         }
-                                        let _e1145 = phi_1683_;
-                                        let _e1147 = phi_1684_;
-                                        let _e1149 = phi_1685_;
-                                        phi_1686_ = _e1145;
-                                        phi_1687_ = _e1147;
-                                        phi_1688_ = _e1149;
+                                        let _e1139 = phi_1677_;
+                                        let _e1141 = phi_1678_;
+                                        let _e1143 = phi_1679_;
+                                        phi_1680_ = _e1139;
+                                        phi_1681_ = _e1141;
+                                        phi_1682_ = _e1143;
                                     } else {
-                                        phi_1686_ = f32();
-                                        phi_1687_ = true;
-                                        phi_1688_ = false;
+                                        phi_1680_ = f32();
+                                        phi_1681_ = true;
+                                        phi_1682_ = false;
+                                    }
+                                    let _e1145 = phi_1680_;
+                                    let _e1147 = phi_1681_;
+                                    let _e1149 = phi_1682_;
+                                    if _e1147 {
+                                        phi_1686_ = false;
+                                    } else {
+                                        phi_1686_ = _e1149;
                                     }
                                     let _e1151 = phi_1686_;
-                                    let _e1153 = phi_1687_;
-                                    let _e1155 = phi_1688_;
-                                    if _e1153 {
-                                        phi_1692_ = false;
-                                    } else {
-                                        phi_1692_ = _e1155;
-                                    }
-                                    let _e1157 = phi_1692_;
-                                    phi_1693_ = _e1151;
-                                    phi_1694_ = _e1157;
+                                    phi_1687_ = _e1145;
+                                    phi_1688_ = _e1151;
                                 } else {
-                                    phi_1693_ = _e1136;
-                                    phi_1694_ = true;
+                                    phi_1687_ = _e1130;
+                                    phi_1688_ = true;
                                 }
-                                let _e1159 = phi_1693_;
-                                let _e1161 = phi_1694_;
-                                if _e1161 {
-                                    let _e1162 = (_e1159 == 0f);
-                                    if _e1162 {
-                                        phi_1907_ = lt_bvh_triangle_Intersection();
-                                        phi_1908_ = false;
+                                let _e1153 = phi_1687_;
+                                let _e1155 = phi_1688_;
+                                if _e1155 {
+                                    let _e1156 = (_e1153 == 0f);
+                                    if _e1156 {
+                                        phi_2004_ = lt_bvh_triangle_Intersection();
+                                        phi_2005_ = false;
                                     } else {
-                                        let _e1168 = ((((_e1079 * (_e375 * _e992.z)) + (_e1100 * (_e375 * _e1020.z))) + (_e1121 * (_e375 * _e1048.z))) / _e1159);
-                                        if (_e1168 > 0f) {
-                                            if (_e1168 < _e139) {
-                                                let _e1172 = triangles.member[(0u + _e969)].v0_;
-                                                let _e1174 = triangles.member[(0u + _e969)].v1_;
-                                                if (_e1172.x < _e1174.x) {
-                                                    phi_1728_ = _e1172.x;
-                                                } else {
-                                                    phi_1728_ = _e1174.x;
-                                                }
-                                                let _e1181 = phi_1728_;
-                                                if (_e1172.y < _e1174.y) {
-                                                    phi_1737_ = _e1172.y;
-                                                } else {
-                                                    phi_1737_ = _e1174.y;
-                                                }
-                                                let _e1188 = phi_1737_;
-                                                if (_e1172.z < _e1174.z) {
-                                                    phi_1746_ = _e1172.z;
-                                                } else {
-                                                    phi_1746_ = _e1174.z;
-                                                }
-                                                let _e1195 = phi_1746_;
-                                                let _e1197 = triangles.member[(0u + _e969)].v2_;
-                                                if (_e1181 < _e1197.x) {
-                                                    phi_1755_ = _e1181;
-                                                } else {
-                                                    phi_1755_ = _e1197.x;
-                                                }
-                                                let _e1202 = phi_1755_;
-                                                if (_e1188 < _e1197.y) {
-                                                    phi_1762_ = _e1188;
-                                                } else {
-                                                    phi_1762_ = _e1197.y;
-                                                }
-                                                let _e1207 = phi_1762_;
-                                                if (_e1195 < _e1197.z) {
-                                                    phi_1769_ = _e1195;
-                                                } else {
-                                                    phi_1769_ = _e1197.z;
-                                                }
-                                                let _e1212 = phi_1769_;
-                                                let _e1214 = triangles.member[(0u + _e969)].v0_;
-                                                let _e1216 = triangles.member[(0u + _e969)].v1_;
-                                                if (_e1214.x > _e1216.x) {
-                                                    phi_1782_ = _e1214.x;
-                                                } else {
-                                                    phi_1782_ = _e1216.x;
-                                                }
-                                                let _e1223 = phi_1782_;
-                                                if (_e1214.y > _e1216.y) {
-                                                    phi_1791_ = _e1214.y;
-                                                } else {
-                                                    phi_1791_ = _e1216.y;
-                                                }
-                                                let _e1230 = phi_1791_;
-                                                if (_e1214.z > _e1216.z) {
-                                                    phi_1800_ = _e1214.z;
-                                                } else {
-                                                    phi_1800_ = _e1216.z;
-                                                }
-                                                let _e1237 = phi_1800_;
-                                                let _e1239 = triangles.member[(0u + _e969)].v2_;
-                                                if (_e1223 > _e1239.x) {
-                                                    phi_1809_ = _e1223;
-                                                } else {
-                                                    phi_1809_ = _e1239.x;
-                                                }
-                                                let _e1244 = phi_1809_;
-                                                if (_e1230 > _e1239.y) {
-                                                    phi_1816_ = _e1230;
-                                                } else {
-                                                    phi_1816_ = _e1239.y;
-                                                }
-                                                let _e1249 = phi_1816_;
-                                                if (_e1237 > _e1239.z) {
-                                                    phi_1823_ = _e1237;
-                                                } else {
-                                                    phi_1823_ = _e1239.z;
-                                                }
-                                                let _e1254 = phi_1823_;
-                                                let _e1258 = ((_e1202 - _e131) * _e288);
-                                                let _e1259 = ((_e1207 - _e133) * _e298);
-                                                let _e1260 = ((_e1212 - _e135) * _e308);
-                                                let _e1264 = ((_e1244 - _e131) * _e288);
-                                                let _e1265 = ((_e1249 - _e133) * _e298);
-                                                let _e1266 = ((_e1254 - _e135) * _e308);
-                                                if (_e1258 < _e1264) {
-                                                    phi_1840_ = _e1258;
-                                                } else {
-                                                    phi_1840_ = _e1264;
-                                                }
-                                                let _e1269 = phi_1840_;
-                                                if (_e1259 < _e1265) {
-                                                    phi_1845_ = _e1259;
-                                                } else {
-                                                    phi_1845_ = _e1265;
-                                                }
-                                                let _e1272 = phi_1845_;
-                                                if (_e1260 < _e1266) {
-                                                    phi_1850_ = _e1260;
-                                                } else {
-                                                    phi_1850_ = _e1266;
-                                                }
-                                                let _e1275 = phi_1850_;
-                                                if (_e1258 > _e1264) {
-                                                    phi_1858_ = _e1258;
-                                                } else {
-                                                    phi_1858_ = _e1264;
-                                                }
-                                                let _e1281 = phi_1858_;
-                                                if (_e1259 > _e1265) {
-                                                    phi_1863_ = _e1259;
-                                                } else {
-                                                    phi_1863_ = _e1265;
-                                                }
-                                                let _e1284 = phi_1863_;
-                                                if (_e1260 > _e1266) {
-                                                    phi_1868_ = _e1260;
-                                                } else {
-                                                    phi_1868_ = _e1266;
-                                                }
-                                                let _e1287 = phi_1868_;
-                                                let _e1291 = core_intrinsics_maximum_number_nsz_f32_((_e1269 - _e343), (_e1272 - _e344));
-                                                let _e1292 = core_intrinsics_maximum_number_nsz_f32_(_e1291, (_e1275 - _e345));
-                                                let _e1293 = core_intrinsics_minimum_number_nsz_f32_((_e1281 + _e343), (_e1284 + _e344));
-                                                let _e1294 = core_intrinsics_minimum_number_nsz_f32_(_e1293, (_e1287 + _e345));
-                                                if (_e1292 > -300000000000000000000000000000000000000f) {
-                                                    phi_1880_ = _e1292;
-                                                } else {
-                                                    phi_1880_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1297 = phi_1880_;
-                                                if (_e1294 < 300000000000000000000000000000000000000f) {
-                                                    phi_1885_ = _e1294;
-                                                } else {
-                                                    phi_1885_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1300 = phi_1885_;
-                                                if (_e1168 < _e1297) {
-                                                    phi_1890_ = _e1297;
-                                                } else {
-                                                    phi_1890_ = _e1168;
-                                                }
-                                                let _e1303 = phi_1890_;
-                                                if (_e1303 > _e1300) {
-                                                    phi_1895_ = _e1300;
-                                                } else {
-                                                    phi_1895_ = _e1303;
-                                                }
-                                                let _e1306 = phi_1895_;
-                                                phi_1900_ = lt_bvh_triangle_Intersection(_e1306, (_e1100 / _e1159), (_e1121 / _e1159), (_e1297 <= _e1300));
-                                                phi_1901_ = false;
-                                            } else {
-                                                phi_1900_ = lt_bvh_triangle_Intersection();
-                                                phi_1901_ = true;
-                                            }
-                                            let _e1312 = phi_1900_;
-                                            let _e1314 = phi_1901_;
-                                            phi_1902_ = _e1312;
-                                            phi_1903_ = _e1314;
+                                        let _e1158 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1160 = (_e1158.x - _e131);
+                                        let _e1162 = (_e1158.y - _e133);
+                                        let _e1164 = (_e1158.z - _e135);
+                                        if (_e359 == 0u) {
+                                            phi_1717_ = vec3<f32>(_e1162, _e1164, _e1160);
                                         } else {
-                                            phi_1902_ = lt_bvh_triangle_Intersection();
-                                            phi_1903_ = true;
+                                            if (_e359 == 1u) {
+                                                phi_1716_ = vec3<f32>(_e1164, _e1160, _e1162);
+                                            } else {
+                                                phi_1716_ = (_e1158 - vec3<f32>(_e131, _e133, _e135));
+                                            }
+                                            let _e1172 = phi_1716_;
+                                            phi_1717_ = _e1172;
                                         }
-                                        let _e1316 = phi_1902_;
-                                        let _e1318 = phi_1903_;
-                                        if _e1318 {
+                                        let _e1174 = phi_1717_;
+                                        let _e1176 = triangles.member[(0u + _e969)].v1_;
+                                        let _e1178 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1181 = (_e1176.x - _e1178.x);
+                                        let _e1184 = (_e1176.y - _e1178.y);
+                                        let _e1187 = (_e1176.z - _e1178.z);
+                                        if (_e359 == 0u) {
+                                            phi_1743_ = vec3<f32>(_e1184, _e1187, _e1181);
+                                        } else {
+                                            if (_e359 == 1u) {
+                                                phi_1742_ = vec3<f32>(_e1187, _e1181, _e1184);
+                                            } else {
+                                                phi_1742_ = (_e1176 - _e1178);
+                                            }
+                                            let _e1194 = phi_1742_;
+                                            phi_1743_ = _e1194;
                                         }
-                                        phi_1907_ = _e1316;
-                                        phi_1908_ = _e1318;
+                                        let _e1196 = phi_1743_;
+                                        let _e1198 = triangles.member[(0u + _e969)].v2_;
+                                        let _e1200 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1203 = (_e1198.x - _e1200.x);
+                                        let _e1206 = (_e1198.y - _e1200.y);
+                                        let _e1209 = (_e1198.z - _e1200.z);
+                                        if (_e359 == 0u) {
+                                            phi_1769_ = vec3<f32>(_e1206, _e1209, _e1203);
+                                        } else {
+                                            if (_e359 == 1u) {
+                                                phi_1768_ = vec3<f32>(_e1209, _e1203, _e1206);
+                                            } else {
+                                                phi_1768_ = (_e1198 - _e1200);
+                                            }
+                                            let _e1216 = phi_1768_;
+                                            phi_1769_ = _e1216;
+                                        }
+                                        let _e1218 = phi_1769_;
+                                        let _e1225 = ((_e1196.y * _e1218.z) - (_e1196.z * _e1218.y));
+                                        let _e1232 = ((_e1196.z * _e1218.x) - (_e1196.x * _e1218.z));
+                                        let _e1239 = ((_e1196.x * _e1218.y) - (_e1196.y * _e1218.x));
+                                        let _e1253 = (((1f / _e367.z) * (((_e1225 * _e1174.x) + (_e1232 * _e1174.y)) + (_e1239 * _e1174.z))) / (((_e1225 * _e370) + (_e1232 * _e373)) + _e1239));
+                                        if (_e1253 > 0f) {
+                                            if (_e1253 < _e139) {
+                                                let _e1257 = triangles.member[(0u + _e969)].v0_;
+                                                let _e1259 = triangles.member[(0u + _e969)].v1_;
+                                                if (_e1257.x < _e1259.x) {
+                                                    phi_1825_ = _e1257.x;
+                                                } else {
+                                                    phi_1825_ = _e1259.x;
+                                                }
+                                                let _e1266 = phi_1825_;
+                                                if (_e1257.y < _e1259.y) {
+                                                    phi_1834_ = _e1257.y;
+                                                } else {
+                                                    phi_1834_ = _e1259.y;
+                                                }
+                                                let _e1273 = phi_1834_;
+                                                if (_e1257.z < _e1259.z) {
+                                                    phi_1843_ = _e1257.z;
+                                                } else {
+                                                    phi_1843_ = _e1259.z;
+                                                }
+                                                let _e1280 = phi_1843_;
+                                                let _e1282 = triangles.member[(0u + _e969)].v2_;
+                                                if (_e1266 < _e1282.x) {
+                                                    phi_1852_ = _e1266;
+                                                } else {
+                                                    phi_1852_ = _e1282.x;
+                                                }
+                                                let _e1287 = phi_1852_;
+                                                if (_e1273 < _e1282.y) {
+                                                    phi_1859_ = _e1273;
+                                                } else {
+                                                    phi_1859_ = _e1282.y;
+                                                }
+                                                let _e1292 = phi_1859_;
+                                                if (_e1280 < _e1282.z) {
+                                                    phi_1866_ = _e1280;
+                                                } else {
+                                                    phi_1866_ = _e1282.z;
+                                                }
+                                                let _e1297 = phi_1866_;
+                                                let _e1299 = triangles.member[(0u + _e969)].v0_;
+                                                let _e1301 = triangles.member[(0u + _e969)].v1_;
+                                                if (_e1299.x > _e1301.x) {
+                                                    phi_1879_ = _e1299.x;
+                                                } else {
+                                                    phi_1879_ = _e1301.x;
+                                                }
+                                                let _e1308 = phi_1879_;
+                                                if (_e1299.y > _e1301.y) {
+                                                    phi_1888_ = _e1299.y;
+                                                } else {
+                                                    phi_1888_ = _e1301.y;
+                                                }
+                                                let _e1315 = phi_1888_;
+                                                if (_e1299.z > _e1301.z) {
+                                                    phi_1897_ = _e1299.z;
+                                                } else {
+                                                    phi_1897_ = _e1301.z;
+                                                }
+                                                let _e1322 = phi_1897_;
+                                                let _e1324 = triangles.member[(0u + _e969)].v2_;
+                                                if (_e1308 > _e1324.x) {
+                                                    phi_1906_ = _e1308;
+                                                } else {
+                                                    phi_1906_ = _e1324.x;
+                                                }
+                                                let _e1329 = phi_1906_;
+                                                if (_e1315 > _e1324.y) {
+                                                    phi_1913_ = _e1315;
+                                                } else {
+                                                    phi_1913_ = _e1324.y;
+                                                }
+                                                let _e1334 = phi_1913_;
+                                                if (_e1322 > _e1324.z) {
+                                                    phi_1920_ = _e1322;
+                                                } else {
+                                                    phi_1920_ = _e1324.z;
+                                                }
+                                                let _e1339 = phi_1920_;
+                                                let _e1343 = ((_e1287 - _e131) * _e288);
+                                                let _e1344 = ((_e1292 - _e133) * _e298);
+                                                let _e1345 = ((_e1297 - _e135) * _e308);
+                                                let _e1349 = ((_e1329 - _e131) * _e288);
+                                                let _e1350 = ((_e1334 - _e133) * _e298);
+                                                let _e1351 = ((_e1339 - _e135) * _e308);
+                                                if (_e1343 < _e1349) {
+                                                    phi_1937_ = _e1343;
+                                                } else {
+                                                    phi_1937_ = _e1349;
+                                                }
+                                                let _e1354 = phi_1937_;
+                                                if (_e1344 < _e1350) {
+                                                    phi_1942_ = _e1344;
+                                                } else {
+                                                    phi_1942_ = _e1350;
+                                                }
+                                                let _e1357 = phi_1942_;
+                                                if (_e1345 < _e1351) {
+                                                    phi_1947_ = _e1345;
+                                                } else {
+                                                    phi_1947_ = _e1351;
+                                                }
+                                                let _e1360 = phi_1947_;
+                                                if (_e1343 > _e1349) {
+                                                    phi_1955_ = _e1343;
+                                                } else {
+                                                    phi_1955_ = _e1349;
+                                                }
+                                                let _e1366 = phi_1955_;
+                                                if (_e1344 > _e1350) {
+                                                    phi_1960_ = _e1344;
+                                                } else {
+                                                    phi_1960_ = _e1350;
+                                                }
+                                                let _e1369 = phi_1960_;
+                                                if (_e1345 > _e1351) {
+                                                    phi_1965_ = _e1345;
+                                                } else {
+                                                    phi_1965_ = _e1351;
+                                                }
+                                                let _e1372 = phi_1965_;
+                                                let _e1376 = core_intrinsics_maximum_number_nsz_f32_((_e1354 - _e343), (_e1357 - _e344));
+                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_(_e1376, (_e1360 - _e345));
+                                                let _e1378 = core_intrinsics_minimum_number_nsz_f32_((_e1366 + _e343), (_e1369 + _e344));
+                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_(_e1378, (_e1372 + _e345));
+                                                if (_e1377 > -300000000000000000000000000000000000000f) {
+                                                    phi_1977_ = _e1377;
+                                                } else {
+                                                    phi_1977_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1382 = phi_1977_;
+                                                if (_e1379 < 300000000000000000000000000000000000000f) {
+                                                    phi_1982_ = _e1379;
+                                                } else {
+                                                    phi_1982_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1385 = phi_1982_;
+                                                if (_e1253 < _e1382) {
+                                                    phi_1987_ = _e1382;
+                                                } else {
+                                                    phi_1987_ = _e1253;
+                                                }
+                                                let _e1388 = phi_1987_;
+                                                if (_e1388 > _e1385) {
+                                                    phi_1992_ = _e1385;
+                                                } else {
+                                                    phi_1992_ = _e1388;
+                                                }
+                                                let _e1391 = phi_1992_;
+                                                phi_1997_ = lt_bvh_triangle_Intersection(_e1391, (_e1094 / _e1153), (_e1115 / _e1153), (_e1382 <= _e1385));
+                                                phi_1998_ = false;
+                                            } else {
+                                                phi_1997_ = lt_bvh_triangle_Intersection();
+                                                phi_1998_ = true;
+                                            }
+                                            let _e1397 = phi_1997_;
+                                            let _e1399 = phi_1998_;
+                                            phi_1999_ = _e1397;
+                                            phi_2000_ = _e1399;
+                                        } else {
+                                            phi_1999_ = lt_bvh_triangle_Intersection();
+                                            phi_2000_ = true;
+                                        }
+                                        let _e1401 = phi_1999_;
+                                        let _e1403 = phi_2000_;
+                                        if _e1403 {
+                                        }
+                                        phi_2004_ = _e1401;
+                                        phi_2005_ = _e1403;
                                     }
-                                    let _e1320 = phi_1907_;
-                                    let _e1322 = phi_1908_;
-                                    phi_1909_ = _e1320;
-                                    phi_1910_ = _e1162;
-                                    phi_1911_ = _e1322;
+                                    let _e1405 = phi_2004_;
+                                    let _e1407 = phi_2005_;
+                                    phi_2006_ = _e1405;
+                                    phi_2007_ = _e1156;
+                                    phi_2008_ = _e1407;
                                 } else {
-                                    phi_1909_ = lt_bvh_triangle_Intersection();
-                                    phi_1910_ = true;
-                                    phi_1911_ = false;
+                                    phi_2006_ = lt_bvh_triangle_Intersection();
+                                    phi_2007_ = true;
+                                    phi_2008_ = false;
                                 }
-                                let _e1324 = phi_1909_;
-                                let _e1326 = phi_1910_;
-                                let _e1328 = phi_1911_;
-                                if _e1326 {
-                                    phi_1915_ = true;
+                                let _e1409 = phi_2006_;
+                                let _e1411 = phi_2007_;
+                                let _e1413 = phi_2008_;
+                                if _e1411 {
+                                    phi_2012_ = true;
                                 } else {
-                                    phi_1915_ = _e1328;
+                                    phi_2012_ = _e1413;
                                 }
-                                let _e1330 = phi_1915_;
-                                if _e1330 {
-                                    phi_1919_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1415 = phi_2012_;
+                                if _e1415 {
+                                    phi_2016_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1919_ = _e1324;
+                                    phi_2016_ = _e1409;
                                 }
-                                let _e1332 = phi_1919_;
-                                if _e1332.is_hit {
-                                    if (_e1332.t > 0f) {
-                                        if (_e1332.t < _e139) {
-                                            let _e1339 = triangles.member[(0u + _e969)].i0_;
-                                            let _e1341 = ((_e1339 & 2147483648u) == 0u);
-                                            if _e1341 {
-                                                phi_2142_ = false;
-                                                phi_2143_ = false;
+                                let _e1417 = phi_2016_;
+                                if _e1417.is_hit {
+                                    if (_e1417.t > 0f) {
+                                        if (_e1417.t < _e139) {
+                                            let _e1424 = triangles.member[(0u + _e969)].i0_;
+                                            let _e1426 = ((_e1424 & 2147483648u) == 0u);
+                                            if _e1426 {
+                                                phi_2239_ = false;
+                                                phi_2240_ = false;
                                             } else {
                                                 if (_e969 < _e79) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1348 = triangles.member[(0u + _e969)].i0_;
-                                                let _e1349 = (_e1348 & 2147483647u);
-                                                let _e1351 = triangles.member[(0u + _e969)].i1_;
-                                                let _e1353 = triangles.member[(0u + _e969)].i2_;
-                                                if (_e1349 < _e91) {
+                                                let _e1433 = triangles.member[(0u + _e969)].i0_;
+                                                let _e1434 = (_e1433 & 2147483647u);
+                                                let _e1436 = triangles.member[(0u + _e969)].i1_;
+                                                let _e1438 = triangles.member[(0u + _e969)].i2_;
+                                                if (_e1434 < _e91) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1357 = vertices.member[(0u + _e1349)];
-                                                if (_e1351 < _e91) {
+                                                let _e1442 = vertices.member[(0u + _e1434)];
+                                                if (_e1436 < _e91) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1361 = vertices.member[(0u + _e1351)];
-                                                if (_e1353 < _e91) {
+                                                let _e1446 = vertices.member[(0u + _e1436)];
+                                                if (_e1438 < _e91) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1365 = vertices.member[(0u + _e1353)];
-                                                let _e1366 = array<abi_Vertex, 3>(_e1357, _e1361, _e1365);
-                                                if (_e1366[0].material < arrayLength((&materials.member))) {
+                                                let _e1450 = vertices.member[(0u + _e1438)];
+                                                let _e1451 = array<abi_Vertex, 3>(_e1442, _e1446, _e1450);
+                                                if (_e1451[0].material < arrayLength((&materials.member))) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1372 = materials.member[(0u + _e1366[0].material)];
-                                                if ((_e1372.flags & 1u) == 1u) {
-                                                    let _e1377 = ((1f - _e1332.u) - _e1332.v);
-                                                    if (_e1372.cutoff <= 0f) {
-                                                        phi_2136_ = true;
+                                                let _e1457 = materials.member[(0u + _e1451[0].material)];
+                                                if ((_e1457.flags & 1u) == 1u) {
+                                                    let _e1462 = ((1f - _e1417.u) - _e1417.v);
+                                                    if (_e1457.cutoff <= 0f) {
+                                                        phi_2233_ = true;
                                                     } else {
-                                                        let _e1404 = (_e1372.base_color.w * ((((f32((_e1366[0].color >> bitcast<u32>(24i))) * _e1377) + (f32((_e1366[1].color >> bitcast<u32>(24i))) * _e1332.u)) + (f32((_e1366[2].color >> bitcast<u32>(24i))) * _e1332.v)) * (1f / 255f)));
-                                                        if (_e1372.alpha_size == 0u) {
-                                                            phi_2133_ = _e1404;
+                                                        let _e1489 = (_e1457.base_color.w * ((((f32((_e1451[0].color >> bitcast<u32>(24i))) * _e1462) + (f32((_e1451[1].color >> bitcast<u32>(24i))) * _e1417.u)) + (f32((_e1451[2].color >> bitcast<u32>(24i))) * _e1417.v)) * (1f / 255f)));
+                                                        if (_e1457.alpha_size == 0u) {
+                                                            phi_2230_ = _e1489;
                                                         } else {
-                                                            local.offset = _e1372.alpha_offset;
-                                                            local.size = _e1372.alpha_size;
-                                                            local.flags = _e1372.flags;
-                                                            let _e1435 = _lt_shaders_texture_TextureView_quad((&local), (((_e1366[0].u * _e1377) + (_e1366[1].u * _e1332.u)) + (_e1366[2].u * _e1332.v)), (((_e1366[0].v * _e1377) + (_e1366[1].v * _e1332.u)) + (_e1366[2].v * _e1332.v)));
-                                                            let _e1439 = (_e1435.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1439 < _e97) {
+                                                            local.offset = _e1457.alpha_offset;
+                                                            local.size = _e1457.alpha_size;
+                                                            local.flags = _e1457.flags;
+                                                            let _e1520 = _lt_shaders_texture_TextureView_quad((&local), (((_e1451[0].u * _e1462) + (_e1451[1].u * _e1417.u)) + (_e1451[2].u * _e1417.v)), (((_e1451[0].v * _e1462) + (_e1451[1].v * _e1417.u)) + (_e1451[2].v * _e1417.v)));
+                                                            let _e1524 = (_e1520.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1524 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1443 = alpha_texels.member[(0u + _e1439)];
-                                                            let _e1459 = (_e1435.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1459 < _e97) {
+                                                            let _e1528 = alpha_texels.member[(0u + _e1524)];
+                                                            let _e1544 = (_e1520.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1544 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1463 = alpha_texels.member[(0u + _e1459)];
-                                                            let _e1480 = (_e1435.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1480 < _e97) {
+                                                            let _e1548 = alpha_texels.member[(0u + _e1544)];
+                                                            let _e1565 = (_e1520.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1565 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1484 = alpha_texels.member[(0u + _e1480)];
-                                                            let _e1501 = (_e1435.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1501 < _e97) {
+                                                            let _e1569 = alpha_texels.member[(0u + _e1565)];
+                                                            let _e1586 = (_e1520.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1586 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1505 = alpha_texels.member[(0u + _e1501)];
-                                                            phi_2133_ = (_e1404 * (((((f32(((_e1443 >> bitcast<u32>((((_e1435.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.x) + ((f32(((_e1463 >> bitcast<u32>((((_e1435.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.y)) + ((f32(((_e1484 >> bitcast<u32>((((_e1435.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.z)) + ((f32(((_e1505 >> bitcast<u32>((((_e1435.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1435.weights.w)));
+                                                            let _e1590 = alpha_texels.member[(0u + _e1586)];
+                                                            phi_2230_ = (_e1489 * (((((f32(((_e1528 >> bitcast<u32>((((_e1520.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.x) + ((f32(((_e1548 >> bitcast<u32>((((_e1520.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.y)) + ((f32(((_e1569 >> bitcast<u32>((((_e1520.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.z)) + ((f32(((_e1590 >> bitcast<u32>((((_e1520.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.w)));
                                                         }
-                                                        let _e1521 = phi_2133_;
-                                                        phi_2136_ = (_e1521 >= _e1372.cutoff);
+                                                        let _e1606 = phi_2230_;
+                                                        phi_2233_ = (_e1606 >= _e1457.cutoff);
                                                     }
-                                                    let _e1525 = phi_2136_;
-                                                    phi_2137_ = _e1525;
+                                                    let _e1610 = phi_2233_;
+                                                    phi_2234_ = _e1610;
                                                 } else {
-                                                    phi_2137_ = false;
+                                                    phi_2234_ = false;
                                                 }
-                                                let _e1527 = phi_2137_;
-                                                if _e1527 {
-                                                    phi_2141_ = false;
+                                                let _e1612 = phi_2234_;
+                                                if _e1612 {
+                                                    phi_2238_ = false;
                                                 } else {
-                                                    phi_2141_ = true;
+                                                    phi_2238_ = true;
                                                 }
-                                                let _e1529 = phi_2141_;
-                                                phi_2142_ = _e1529;
-                                                phi_2143_ = _e1527;
+                                                let _e1614 = phi_2238_;
+                                                phi_2239_ = _e1614;
+                                                phi_2240_ = _e1612;
                                             }
-                                            let _e1531 = phi_2142_;
-                                            let _e1533 = phi_2143_;
-                                            phi_2144_ = _e1531;
-                                            phi_2145_ = _e1341;
-                                            phi_2146_ = _e1533;
+                                            let _e1616 = phi_2239_;
+                                            let _e1618 = phi_2240_;
+                                            phi_2241_ = _e1616;
+                                            phi_2242_ = _e1426;
+                                            phi_2243_ = _e1618;
                                         } else {
-                                            phi_2144_ = true;
-                                            phi_2145_ = false;
-                                            phi_2146_ = false;
+                                            phi_2241_ = true;
+                                            phi_2242_ = false;
+                                            phi_2243_ = false;
                                         }
-                                        let _e1535 = phi_2144_;
-                                        let _e1537 = phi_2145_;
-                                        let _e1539 = phi_2146_;
-                                        phi_2147_ = _e1535;
-                                        phi_2148_ = _e1537;
-                                        phi_2149_ = _e1539;
+                                        let _e1620 = phi_2241_;
+                                        let _e1622 = phi_2242_;
+                                        let _e1624 = phi_2243_;
+                                        phi_2244_ = _e1620;
+                                        phi_2245_ = _e1622;
+                                        phi_2246_ = _e1624;
                                     } else {
-                                        phi_2147_ = true;
-                                        phi_2148_ = false;
-                                        phi_2149_ = false;
+                                        phi_2244_ = true;
+                                        phi_2245_ = false;
+                                        phi_2246_ = false;
                                     }
-                                    let _e1541 = phi_2147_;
-                                    let _e1543 = phi_2148_;
-                                    let _e1545 = phi_2149_;
-                                    phi_2150_ = _e1541;
-                                    phi_2151_ = _e1543;
-                                    phi_2152_ = _e1545;
+                                    let _e1626 = phi_2244_;
+                                    let _e1628 = phi_2245_;
+                                    let _e1630 = phi_2246_;
+                                    phi_2247_ = _e1626;
+                                    phi_2248_ = _e1628;
+                                    phi_2249_ = _e1630;
                                 } else {
-                                    phi_2150_ = true;
-                                    phi_2151_ = false;
-                                    phi_2152_ = false;
+                                    phi_2247_ = true;
+                                    phi_2248_ = false;
+                                    phi_2249_ = false;
                                 }
-                                let _e1547 = phi_2150_;
-                                let _e1549 = phi_2151_;
-                                let _e1551 = phi_2152_;
-                                if _e1547 {
-                                    phi_2156_ = false;
-                                    phi_2157_ = false;
+                                let _e1632 = phi_2247_;
+                                let _e1634 = phi_2248_;
+                                let _e1636 = phi_2249_;
+                                if _e1632 {
+                                    phi_2253_ = false;
+                                    phi_2254_ = false;
                                 } else {
-                                    phi_2156_ = _e1549;
-                                    phi_2157_ = _e1551;
+                                    phi_2253_ = _e1634;
+                                    phi_2254_ = _e1636;
                                 }
-                                let _e1553 = phi_2156_;
-                                let _e1555 = phi_2157_;
+                                let _e1638 = phi_2253_;
+                                let _e1640 = phi_2254_;
                                 phi_1448_ = (_e960 & (_e960 - 1u));
-                                phi_2158_ = _e1547;
-                                phi_2159_ = _e1553;
-                                phi_2160_ = _e1555;
+                                phi_2255_ = _e1632;
+                                phi_2256_ = _e1638;
+                                phi_2257_ = _e1640;
                             }
-                            let _e1557 = phi_1448_;
-                            let _e1559 = phi_2158_;
-                            let _e1561 = phi_2159_;
-                            let _e1563 = phi_2160_;
-                            local_7 = _e1561;
-                            local_8 = _e1563;
+                            let _e1642 = phi_1448_;
+                            let _e1644 = phi_2255_;
+                            let _e1646 = phi_2256_;
+                            let _e1648 = phi_2257_;
+                            local_7 = _e1646;
+                            local_8 = _e1648;
                             continue;
                             continuing {
-                                phi_1447_ = _e1557;
-                                break if !(_e1559);
+                                phi_1447_ = _e1642;
+                                break if !(_e1644);
                             }
                         }
-                        let _e1566 = local_5;
-                        if _e1566 {
-                            let _e1568 = local_1.group_mask;
-                            if ((_e1568 & 4278190080u) == 0u) {
-                                let _e1572 = local_1.len;
-                                if (_e1572 == 0u) {
-                                    phi_2202_ = false;
+                        let _e1651 = local_5;
+                        if _e1651 {
+                            let _e1653 = local_1.group_mask;
+                            if ((_e1653 & 4278190080u) == 0u) {
+                                let _e1657 = local_1.len;
+                                if (_e1657 == 0u) {
+                                    phi_2299_ = false;
                                 } else {
-                                    let _e1576 = local_1.len;
-                                    local_1.len = (_e1576 - 1u);
-                                    let _e1579 = local_1.len;
-                                    if (_e1579 < 32u) {
+                                    let _e1661 = local_1.len;
+                                    local_1.len = (_e1661 - 1u);
+                                    let _e1664 = local_1.len;
+                                    if (_e1664 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1584 = local_1.first[(0u + _e1579)];
-                                    local_1.group = _e1584;
-                                    let _e1587 = local_1.len;
-                                    if (_e1587 < 32u) {
+                                    let _e1669 = local_1.first[(0u + _e1664)];
+                                    local_1.group = _e1669;
+                                    let _e1672 = local_1.len;
+                                    if (_e1672 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1592 = local_1.mask[(0u + _e1587)];
-                                    local_1.group_mask = _e1592;
-                                    phi_2202_ = true;
+                                    let _e1677 = local_1.mask[(0u + _e1672)];
+                                    local_1.group_mask = _e1677;
+                                    phi_2299_ = true;
                                 }
-                                let _e1595 = phi_2202_;
-                                phi_2203_ = _e1595;
+                                let _e1680 = phi_2299_;
+                                phi_2300_ = _e1680;
                             } else {
-                                phi_2203_ = true;
+                                phi_2300_ = true;
                             }
-                            let _e1597 = phi_2203_;
-                            if _e1597 {
-                                let _e1599 = local_1.group_mask;
-                                let _e1605 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1599)), 32u, (_e1599 == 0u)));
-                                let _e1609 = local_1.group_mask;
-                                let _e1623 = local_1.group_mask;
-                                local_1.group_mask = (_e1623 & ~((1u << bitcast<u32>((_e1605 & 31u)))));
-                                let _e1626 = local_1.group;
-                                phi_2234_ = (_e1626 + countOneBits(((_e1609 & ~((4294967295u << bitcast<u32>((((_e1605 - 24u) ^ _e386) & 31u))))) & 255u)));
+                            let _e1682 = phi_2300_;
+                            if _e1682 {
+                                let _e1684 = local_1.group_mask;
+                                let _e1690 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1684)), 32u, (_e1684 == 0u)));
+                                let _e1694 = local_1.group_mask;
+                                let _e1708 = local_1.group_mask;
+                                local_1.group_mask = (_e1708 & ~((1u << bitcast<u32>((_e1690 & 31u)))));
+                                let _e1711 = local_1.group;
+                                phi_2331_ = (_e1711 + countOneBits(((_e1694 & ~((4294967295u << bitcast<u32>((((_e1690 - 24u) ^ _e386) & 31u))))) & 255u)));
                             } else {
-                                phi_2234_ = 4294967295u;
+                                phi_2331_ = 4294967295u;
                             }
-                            let _e1629 = phi_2234_;
-                            phi_2235_ = _e1629;
-                            phi_2236_ = false;
-                            phi_2237_ = false;
+                            let _e1714 = phi_2331_;
+                            phi_2332_ = _e1714;
+                            phi_2333_ = false;
+                            phi_2334_ = false;
                         } else {
-                            phi_2235_ = u32();
-                            let _e1867 = local_7;
-                            phi_2236_ = _e1867;
-                            let _e1870 = local_8;
-                            phi_2237_ = _e1870;
+                            phi_2332_ = u32();
+                            let _e1958 = local_7;
+                            phi_2333_ = _e1958;
+                            let _e1961 = local_8;
+                            phi_2334_ = _e1961;
                         }
-                        let _e1631 = phi_2235_;
-                        let _e1633 = phi_2236_;
-                        let _e1635 = phi_2237_;
-                        phi_1118_ = _e1631;
-                        let _e1874 = local_9;
-                        phi_2238_ = _e1874;
-                        phi_2239_ = false;
-                        phi_2240_ = _e1633;
-                        phi_2241_ = _e1635;
+                        let _e1716 = phi_2332_;
+                        let _e1718 = phi_2333_;
+                        let _e1720 = phi_2334_;
+                        phi_1118_ = _e1716;
+                        let _e1965 = local_9;
+                        phi_2335_ = _e1965;
+                        phi_2336_ = false;
+                        phi_2337_ = _e1718;
+                        phi_2338_ = _e1720;
                     } else {
                         phi_1118_ = u32();
-                        phi_2238_ = false;
-                        phi_2239_ = true;
-                        phi_2240_ = false;
-                        phi_2241_ = false;
+                        phi_2335_ = false;
+                        phi_2336_ = true;
+                        phi_2337_ = false;
+                        phi_2338_ = false;
                     }
-                    let _e1637 = phi_1118_;
-                    let _e1639 = phi_2238_;
-                    let _e1641 = phi_2239_;
-                    let _e1643 = phi_2240_;
-                    let _e1645 = phi_2241_;
-                    local_6 = _e1641;
-                    local_10 = _e1643;
-                    local_11 = _e1645;
+                    let _e1722 = phi_1118_;
+                    let _e1724 = phi_2335_;
+                    let _e1726 = phi_2336_;
+                    let _e1728 = phi_2337_;
+                    let _e1730 = phi_2338_;
+                    local_6 = _e1726;
+                    local_10 = _e1728;
+                    local_11 = _e1730;
                     continue;
                     continuing {
-                        phi_1117_ = _e1637;
-                        break if !(_e1639);
+                        phi_1117_ = _e1722;
+                        break if !(_e1724);
                     }
                 }
-                let _e1648 = local_6;
-                if _e1648 {
-                    phi_2245_ = false;
-                    phi_2246_ = false;
+                let _e1733 = local_6;
+                if _e1733 {
+                    phi_2342_ = false;
+                    phi_2343_ = false;
                 } else {
-                    let _e1881 = local_10;
-                    phi_2245_ = _e1881;
-                    let _e1884 = local_11;
-                    phi_2246_ = _e1884;
+                    let _e1972 = local_10;
+                    phi_2342_ = _e1972;
+                    let _e1975 = local_11;
+                    phi_2343_ = _e1975;
                 }
-                let _e1650 = phi_2245_;
-                let _e1652 = phi_2246_;
-                if _e1650 {
-                    phi_2250_ = true;
+                let _e1735 = phi_2342_;
+                let _e1737 = phi_2343_;
+                if _e1735 {
+                    phi_2347_ = true;
                 } else {
-                    phi_2250_ = _e1652;
+                    phi_2347_ = _e1737;
                 }
-                let _e1654 = phi_2250_;
-                if _e1654 {
-                    phi_2254_ = true;
+                let _e1739 = phi_2347_;
+                if _e1739 {
+                    phi_2351_ = true;
                 } else {
-                    phi_2254_ = false;
+                    phi_2351_ = false;
                 }
-                let _e1656 = phi_2254_;
-                phi_2255_ = _e1656;
+                let _e1741 = phi_2351_;
+                phi_2352_ = _e1741;
             }
-            let _e1658 = phi_2255_;
-            phi_2256_ = _e1658;
-            phi_2257_ = _e212;
+            let _e1743 = phi_2352_;
+            phi_2353_ = _e1743;
+            phi_2354_ = _e212;
         } else {
-            phi_2256_ = bool();
-            phi_2257_ = true;
+            phi_2353_ = bool();
+            phi_2354_ = true;
         }
-        let _e1660 = phi_2256_;
-        let _e1662 = phi_2257_;
-        if _e1662 {
-            phi_2261_ = false;
+        let _e1745 = phi_2353_;
+        let _e1747 = phi_2354_;
+        if _e1747 {
+            phi_2358_ = false;
         } else {
-            phi_2261_ = _e1660;
+            phi_2358_ = _e1745;
         }
-        let _e1664 = phi_2261_;
-        if _e1664 {
-            phi_2265_ = 0f;
+        let _e1749 = phi_2358_;
+        if _e1749 {
+            phi_2362_ = 0f;
         } else {
-            phi_2265_ = 1f;
+            phi_2362_ = 1f;
         }
-        let _e1666 = phi_2265_;
+        let _e1751 = phi_2362_;
         if (_e110 < _e82) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e1666;
+        visibility.member[(0u + _e110)] = _e1751;
         if (_e110 < _e88) {
         } else {
             return;
         }
-        let _e1673 = bits.member[(0u + _e110)];
-        if ((_e1673 & 2u) == 0u) {
-            phi_2286_ = (_e1673 & 1u);
+        let _e1758 = bits.member[(0u + _e110)];
+        if ((_e1758 & 2u) == 0u) {
+            phi_2383_ = (_e1758 & 1u);
         } else {
-            phi_2286_ = (_e1673 & 7u);
+            phi_2383_ = (_e1758 & 7u);
         }
-        let _e1679 = phi_2286_;
+        let _e1764 = phi_2383_;
         if (_e110 < _e82) {
         } else {
             return;
         }
-        let _e1683 = visibility.member[(0u + _e110)];
-        if ((_e1679 & 1u) != 0u) {
-            phi_2301_ = (2u | 1u);
+        let _e1768 = visibility.member[(0u + _e110)];
+        if ((_e1764 & 1u) != 0u) {
+            phi_2398_ = (2u | 1u);
         } else {
-            phi_2301_ = 2u;
+            phi_2398_ = 2u;
         }
-        let _e1689 = phi_2301_;
-        if (_e1683 < 0.5f) {
-            phi_2306_ = (_e1689 | 4u);
+        let _e1774 = phi_2398_;
+        if (_e1768 < 0.5f) {
+            phi_2403_ = (_e1774 | 4u);
         } else {
-            phi_2306_ = _e1689;
+            phi_2403_ = _e1774;
         }
-        let _e1692 = phi_2306_;
+        let _e1777 = phi_2403_;
         if (_e110 < _e88) {
         } else {
             return;
         }
-        bits.member[(0u + _e110)] = _e1692;
+        bits.member[(0u + _e110)] = _e1777;
     }
     return;
 }

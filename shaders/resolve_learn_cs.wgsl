@@ -225,122 +225,128 @@ fn function_() {
     var phi_1014_: u32;
     var phi_1059_: vec3<f32>;
     var phi_1060_: vec3<f32>;
-    var phi_1091_: vec3<f32>;
-    var phi_1092_: vec3<f32>;
-    var phi_1123_: vec3<f32>;
-    var phi_1124_: vec3<f32>;
-    var phi_1144_: bool;
-    var phi_1145_: bool;
-    var phi_1149_: f32;
-    var phi_1150_: f32;
-    var phi_1151_: f32;
-    var phi_1152_: f32;
-    var phi_1160_: f32;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1175_: f32;
-    var phi_1176_: f32;
-    var phi_1177_: f32;
-    var phi_1178_: f32;
-    var phi_1186_: f32;
-    var phi_1196_: bool;
-    var phi_1197_: bool;
-    var phi_1201_: f32;
-    var phi_1202_: f32;
-    var phi_1203_: f32;
-    var phi_1204_: f32;
-    var phi_1212_: f32;
-    var phi_1227_: f32;
-    var phi_1228_: bool;
-    var phi_1229_: f32;
-    var phi_1230_: bool;
-    var phi_1231_: f32;
-    var phi_1232_: bool;
-    var phi_1250_: f32;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1253_: f32;
-    var phi_1254_: bool;
+    var phi_1089_: vec3<f32>;
+    var phi_1090_: vec3<f32>;
+    var phi_1119_: vec3<f32>;
+    var phi_1120_: vec3<f32>;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1143_: f32;
+    var phi_1144_: f32;
+    var phi_1145_: f32;
+    var phi_1146_: f32;
+    var phi_1154_: f32;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1169_: f32;
+    var phi_1170_: f32;
+    var phi_1171_: f32;
+    var phi_1172_: f32;
+    var phi_1180_: f32;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1195_: f32;
+    var phi_1196_: f32;
+    var phi_1197_: f32;
+    var phi_1198_: f32;
+    var phi_1206_: f32;
+    var phi_1221_: f32;
+    var phi_1222_: bool;
+    var phi_1223_: f32;
+    var phi_1224_: bool;
+    var phi_1225_: f32;
+    var phi_1226_: bool;
+    var phi_1244_: f32;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: f32;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: f32;
     var phi_1255_: bool;
-    var phi_1259_: bool;
-    var phi_1260_: f32;
-    var phi_1261_: bool;
-    var phi_1295_: f32;
-    var phi_1304_: f32;
-    var phi_1313_: f32;
-    var phi_1322_: f32;
-    var phi_1329_: f32;
-    var phi_1336_: f32;
-    var phi_1349_: f32;
-    var phi_1358_: f32;
-    var phi_1367_: f32;
-    var phi_1376_: f32;
-    var phi_1383_: f32;
-    var phi_1390_: f32;
-    var phi_1407_: f32;
-    var phi_1412_: f32;
-    var phi_1417_: f32;
-    var phi_1425_: f32;
-    var phi_1430_: f32;
-    var phi_1435_: f32;
-    var phi_1447_: f32;
-    var phi_1452_: f32;
-    var phi_1457_: f32;
-    var phi_1462_: f32;
-    var phi_1467_: lt_bvh_triangle_Intersection;
-    var phi_1468_: bool;
-    var phi_1469_: lt_bvh_triangle_Intersection;
-    var phi_1470_: bool;
-    var phi_1474_: lt_bvh_triangle_Intersection;
-    var phi_1475_: bool;
-    var phi_1476_: lt_bvh_triangle_Intersection;
-    var phi_1477_: bool;
-    var phi_1478_: bool;
-    var phi_1482_: bool;
-    var phi_1486_: lt_bvh_triangle_Intersection;
-    var phi_1511_: bool;
-    var phi_1512_: bool;
-    var phi_1513_: bool;
-    var phi_1514_: bool;
-    var phi_1515_: bool;
-    var phi_1516_: bool;
-    var phi_1517_: bool;
-    var phi_1518_: bool;
-    var phi_1519_: bool;
-    var phi_1520_: bool;
-    var phi_1521_: bool;
-    var phi_1522_: bool;
-    var phi_1526_: bool;
-    var phi_1527_: bool;
-    var phi_1015_: u32;
-    var phi_1528_: bool;
-    var phi_1529_: bool;
-    var phi_1530_: bool;
-    var local_4: bool;
+    var phi_1283_: vec3<f32>;
+    var phi_1284_: vec3<f32>;
+    var phi_1309_: vec3<f32>;
+    var phi_1310_: vec3<f32>;
+    var phi_1335_: vec3<f32>;
+    var phi_1336_: vec3<f32>;
+    var phi_1392_: f32;
+    var phi_1401_: f32;
+    var phi_1410_: f32;
+    var phi_1419_: f32;
+    var phi_1426_: f32;
+    var phi_1433_: f32;
+    var phi_1446_: f32;
+    var phi_1455_: f32;
+    var phi_1464_: f32;
+    var phi_1473_: f32;
+    var phi_1480_: f32;
+    var phi_1487_: f32;
+    var phi_1504_: f32;
+    var phi_1509_: f32;
+    var phi_1514_: f32;
+    var phi_1522_: f32;
+    var phi_1527_: f32;
+    var phi_1532_: f32;
+    var phi_1544_: f32;
+    var phi_1549_: f32;
+    var phi_1554_: f32;
+    var phi_1559_: f32;
+    var phi_1564_: lt_bvh_triangle_Intersection;
+    var phi_1565_: bool;
+    var phi_1566_: lt_bvh_triangle_Intersection;
+    var phi_1567_: bool;
+    var phi_1571_: lt_bvh_triangle_Intersection;
     var phi_1572_: bool;
-    var phi_1573_: bool;
-    var phi_1604_: u32;
-    var phi_1605_: u32;
-    var phi_1606_: bool;
-    var phi_1607_: bool;
-    var phi_685_: u32;
+    var phi_1573_: lt_bvh_triangle_Intersection;
+    var phi_1574_: bool;
+    var phi_1575_: bool;
+    var phi_1579_: bool;
+    var phi_1583_: lt_bvh_triangle_Intersection;
     var phi_1608_: bool;
     var phi_1609_: bool;
     var phi_1610_: bool;
     var phi_1611_: bool;
-    var local_5: bool;
+    var phi_1612_: bool;
+    var phi_1613_: bool;
+    var phi_1614_: bool;
     var phi_1615_: bool;
     var phi_1616_: bool;
-    var phi_1620_: bool;
+    var phi_1617_: bool;
+    var phi_1618_: bool;
+    var phi_1619_: bool;
+    var phi_1623_: bool;
     var phi_1624_: bool;
+    var phi_1015_: u32;
     var phi_1625_: bool;
     var phi_1626_: bool;
     var phi_1627_: bool;
-    var phi_1631_: bool;
-    var phi_1635_: f32;
-    var phi_1656_: u32;
-    var phi_1671_: u32;
-    var phi_1676_: u32;
+    var local_4: bool;
+    var phi_1669_: bool;
+    var phi_1670_: bool;
+    var phi_1701_: u32;
+    var phi_1702_: u32;
+    var phi_1703_: bool;
+    var phi_1704_: bool;
+    var phi_685_: u32;
+    var phi_1705_: bool;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
+    var phi_1708_: bool;
+    var local_5: bool;
+    var phi_1712_: bool;
+    var phi_1713_: bool;
+    var phi_1717_: bool;
+    var phi_1721_: bool;
+    var phi_1722_: bool;
+    var phi_1723_: bool;
+    var phi_1724_: bool;
+    var phi_1728_: bool;
+    var phi_1732_: f32;
+    var phi_1753_: u32;
+    var phi_1768_: u32;
+    var phi_1773_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
@@ -495,7 +501,7 @@ fn function_() {
         if _e185 {
             let _e186 = (0u >= _e59);
             if _e186 {
-                phi_1625_ = bool();
+                phi_1722_ = bool();
             } else {
                 if (0u < _e59) {
                 } else {
@@ -622,7 +628,6 @@ fn function_() {
                 let _e341 = phi_513_;
                 let _e344 = (_e341.x / _e341.z);
                 let _e347 = (_e341.y / _e341.z);
-                let _e349 = (1f / _e341.z);
                 if (_e262 < 0f) {
                     phi_526_ = 0u;
                 } else {
@@ -885,9 +890,9 @@ fn function_() {
                             local_8 = _e935;
                             if _e935 {
                                 phi_1015_ = u32();
-                                phi_1528_ = false;
-                                phi_1529_ = false;
-                                phi_1530_ = false;
+                                phi_1625_ = false;
+                                phi_1626_ = false;
+                                phi_1627_ = false;
                             } else {
                                 let _e938 = nodes.member[(0u + _e498)].links[1u];
                                 let _e943 = ((0u + _e938) + select(firstTrailingBit(_e934), 32u, (_e934 == 0u)));
@@ -913,664 +918,717 @@ fn function_() {
                                 let _e966 = phi_1060_;
                                 let _e970 = (_e966.x - (_e344 * _e966.z));
                                 let _e974 = (_e966.y - (_e347 * _e966.z));
-                                let _e978 = triangles.member[(0u + _e943)].v1_;
-                                let _e980 = (_e978.x - _e105);
-                                let _e982 = (_e978.y - _e107);
-                                let _e984 = (_e978.z - _e109);
+                                let _e976 = triangles.member[(0u + _e943)].v1_;
+                                let _e978 = (_e976.x - _e105);
+                                let _e980 = (_e976.y - _e107);
+                                let _e982 = (_e976.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1092_ = vec3<f32>(_e982, _e984, _e980);
+                                    phi_1090_ = vec3<f32>(_e980, _e982, _e978);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1091_ = vec3<f32>(_e984, _e980, _e982);
+                                        phi_1089_ = vec3<f32>(_e982, _e978, _e980);
                                     } else {
-                                        phi_1091_ = (_e978 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1089_ = (_e976 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e992 = phi_1091_;
-                                    phi_1092_ = _e992;
+                                    let _e990 = phi_1089_;
+                                    phi_1090_ = _e990;
                                 }
-                                let _e994 = phi_1092_;
-                                let _e998 = (_e994.x - (_e344 * _e994.z));
-                                let _e1002 = (_e994.y - (_e347 * _e994.z));
-                                let _e1006 = triangles.member[(0u + _e943)].v2_;
-                                let _e1008 = (_e1006.x - _e105);
-                                let _e1010 = (_e1006.y - _e107);
-                                let _e1012 = (_e1006.z - _e109);
+                                let _e992 = phi_1090_;
+                                let _e996 = (_e992.x - (_e344 * _e992.z));
+                                let _e1000 = (_e992.y - (_e347 * _e992.z));
+                                let _e1002 = triangles.member[(0u + _e943)].v2_;
+                                let _e1004 = (_e1002.x - _e105);
+                                let _e1006 = (_e1002.y - _e107);
+                                let _e1008 = (_e1002.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1124_ = vec3<f32>(_e1010, _e1012, _e1008);
+                                    phi_1120_ = vec3<f32>(_e1006, _e1008, _e1004);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1123_ = vec3<f32>(_e1012, _e1008, _e1010);
+                                        phi_1119_ = vec3<f32>(_e1008, _e1004, _e1006);
                                     } else {
-                                        phi_1123_ = (_e1006 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1119_ = (_e1002 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e1020 = phi_1123_;
-                                    phi_1124_ = _e1020;
+                                    let _e1016 = phi_1119_;
+                                    phi_1120_ = _e1016;
                                 }
-                                let _e1022 = phi_1124_;
-                                let _e1026 = (_e1022.x - (_e344 * _e1022.z));
-                                let _e1030 = (_e1022.y - (_e347 * _e1022.z));
-                                if (_e998 < _e1026) {
-                                    phi_1145_ = true;
+                                let _e1018 = phi_1120_;
+                                let _e1022 = (_e1018.x - (_e344 * _e1018.z));
+                                let _e1026 = (_e1018.y - (_e347 * _e1018.z));
+                                if (_e996 < _e1022) {
+                                    phi_1139_ = true;
                                 } else {
-                                    if (_e998 == _e1026) {
-                                        phi_1144_ = (_e1002 < _e1030);
+                                    if (_e996 == _e1022) {
+                                        phi_1138_ = (_e1000 < _e1026);
                                     } else {
-                                        phi_1144_ = false;
+                                        phi_1138_ = false;
                                     }
-                                    let _e1037 = phi_1144_;
-                                    phi_1145_ = _e1037;
+                                    let _e1031 = phi_1138_;
+                                    phi_1139_ = _e1031;
                                 }
+                                let _e1033 = phi_1139_;
+                                if _e1033 {
+                                    phi_1143_ = _e1026;
+                                    phi_1144_ = _e1022;
+                                    phi_1145_ = _e1000;
+                                    phi_1146_ = _e996;
+                                } else {
+                                    phi_1143_ = _e1000;
+                                    phi_1144_ = _e996;
+                                    phi_1145_ = _e1026;
+                                    phi_1146_ = _e1022;
+                                }
+                                let _e1035 = phi_1143_;
+                                let _e1037 = phi_1144_;
                                 let _e1039 = phi_1145_;
-                                if _e1039 {
-                                    phi_1149_ = _e1030;
-                                    phi_1150_ = _e1026;
-                                    phi_1151_ = _e1002;
-                                    phi_1152_ = _e998;
+                                let _e1041 = phi_1146_;
+                                let _e1044 = ((_e1041 * _e1035) - (_e1039 * _e1037));
+                                if _e1033 {
+                                    phi_1154_ = -(_e1044);
                                 } else {
-                                    phi_1149_ = _e1002;
-                                    phi_1150_ = _e998;
-                                    phi_1151_ = _e1030;
-                                    phi_1152_ = _e1026;
+                                    phi_1154_ = _e1044;
                                 }
-                                let _e1041 = phi_1149_;
-                                let _e1043 = phi_1150_;
-                                let _e1045 = phi_1151_;
-                                let _e1047 = phi_1152_;
-                                let _e1050 = ((_e1047 * _e1041) - (_e1045 * _e1043));
-                                if _e1039 {
-                                    phi_1160_ = -(_e1050);
+                                let _e1047 = phi_1154_;
+                                if (_e1022 < _e970) {
+                                    phi_1165_ = true;
                                 } else {
-                                    phi_1160_ = _e1050;
-                                }
-                                let _e1053 = phi_1160_;
-                                if (_e1026 < _e970) {
-                                    phi_1171_ = true;
-                                } else {
-                                    if (_e1026 == _e970) {
-                                        phi_1170_ = (_e1030 < _e974);
+                                    if (_e1022 == _e970) {
+                                        phi_1164_ = (_e1026 < _e974);
                                     } else {
-                                        phi_1170_ = false;
+                                        phi_1164_ = false;
                                     }
-                                    let _e1058 = phi_1170_;
-                                    phi_1171_ = _e1058;
+                                    let _e1052 = phi_1164_;
+                                    phi_1165_ = _e1052;
                                 }
+                                let _e1054 = phi_1165_;
+                                if _e1054 {
+                                    phi_1169_ = _e974;
+                                    phi_1170_ = _e970;
+                                    phi_1171_ = _e1026;
+                                    phi_1172_ = _e1022;
+                                } else {
+                                    phi_1169_ = _e1026;
+                                    phi_1170_ = _e1022;
+                                    phi_1171_ = _e974;
+                                    phi_1172_ = _e970;
+                                }
+                                let _e1056 = phi_1169_;
+                                let _e1058 = phi_1170_;
                                 let _e1060 = phi_1171_;
-                                if _e1060 {
-                                    phi_1175_ = _e974;
-                                    phi_1176_ = _e970;
-                                    phi_1177_ = _e1030;
-                                    phi_1178_ = _e1026;
+                                let _e1062 = phi_1172_;
+                                let _e1065 = ((_e1062 * _e1056) - (_e1060 * _e1058));
+                                if _e1054 {
+                                    phi_1180_ = -(_e1065);
                                 } else {
-                                    phi_1175_ = _e1030;
-                                    phi_1176_ = _e1026;
-                                    phi_1177_ = _e974;
-                                    phi_1178_ = _e970;
+                                    phi_1180_ = _e1065;
                                 }
-                                let _e1062 = phi_1175_;
-                                let _e1064 = phi_1176_;
-                                let _e1066 = phi_1177_;
-                                let _e1068 = phi_1178_;
-                                let _e1071 = ((_e1068 * _e1062) - (_e1066 * _e1064));
-                                if _e1060 {
-                                    phi_1186_ = -(_e1071);
+                                let _e1068 = phi_1180_;
+                                if (_e970 < _e996) {
+                                    phi_1191_ = true;
                                 } else {
-                                    phi_1186_ = _e1071;
-                                }
-                                let _e1074 = phi_1186_;
-                                if (_e970 < _e998) {
-                                    phi_1197_ = true;
-                                } else {
-                                    if (_e970 == _e998) {
-                                        phi_1196_ = (_e974 < _e1002);
+                                    if (_e970 == _e996) {
+                                        phi_1190_ = (_e974 < _e1000);
                                     } else {
-                                        phi_1196_ = false;
+                                        phi_1190_ = false;
                                     }
-                                    let _e1079 = phi_1196_;
-                                    phi_1197_ = _e1079;
+                                    let _e1073 = phi_1190_;
+                                    phi_1191_ = _e1073;
                                 }
+                                let _e1075 = phi_1191_;
+                                if _e1075 {
+                                    phi_1195_ = _e1000;
+                                    phi_1196_ = _e996;
+                                    phi_1197_ = _e974;
+                                    phi_1198_ = _e970;
+                                } else {
+                                    phi_1195_ = _e974;
+                                    phi_1196_ = _e970;
+                                    phi_1197_ = _e1000;
+                                    phi_1198_ = _e996;
+                                }
+                                let _e1077 = phi_1195_;
+                                let _e1079 = phi_1196_;
                                 let _e1081 = phi_1197_;
-                                if _e1081 {
-                                    phi_1201_ = _e1002;
-                                    phi_1202_ = _e998;
-                                    phi_1203_ = _e974;
-                                    phi_1204_ = _e970;
+                                let _e1083 = phi_1198_;
+                                let _e1086 = ((_e1083 * _e1077) - (_e1081 * _e1079));
+                                if _e1075 {
+                                    phi_1206_ = -(_e1086);
                                 } else {
-                                    phi_1201_ = _e974;
-                                    phi_1202_ = _e970;
-                                    phi_1203_ = _e1002;
-                                    phi_1204_ = _e998;
+                                    phi_1206_ = _e1086;
                                 }
-                                let _e1083 = phi_1201_;
-                                let _e1085 = phi_1202_;
-                                let _e1087 = phi_1203_;
-                                let _e1089 = phi_1204_;
-                                let _e1092 = ((_e1089 * _e1083) - (_e1087 * _e1085));
-                                if _e1081 {
-                                    phi_1212_ = -(_e1092);
-                                } else {
-                                    phi_1212_ = _e1092;
-                                }
-                                let _e1095 = phi_1212_;
-                                if (_e1053 >= 0f) {
-                                    if (_e1074 >= 0f) {
-                                        if (_e1095 >= 0f) {
-                                            phi_1227_ = ((_e1053 + _e1074) + _e1095);
-                                            phi_1228_ = false;
+                                let _e1089 = phi_1206_;
+                                if (_e1047 >= 0f) {
+                                    if (_e1068 >= 0f) {
+                                        if (_e1089 >= 0f) {
+                                            phi_1221_ = ((_e1047 + _e1068) + _e1089);
+                                            phi_1222_ = false;
                                         } else {
-                                            phi_1227_ = f32();
-                                            phi_1228_ = true;
+                                            phi_1221_ = f32();
+                                            phi_1222_ = true;
                                         }
-                                        let _e1102 = phi_1227_;
-                                        let _e1104 = phi_1228_;
-                                        phi_1229_ = _e1102;
-                                        phi_1230_ = _e1104;
+                                        let _e1096 = phi_1221_;
+                                        let _e1098 = phi_1222_;
+                                        phi_1223_ = _e1096;
+                                        phi_1224_ = _e1098;
                                     } else {
-                                        phi_1229_ = f32();
-                                        phi_1230_ = true;
+                                        phi_1223_ = f32();
+                                        phi_1224_ = true;
                                     }
-                                    let _e1106 = phi_1229_;
-                                    let _e1108 = phi_1230_;
-                                    phi_1231_ = _e1106;
-                                    phi_1232_ = _e1108;
+                                    let _e1100 = phi_1223_;
+                                    let _e1102 = phi_1224_;
+                                    phi_1225_ = _e1100;
+                                    phi_1226_ = _e1102;
                                 } else {
-                                    phi_1231_ = f32();
-                                    phi_1232_ = true;
+                                    phi_1225_ = f32();
+                                    phi_1226_ = true;
                                 }
-                                let _e1110 = phi_1231_;
-                                let _e1112 = phi_1232_;
-                                if _e1112 {
-                                    if (_e1053 <= 0f) {
-                                        if (_e1074 <= 0f) {
-                                            let _e1115 = (_e1095 <= 0f);
-                                            if _e1115 {
+                                let _e1104 = phi_1225_;
+                                let _e1106 = phi_1226_;
+                                if _e1106 {
+                                    if (_e1047 <= 0f) {
+                                        if (_e1068 <= 0f) {
+                                            let _e1109 = (_e1089 <= 0f);
+                                            if _e1109 {
                                             }
-                                            phi_1250_ = ((_e1053 + _e1074) + _e1095);
-                                            phi_1251_ = false;
-                                            phi_1252_ = _e1115;
+                                            phi_1244_ = ((_e1047 + _e1068) + _e1089);
+                                            phi_1245_ = false;
+                                            phi_1246_ = _e1109;
                                         } else {
-                                            phi_1250_ = f32();
-                                            phi_1251_ = true;
-                                            phi_1252_ = false;
+                                            phi_1244_ = f32();
+                                            phi_1245_ = true;
+                                            phi_1246_ = false;
                                         }
-                                        let _e1119 = phi_1250_;
-                                        let _e1121 = phi_1251_;
-                                        let _e1123 = phi_1252_;
-                                        phi_1253_ = _e1119;
-                                        phi_1254_ = _e1121;
-                                        phi_1255_ = _e1123;
+                                        let _e1113 = phi_1244_;
+                                        let _e1115 = phi_1245_;
+                                        let _e1117 = phi_1246_;
+                                        phi_1247_ = _e1113;
+                                        phi_1248_ = _e1115;
+                                        phi_1249_ = _e1117;
                                     } else {
-                                        phi_1253_ = f32();
-                                        phi_1254_ = true;
-                                        phi_1255_ = false;
+                                        phi_1247_ = f32();
+                                        phi_1248_ = true;
+                                        phi_1249_ = false;
+                                    }
+                                    let _e1119 = phi_1247_;
+                                    let _e1121 = phi_1248_;
+                                    let _e1123 = phi_1249_;
+                                    if _e1121 {
+                                        phi_1253_ = false;
+                                    } else {
+                                        phi_1253_ = _e1123;
                                     }
                                     let _e1125 = phi_1253_;
-                                    let _e1127 = phi_1254_;
-                                    let _e1129 = phi_1255_;
-                                    if _e1127 {
-                                        phi_1259_ = false;
-                                    } else {
-                                        phi_1259_ = _e1129;
-                                    }
-                                    let _e1131 = phi_1259_;
-                                    phi_1260_ = _e1125;
-                                    phi_1261_ = _e1131;
+                                    phi_1254_ = _e1119;
+                                    phi_1255_ = _e1125;
                                 } else {
-                                    phi_1260_ = _e1110;
-                                    phi_1261_ = true;
+                                    phi_1254_ = _e1104;
+                                    phi_1255_ = true;
                                 }
-                                let _e1133 = phi_1260_;
-                                let _e1135 = phi_1261_;
-                                if _e1135 {
-                                    let _e1136 = (_e1133 == 0f);
-                                    if _e1136 {
-                                        phi_1474_ = lt_bvh_triangle_Intersection();
-                                        phi_1475_ = false;
+                                let _e1127 = phi_1254_;
+                                let _e1129 = phi_1255_;
+                                if _e1129 {
+                                    let _e1130 = (_e1127 == 0f);
+                                    if _e1130 {
+                                        phi_1571_ = lt_bvh_triangle_Intersection();
+                                        phi_1572_ = false;
                                     } else {
-                                        let _e1142 = ((((_e1053 * (_e349 * _e966.z)) + (_e1074 * (_e349 * _e994.z))) + (_e1095 * (_e349 * _e1022.z))) / _e1133);
-                                        if (_e1142 > 0f) {
-                                            if (_e1142 < _e113) {
-                                                let _e1146 = triangles.member[(0u + _e943)].v0_;
-                                                let _e1148 = triangles.member[(0u + _e943)].v1_;
-                                                if (_e1146.x < _e1148.x) {
-                                                    phi_1295_ = _e1146.x;
-                                                } else {
-                                                    phi_1295_ = _e1148.x;
-                                                }
-                                                let _e1155 = phi_1295_;
-                                                if (_e1146.y < _e1148.y) {
-                                                    phi_1304_ = _e1146.y;
-                                                } else {
-                                                    phi_1304_ = _e1148.y;
-                                                }
-                                                let _e1162 = phi_1304_;
-                                                if (_e1146.z < _e1148.z) {
-                                                    phi_1313_ = _e1146.z;
-                                                } else {
-                                                    phi_1313_ = _e1148.z;
-                                                }
-                                                let _e1169 = phi_1313_;
-                                                let _e1171 = triangles.member[(0u + _e943)].v2_;
-                                                if (_e1155 < _e1171.x) {
-                                                    phi_1322_ = _e1155;
-                                                } else {
-                                                    phi_1322_ = _e1171.x;
-                                                }
-                                                let _e1176 = phi_1322_;
-                                                if (_e1162 < _e1171.y) {
-                                                    phi_1329_ = _e1162;
-                                                } else {
-                                                    phi_1329_ = _e1171.y;
-                                                }
-                                                let _e1181 = phi_1329_;
-                                                if (_e1169 < _e1171.z) {
-                                                    phi_1336_ = _e1169;
-                                                } else {
-                                                    phi_1336_ = _e1171.z;
-                                                }
-                                                let _e1186 = phi_1336_;
-                                                let _e1188 = triangles.member[(0u + _e943)].v0_;
-                                                let _e1190 = triangles.member[(0u + _e943)].v1_;
-                                                if (_e1188.x > _e1190.x) {
-                                                    phi_1349_ = _e1188.x;
-                                                } else {
-                                                    phi_1349_ = _e1190.x;
-                                                }
-                                                let _e1197 = phi_1349_;
-                                                if (_e1188.y > _e1190.y) {
-                                                    phi_1358_ = _e1188.y;
-                                                } else {
-                                                    phi_1358_ = _e1190.y;
-                                                }
-                                                let _e1204 = phi_1358_;
-                                                if (_e1188.z > _e1190.z) {
-                                                    phi_1367_ = _e1188.z;
-                                                } else {
-                                                    phi_1367_ = _e1190.z;
-                                                }
-                                                let _e1211 = phi_1367_;
-                                                let _e1213 = triangles.member[(0u + _e943)].v2_;
-                                                if (_e1197 > _e1213.x) {
-                                                    phi_1376_ = _e1197;
-                                                } else {
-                                                    phi_1376_ = _e1213.x;
-                                                }
-                                                let _e1218 = phi_1376_;
-                                                if (_e1204 > _e1213.y) {
-                                                    phi_1383_ = _e1204;
-                                                } else {
-                                                    phi_1383_ = _e1213.y;
-                                                }
-                                                let _e1223 = phi_1383_;
-                                                if (_e1211 > _e1213.z) {
-                                                    phi_1390_ = _e1211;
-                                                } else {
-                                                    phi_1390_ = _e1213.z;
-                                                }
-                                                let _e1228 = phi_1390_;
-                                                let _e1232 = ((_e1176 - _e105) * _e262);
-                                                let _e1233 = ((_e1181 - _e107) * _e272);
-                                                let _e1234 = ((_e1186 - _e109) * _e282);
-                                                let _e1238 = ((_e1218 - _e105) * _e262);
-                                                let _e1239 = ((_e1223 - _e107) * _e272);
-                                                let _e1240 = ((_e1228 - _e109) * _e282);
-                                                if (_e1232 < _e1238) {
-                                                    phi_1407_ = _e1232;
-                                                } else {
-                                                    phi_1407_ = _e1238;
-                                                }
-                                                let _e1243 = phi_1407_;
-                                                if (_e1233 < _e1239) {
-                                                    phi_1412_ = _e1233;
-                                                } else {
-                                                    phi_1412_ = _e1239;
-                                                }
-                                                let _e1246 = phi_1412_;
-                                                if (_e1234 < _e1240) {
-                                                    phi_1417_ = _e1234;
-                                                } else {
-                                                    phi_1417_ = _e1240;
-                                                }
-                                                let _e1249 = phi_1417_;
-                                                if (_e1232 > _e1238) {
-                                                    phi_1425_ = _e1232;
-                                                } else {
-                                                    phi_1425_ = _e1238;
-                                                }
-                                                let _e1255 = phi_1425_;
-                                                if (_e1233 > _e1239) {
-                                                    phi_1430_ = _e1233;
-                                                } else {
-                                                    phi_1430_ = _e1239;
-                                                }
-                                                let _e1258 = phi_1430_;
-                                                if (_e1234 > _e1240) {
-                                                    phi_1435_ = _e1234;
-                                                } else {
-                                                    phi_1435_ = _e1240;
-                                                }
-                                                let _e1261 = phi_1435_;
-                                                let _e1265 = core_intrinsics_maximum_number_nsz_f32_((_e1243 - _e317), (_e1246 - _e318));
-                                                let _e1266 = core_intrinsics_maximum_number_nsz_f32_(_e1265, (_e1249 - _e319));
-                                                let _e1267 = core_intrinsics_minimum_number_nsz_f32_((_e1255 + _e317), (_e1258 + _e318));
-                                                let _e1268 = core_intrinsics_minimum_number_nsz_f32_(_e1267, (_e1261 + _e319));
-                                                if (_e1266 > -300000000000000000000000000000000000000f) {
-                                                    phi_1447_ = _e1266;
-                                                } else {
-                                                    phi_1447_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1271 = phi_1447_;
-                                                if (_e1268 < 300000000000000000000000000000000000000f) {
-                                                    phi_1452_ = _e1268;
-                                                } else {
-                                                    phi_1452_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1274 = phi_1452_;
-                                                if (_e1142 < _e1271) {
-                                                    phi_1457_ = _e1271;
-                                                } else {
-                                                    phi_1457_ = _e1142;
-                                                }
-                                                let _e1277 = phi_1457_;
-                                                if (_e1277 > _e1274) {
-                                                    phi_1462_ = _e1274;
-                                                } else {
-                                                    phi_1462_ = _e1277;
-                                                }
-                                                let _e1280 = phi_1462_;
-                                                phi_1467_ = lt_bvh_triangle_Intersection(_e1280, (_e1074 / _e1133), (_e1095 / _e1133), (_e1271 <= _e1274));
-                                                phi_1468_ = false;
-                                            } else {
-                                                phi_1467_ = lt_bvh_triangle_Intersection();
-                                                phi_1468_ = true;
-                                            }
-                                            let _e1286 = phi_1467_;
-                                            let _e1288 = phi_1468_;
-                                            phi_1469_ = _e1286;
-                                            phi_1470_ = _e1288;
+                                        let _e1132 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1134 = (_e1132.x - _e105);
+                                        let _e1136 = (_e1132.y - _e107);
+                                        let _e1138 = (_e1132.z - _e109);
+                                        if (_e333 == 0u) {
+                                            phi_1284_ = vec3<f32>(_e1136, _e1138, _e1134);
                                         } else {
-                                            phi_1469_ = lt_bvh_triangle_Intersection();
-                                            phi_1470_ = true;
+                                            if (_e333 == 1u) {
+                                                phi_1283_ = vec3<f32>(_e1138, _e1134, _e1136);
+                                            } else {
+                                                phi_1283_ = (_e1132 - vec3<f32>(_e105, _e107, _e109));
+                                            }
+                                            let _e1146 = phi_1283_;
+                                            phi_1284_ = _e1146;
                                         }
-                                        let _e1290 = phi_1469_;
-                                        let _e1292 = phi_1470_;
-                                        if _e1292 {
+                                        let _e1148 = phi_1284_;
+                                        let _e1150 = triangles.member[(0u + _e943)].v1_;
+                                        let _e1152 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1155 = (_e1150.x - _e1152.x);
+                                        let _e1158 = (_e1150.y - _e1152.y);
+                                        let _e1161 = (_e1150.z - _e1152.z);
+                                        if (_e333 == 0u) {
+                                            phi_1310_ = vec3<f32>(_e1158, _e1161, _e1155);
+                                        } else {
+                                            if (_e333 == 1u) {
+                                                phi_1309_ = vec3<f32>(_e1161, _e1155, _e1158);
+                                            } else {
+                                                phi_1309_ = (_e1150 - _e1152);
+                                            }
+                                            let _e1168 = phi_1309_;
+                                            phi_1310_ = _e1168;
                                         }
-                                        phi_1474_ = _e1290;
-                                        phi_1475_ = _e1292;
+                                        let _e1170 = phi_1310_;
+                                        let _e1172 = triangles.member[(0u + _e943)].v2_;
+                                        let _e1174 = triangles.member[(0u + _e943)].v0_;
+                                        let _e1177 = (_e1172.x - _e1174.x);
+                                        let _e1180 = (_e1172.y - _e1174.y);
+                                        let _e1183 = (_e1172.z - _e1174.z);
+                                        if (_e333 == 0u) {
+                                            phi_1336_ = vec3<f32>(_e1180, _e1183, _e1177);
+                                        } else {
+                                            if (_e333 == 1u) {
+                                                phi_1335_ = vec3<f32>(_e1183, _e1177, _e1180);
+                                            } else {
+                                                phi_1335_ = (_e1172 - _e1174);
+                                            }
+                                            let _e1190 = phi_1335_;
+                                            phi_1336_ = _e1190;
+                                        }
+                                        let _e1192 = phi_1336_;
+                                        let _e1199 = ((_e1170.y * _e1192.z) - (_e1170.z * _e1192.y));
+                                        let _e1206 = ((_e1170.z * _e1192.x) - (_e1170.x * _e1192.z));
+                                        let _e1213 = ((_e1170.x * _e1192.y) - (_e1170.y * _e1192.x));
+                                        let _e1227 = (((1f / _e341.z) * (((_e1199 * _e1148.x) + (_e1206 * _e1148.y)) + (_e1213 * _e1148.z))) / (((_e1199 * _e344) + (_e1206 * _e347)) + _e1213));
+                                        if (_e1227 > 0f) {
+                                            if (_e1227 < _e113) {
+                                                let _e1231 = triangles.member[(0u + _e943)].v0_;
+                                                let _e1233 = triangles.member[(0u + _e943)].v1_;
+                                                if (_e1231.x < _e1233.x) {
+                                                    phi_1392_ = _e1231.x;
+                                                } else {
+                                                    phi_1392_ = _e1233.x;
+                                                }
+                                                let _e1240 = phi_1392_;
+                                                if (_e1231.y < _e1233.y) {
+                                                    phi_1401_ = _e1231.y;
+                                                } else {
+                                                    phi_1401_ = _e1233.y;
+                                                }
+                                                let _e1247 = phi_1401_;
+                                                if (_e1231.z < _e1233.z) {
+                                                    phi_1410_ = _e1231.z;
+                                                } else {
+                                                    phi_1410_ = _e1233.z;
+                                                }
+                                                let _e1254 = phi_1410_;
+                                                let _e1256 = triangles.member[(0u + _e943)].v2_;
+                                                if (_e1240 < _e1256.x) {
+                                                    phi_1419_ = _e1240;
+                                                } else {
+                                                    phi_1419_ = _e1256.x;
+                                                }
+                                                let _e1261 = phi_1419_;
+                                                if (_e1247 < _e1256.y) {
+                                                    phi_1426_ = _e1247;
+                                                } else {
+                                                    phi_1426_ = _e1256.y;
+                                                }
+                                                let _e1266 = phi_1426_;
+                                                if (_e1254 < _e1256.z) {
+                                                    phi_1433_ = _e1254;
+                                                } else {
+                                                    phi_1433_ = _e1256.z;
+                                                }
+                                                let _e1271 = phi_1433_;
+                                                let _e1273 = triangles.member[(0u + _e943)].v0_;
+                                                let _e1275 = triangles.member[(0u + _e943)].v1_;
+                                                if (_e1273.x > _e1275.x) {
+                                                    phi_1446_ = _e1273.x;
+                                                } else {
+                                                    phi_1446_ = _e1275.x;
+                                                }
+                                                let _e1282 = phi_1446_;
+                                                if (_e1273.y > _e1275.y) {
+                                                    phi_1455_ = _e1273.y;
+                                                } else {
+                                                    phi_1455_ = _e1275.y;
+                                                }
+                                                let _e1289 = phi_1455_;
+                                                if (_e1273.z > _e1275.z) {
+                                                    phi_1464_ = _e1273.z;
+                                                } else {
+                                                    phi_1464_ = _e1275.z;
+                                                }
+                                                let _e1296 = phi_1464_;
+                                                let _e1298 = triangles.member[(0u + _e943)].v2_;
+                                                if (_e1282 > _e1298.x) {
+                                                    phi_1473_ = _e1282;
+                                                } else {
+                                                    phi_1473_ = _e1298.x;
+                                                }
+                                                let _e1303 = phi_1473_;
+                                                if (_e1289 > _e1298.y) {
+                                                    phi_1480_ = _e1289;
+                                                } else {
+                                                    phi_1480_ = _e1298.y;
+                                                }
+                                                let _e1308 = phi_1480_;
+                                                if (_e1296 > _e1298.z) {
+                                                    phi_1487_ = _e1296;
+                                                } else {
+                                                    phi_1487_ = _e1298.z;
+                                                }
+                                                let _e1313 = phi_1487_;
+                                                let _e1317 = ((_e1261 - _e105) * _e262);
+                                                let _e1318 = ((_e1266 - _e107) * _e272);
+                                                let _e1319 = ((_e1271 - _e109) * _e282);
+                                                let _e1323 = ((_e1303 - _e105) * _e262);
+                                                let _e1324 = ((_e1308 - _e107) * _e272);
+                                                let _e1325 = ((_e1313 - _e109) * _e282);
+                                                if (_e1317 < _e1323) {
+                                                    phi_1504_ = _e1317;
+                                                } else {
+                                                    phi_1504_ = _e1323;
+                                                }
+                                                let _e1328 = phi_1504_;
+                                                if (_e1318 < _e1324) {
+                                                    phi_1509_ = _e1318;
+                                                } else {
+                                                    phi_1509_ = _e1324;
+                                                }
+                                                let _e1331 = phi_1509_;
+                                                if (_e1319 < _e1325) {
+                                                    phi_1514_ = _e1319;
+                                                } else {
+                                                    phi_1514_ = _e1325;
+                                                }
+                                                let _e1334 = phi_1514_;
+                                                if (_e1317 > _e1323) {
+                                                    phi_1522_ = _e1317;
+                                                } else {
+                                                    phi_1522_ = _e1323;
+                                                }
+                                                let _e1340 = phi_1522_;
+                                                if (_e1318 > _e1324) {
+                                                    phi_1527_ = _e1318;
+                                                } else {
+                                                    phi_1527_ = _e1324;
+                                                }
+                                                let _e1343 = phi_1527_;
+                                                if (_e1319 > _e1325) {
+                                                    phi_1532_ = _e1319;
+                                                } else {
+                                                    phi_1532_ = _e1325;
+                                                }
+                                                let _e1346 = phi_1532_;
+                                                let _e1350 = core_intrinsics_maximum_number_nsz_f32_((_e1328 - _e317), (_e1331 - _e318));
+                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_(_e1350, (_e1334 - _e319));
+                                                let _e1352 = core_intrinsics_minimum_number_nsz_f32_((_e1340 + _e317), (_e1343 + _e318));
+                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_(_e1352, (_e1346 + _e319));
+                                                if (_e1351 > -300000000000000000000000000000000000000f) {
+                                                    phi_1544_ = _e1351;
+                                                } else {
+                                                    phi_1544_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1356 = phi_1544_;
+                                                if (_e1353 < 300000000000000000000000000000000000000f) {
+                                                    phi_1549_ = _e1353;
+                                                } else {
+                                                    phi_1549_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1359 = phi_1549_;
+                                                if (_e1227 < _e1356) {
+                                                    phi_1554_ = _e1356;
+                                                } else {
+                                                    phi_1554_ = _e1227;
+                                                }
+                                                let _e1362 = phi_1554_;
+                                                if (_e1362 > _e1359) {
+                                                    phi_1559_ = _e1359;
+                                                } else {
+                                                    phi_1559_ = _e1362;
+                                                }
+                                                let _e1365 = phi_1559_;
+                                                phi_1564_ = lt_bvh_triangle_Intersection(_e1365, (_e1068 / _e1127), (_e1089 / _e1127), (_e1356 <= _e1359));
+                                                phi_1565_ = false;
+                                            } else {
+                                                phi_1564_ = lt_bvh_triangle_Intersection();
+                                                phi_1565_ = true;
+                                            }
+                                            let _e1371 = phi_1564_;
+                                            let _e1373 = phi_1565_;
+                                            phi_1566_ = _e1371;
+                                            phi_1567_ = _e1373;
+                                        } else {
+                                            phi_1566_ = lt_bvh_triangle_Intersection();
+                                            phi_1567_ = true;
+                                        }
+                                        let _e1375 = phi_1566_;
+                                        let _e1377 = phi_1567_;
+                                        if _e1377 {
+                                        }
+                                        phi_1571_ = _e1375;
+                                        phi_1572_ = _e1377;
                                     }
-                                    let _e1294 = phi_1474_;
-                                    let _e1296 = phi_1475_;
-                                    phi_1476_ = _e1294;
-                                    phi_1477_ = _e1136;
-                                    phi_1478_ = _e1296;
+                                    let _e1379 = phi_1571_;
+                                    let _e1381 = phi_1572_;
+                                    phi_1573_ = _e1379;
+                                    phi_1574_ = _e1130;
+                                    phi_1575_ = _e1381;
                                 } else {
-                                    phi_1476_ = lt_bvh_triangle_Intersection();
-                                    phi_1477_ = true;
-                                    phi_1478_ = false;
+                                    phi_1573_ = lt_bvh_triangle_Intersection();
+                                    phi_1574_ = true;
+                                    phi_1575_ = false;
                                 }
-                                let _e1298 = phi_1476_;
-                                let _e1300 = phi_1477_;
-                                let _e1302 = phi_1478_;
-                                if _e1300 {
-                                    phi_1482_ = true;
+                                let _e1383 = phi_1573_;
+                                let _e1385 = phi_1574_;
+                                let _e1387 = phi_1575_;
+                                if _e1385 {
+                                    phi_1579_ = true;
                                 } else {
-                                    phi_1482_ = _e1302;
+                                    phi_1579_ = _e1387;
                                 }
-                                let _e1304 = phi_1482_;
-                                if _e1304 {
-                                    phi_1486_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1389 = phi_1579_;
+                                if _e1389 {
+                                    phi_1583_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1486_ = _e1298;
+                                    phi_1583_ = _e1383;
                                 }
-                                let _e1306 = phi_1486_;
-                                if _e1306.is_hit {
-                                    if (_e1306.t > 0f) {
-                                        if (_e1306.t < _e113) {
-                                            let _e1313 = triangles.member[(0u + _e943)].i0_;
-                                            let _e1315 = ((_e1313 & 2147483648u) == 0u);
-                                            if _e1315 {
-                                                phi_1512_ = false;
-                                                phi_1513_ = false;
+                                let _e1391 = phi_1583_;
+                                if _e1391.is_hit {
+                                    if (_e1391.t > 0f) {
+                                        if (_e1391.t < _e113) {
+                                            let _e1398 = triangles.member[(0u + _e943)].i0_;
+                                            let _e1400 = ((_e1398 & 2147483648u) == 0u);
+                                            if _e1400 {
+                                                phi_1609_ = false;
+                                                phi_1610_ = false;
                                             } else {
                                                 if true {
-                                                    phi_1511_ = false;
+                                                    phi_1608_ = false;
                                                 } else {
-                                                    phi_1511_ = true;
+                                                    phi_1608_ = true;
                                                 }
-                                                let _e1317 = phi_1511_;
-                                                phi_1512_ = _e1317;
-                                                phi_1513_ = true;
+                                                let _e1402 = phi_1608_;
+                                                phi_1609_ = _e1402;
+                                                phi_1610_ = true;
                                             }
-                                            let _e1319 = phi_1512_;
-                                            let _e1321 = phi_1513_;
-                                            phi_1514_ = _e1319;
-                                            phi_1515_ = _e1315;
-                                            phi_1516_ = _e1321;
+                                            let _e1404 = phi_1609_;
+                                            let _e1406 = phi_1610_;
+                                            phi_1611_ = _e1404;
+                                            phi_1612_ = _e1400;
+                                            phi_1613_ = _e1406;
                                         } else {
-                                            phi_1514_ = true;
-                                            phi_1515_ = false;
-                                            phi_1516_ = false;
+                                            phi_1611_ = true;
+                                            phi_1612_ = false;
+                                            phi_1613_ = false;
                                         }
-                                        let _e1323 = phi_1514_;
-                                        let _e1325 = phi_1515_;
-                                        let _e1327 = phi_1516_;
-                                        phi_1517_ = _e1323;
-                                        phi_1518_ = _e1325;
-                                        phi_1519_ = _e1327;
+                                        let _e1408 = phi_1611_;
+                                        let _e1410 = phi_1612_;
+                                        let _e1412 = phi_1613_;
+                                        phi_1614_ = _e1408;
+                                        phi_1615_ = _e1410;
+                                        phi_1616_ = _e1412;
                                     } else {
-                                        phi_1517_ = true;
-                                        phi_1518_ = false;
-                                        phi_1519_ = false;
+                                        phi_1614_ = true;
+                                        phi_1615_ = false;
+                                        phi_1616_ = false;
                                     }
-                                    let _e1329 = phi_1517_;
-                                    let _e1331 = phi_1518_;
-                                    let _e1333 = phi_1519_;
-                                    phi_1520_ = _e1329;
-                                    phi_1521_ = _e1331;
-                                    phi_1522_ = _e1333;
+                                    let _e1414 = phi_1614_;
+                                    let _e1416 = phi_1615_;
+                                    let _e1418 = phi_1616_;
+                                    phi_1617_ = _e1414;
+                                    phi_1618_ = _e1416;
+                                    phi_1619_ = _e1418;
                                 } else {
-                                    phi_1520_ = true;
-                                    phi_1521_ = false;
-                                    phi_1522_ = false;
+                                    phi_1617_ = true;
+                                    phi_1618_ = false;
+                                    phi_1619_ = false;
                                 }
-                                let _e1335 = phi_1520_;
-                                let _e1337 = phi_1521_;
-                                let _e1339 = phi_1522_;
-                                if _e1335 {
-                                    phi_1526_ = false;
-                                    phi_1527_ = false;
+                                let _e1420 = phi_1617_;
+                                let _e1422 = phi_1618_;
+                                let _e1424 = phi_1619_;
+                                if _e1420 {
+                                    phi_1623_ = false;
+                                    phi_1624_ = false;
                                 } else {
-                                    phi_1526_ = _e1337;
-                                    phi_1527_ = _e1339;
+                                    phi_1623_ = _e1422;
+                                    phi_1624_ = _e1424;
                                 }
-                                let _e1341 = phi_1526_;
-                                let _e1343 = phi_1527_;
+                                let _e1426 = phi_1623_;
+                                let _e1428 = phi_1624_;
                                 phi_1015_ = (_e934 & (_e934 - 1u));
-                                phi_1528_ = _e1335;
-                                phi_1529_ = _e1341;
-                                phi_1530_ = _e1343;
+                                phi_1625_ = _e1420;
+                                phi_1626_ = _e1426;
+                                phi_1627_ = _e1428;
                             }
-                            let _e1345 = phi_1015_;
-                            let _e1347 = phi_1528_;
-                            let _e1349 = phi_1529_;
-                            let _e1351 = phi_1530_;
-                            local_6 = _e1349;
-                            local_7 = _e1351;
+                            let _e1430 = phi_1015_;
+                            let _e1432 = phi_1625_;
+                            let _e1434 = phi_1626_;
+                            let _e1436 = phi_1627_;
+                            local_6 = _e1434;
+                            local_7 = _e1436;
                             continue;
                             continuing {
-                                phi_1014_ = _e1345;
-                                break if !(_e1347);
+                                phi_1014_ = _e1430;
+                                break if !(_e1432);
                             }
                         }
-                        let _e1354 = local_4;
-                        if _e1354 {
-                            let _e1356 = local.group_mask;
-                            if ((_e1356 & 4278190080u) == 0u) {
-                                let _e1360 = local.len;
-                                if (_e1360 == 0u) {
-                                    phi_1572_ = false;
+                        let _e1439 = local_4;
+                        if _e1439 {
+                            let _e1441 = local.group_mask;
+                            if ((_e1441 & 4278190080u) == 0u) {
+                                let _e1445 = local.len;
+                                if (_e1445 == 0u) {
+                                    phi_1669_ = false;
                                 } else {
-                                    let _e1364 = local.len;
-                                    local.len = (_e1364 - 1u);
-                                    let _e1367 = local.len;
-                                    if (_e1367 < 32u) {
+                                    let _e1449 = local.len;
+                                    local.len = (_e1449 - 1u);
+                                    let _e1452 = local.len;
+                                    if (_e1452 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1372 = local.first[(0u + _e1367)];
-                                    local.group = _e1372;
-                                    let _e1375 = local.len;
-                                    if (_e1375 < 32u) {
+                                    let _e1457 = local.first[(0u + _e1452)];
+                                    local.group = _e1457;
+                                    let _e1460 = local.len;
+                                    if (_e1460 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1380 = local.mask[(0u + _e1375)];
-                                    local.group_mask = _e1380;
-                                    phi_1572_ = true;
+                                    let _e1465 = local.mask[(0u + _e1460)];
+                                    local.group_mask = _e1465;
+                                    phi_1669_ = true;
                                 }
-                                let _e1383 = phi_1572_;
-                                phi_1573_ = _e1383;
+                                let _e1468 = phi_1669_;
+                                phi_1670_ = _e1468;
                             } else {
-                                phi_1573_ = true;
+                                phi_1670_ = true;
                             }
-                            let _e1385 = phi_1573_;
-                            if _e1385 {
-                                let _e1387 = local.group_mask;
-                                let _e1393 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1387)), 32u, (_e1387 == 0u)));
-                                let _e1397 = local.group_mask;
-                                let _e1411 = local.group_mask;
-                                local.group_mask = (_e1411 & ~((1u << bitcast<u32>((_e1393 & 31u)))));
-                                let _e1414 = local.group;
-                                phi_1604_ = (_e1414 + countOneBits(((_e1397 & ~((4294967295u << bitcast<u32>((((_e1393 - 24u) ^ _e360) & 31u))))) & 255u)));
+                            let _e1470 = phi_1670_;
+                            if _e1470 {
+                                let _e1472 = local.group_mask;
+                                let _e1478 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1472)), 32u, (_e1472 == 0u)));
+                                let _e1482 = local.group_mask;
+                                let _e1496 = local.group_mask;
+                                local.group_mask = (_e1496 & ~((1u << bitcast<u32>((_e1478 & 31u)))));
+                                let _e1499 = local.group;
+                                phi_1701_ = (_e1499 + countOneBits(((_e1482 & ~((4294967295u << bitcast<u32>((((_e1478 - 24u) ^ _e360) & 31u))))) & 255u)));
                             } else {
-                                phi_1604_ = 4294967295u;
+                                phi_1701_ = 4294967295u;
                             }
-                            let _e1417 = phi_1604_;
-                            phi_1605_ = _e1417;
-                            phi_1606_ = false;
-                            phi_1607_ = false;
+                            let _e1502 = phi_1701_;
+                            phi_1702_ = _e1502;
+                            phi_1703_ = false;
+                            phi_1704_ = false;
                         } else {
-                            phi_1605_ = u32();
-                            let _e1652 = local_6;
-                            phi_1606_ = _e1652;
-                            let _e1655 = local_7;
-                            phi_1607_ = _e1655;
+                            phi_1702_ = u32();
+                            let _e1743 = local_6;
+                            phi_1703_ = _e1743;
+                            let _e1746 = local_7;
+                            phi_1704_ = _e1746;
                         }
-                        let _e1419 = phi_1605_;
-                        let _e1421 = phi_1606_;
-                        let _e1423 = phi_1607_;
-                        phi_685_ = _e1419;
-                        let _e1659 = local_8;
-                        phi_1608_ = _e1659;
-                        phi_1609_ = false;
-                        phi_1610_ = _e1421;
-                        phi_1611_ = _e1423;
+                        let _e1504 = phi_1702_;
+                        let _e1506 = phi_1703_;
+                        let _e1508 = phi_1704_;
+                        phi_685_ = _e1504;
+                        let _e1750 = local_8;
+                        phi_1705_ = _e1750;
+                        phi_1706_ = false;
+                        phi_1707_ = _e1506;
+                        phi_1708_ = _e1508;
                     } else {
                         phi_685_ = u32();
-                        phi_1608_ = false;
-                        phi_1609_ = true;
-                        phi_1610_ = false;
-                        phi_1611_ = false;
+                        phi_1705_ = false;
+                        phi_1706_ = true;
+                        phi_1707_ = false;
+                        phi_1708_ = false;
                     }
-                    let _e1425 = phi_685_;
-                    let _e1427 = phi_1608_;
-                    let _e1429 = phi_1609_;
-                    let _e1431 = phi_1610_;
-                    let _e1433 = phi_1611_;
-                    local_5 = _e1429;
-                    local_9 = _e1431;
-                    local_10 = _e1433;
+                    let _e1510 = phi_685_;
+                    let _e1512 = phi_1705_;
+                    let _e1514 = phi_1706_;
+                    let _e1516 = phi_1707_;
+                    let _e1518 = phi_1708_;
+                    local_5 = _e1514;
+                    local_9 = _e1516;
+                    local_10 = _e1518;
                     continue;
                     continuing {
-                        phi_684_ = _e1425;
-                        break if !(_e1427);
+                        phi_684_ = _e1510;
+                        break if !(_e1512);
                     }
                 }
-                let _e1436 = local_5;
-                if _e1436 {
-                    phi_1615_ = false;
-                    phi_1616_ = false;
+                let _e1521 = local_5;
+                if _e1521 {
+                    phi_1712_ = false;
+                    phi_1713_ = false;
                 } else {
-                    let _e1666 = local_9;
-                    phi_1615_ = _e1666;
-                    let _e1669 = local_10;
-                    phi_1616_ = _e1669;
+                    let _e1757 = local_9;
+                    phi_1712_ = _e1757;
+                    let _e1760 = local_10;
+                    phi_1713_ = _e1760;
                 }
-                let _e1438 = phi_1615_;
-                let _e1440 = phi_1616_;
-                if _e1438 {
-                    phi_1620_ = true;
+                let _e1523 = phi_1712_;
+                let _e1525 = phi_1713_;
+                if _e1523 {
+                    phi_1717_ = true;
                 } else {
-                    phi_1620_ = _e1440;
+                    phi_1717_ = _e1525;
                 }
-                let _e1442 = phi_1620_;
-                if _e1442 {
-                    phi_1624_ = true;
+                let _e1527 = phi_1717_;
+                if _e1527 {
+                    phi_1721_ = true;
                 } else {
-                    phi_1624_ = false;
+                    phi_1721_ = false;
                 }
-                let _e1444 = phi_1624_;
-                phi_1625_ = _e1444;
+                let _e1529 = phi_1721_;
+                phi_1722_ = _e1529;
             }
-            let _e1446 = phi_1625_;
-            phi_1626_ = _e1446;
-            phi_1627_ = _e186;
+            let _e1531 = phi_1722_;
+            phi_1723_ = _e1531;
+            phi_1724_ = _e186;
         } else {
-            phi_1626_ = bool();
-            phi_1627_ = true;
+            phi_1723_ = bool();
+            phi_1724_ = true;
         }
-        let _e1448 = phi_1626_;
-        let _e1450 = phi_1627_;
-        if _e1450 {
-            phi_1631_ = false;
+        let _e1533 = phi_1723_;
+        let _e1535 = phi_1724_;
+        if _e1535 {
+            phi_1728_ = false;
         } else {
-            phi_1631_ = _e1448;
+            phi_1728_ = _e1533;
         }
-        let _e1452 = phi_1631_;
-        if _e1452 {
-            phi_1635_ = 0f;
+        let _e1537 = phi_1728_;
+        if _e1537 {
+            phi_1732_ = 0f;
         } else {
-            phi_1635_ = 1f;
+            phi_1732_ = 1f;
         }
-        let _e1454 = phi_1635_;
+        let _e1539 = phi_1732_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        visibility.member[(0u + _e84)] = _e1454;
+        visibility.member[(0u + _e84)] = _e1539;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        let _e1461 = bits.member[(0u + _e84)];
-        if ((_e1461 & 2u) == 0u) {
-            phi_1656_ = (_e1461 & 1u);
+        let _e1546 = bits.member[(0u + _e84)];
+        if ((_e1546 & 2u) == 0u) {
+            phi_1753_ = (_e1546 & 1u);
         } else {
-            phi_1656_ = (_e1461 & 7u);
+            phi_1753_ = (_e1546 & 7u);
         }
-        let _e1467 = phi_1656_;
+        let _e1552 = phi_1753_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        let _e1471 = visibility.member[(0u + _e84)];
-        if ((_e1467 & 1u) != 0u) {
-            phi_1671_ = (2u | 1u);
+        let _e1556 = visibility.member[(0u + _e84)];
+        if ((_e1552 & 1u) != 0u) {
+            phi_1768_ = (2u | 1u);
         } else {
-            phi_1671_ = 2u;
+            phi_1768_ = 2u;
         }
-        let _e1477 = phi_1671_;
-        if (_e1471 < 0.5f) {
-            phi_1676_ = (_e1477 | 4u);
+        let _e1562 = phi_1768_;
+        if (_e1556 < 0.5f) {
+            phi_1773_ = (_e1562 | 4u);
         } else {
-            phi_1676_ = _e1477;
+            phi_1773_ = _e1562;
         }
-        let _e1480 = phi_1676_;
+        let _e1565 = phi_1773_;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        bits.member[(0u + _e84)] = _e1480;
+        bits.member[(0u + _e84)] = _e1565;
     }
     return;
 }

@@ -710,146 +710,152 @@ fn function_() {
     var phi_2363_: u32;
     var phi_2408_: vec3<f32>;
     var phi_2409_: vec3<f32>;
-    var phi_2440_: vec3<f32>;
-    var phi_2441_: vec3<f32>;
-    var phi_2472_: vec3<f32>;
-    var phi_2473_: vec3<f32>;
-    var phi_2493_: bool;
-    var phi_2494_: bool;
-    var phi_2498_: f32;
-    var phi_2499_: f32;
-    var phi_2500_: f32;
-    var phi_2501_: f32;
-    var phi_2509_: f32;
-    var phi_2519_: bool;
-    var phi_2520_: bool;
-    var phi_2524_: f32;
-    var phi_2525_: f32;
-    var phi_2526_: f32;
-    var phi_2527_: f32;
-    var phi_2535_: f32;
-    var phi_2545_: bool;
-    var phi_2546_: bool;
-    var phi_2550_: f32;
-    var phi_2551_: f32;
-    var phi_2552_: f32;
-    var phi_2553_: f32;
-    var phi_2561_: f32;
-    var phi_2576_: f32;
-    var phi_2577_: bool;
-    var phi_2578_: f32;
-    var phi_2579_: bool;
-    var phi_2580_: f32;
-    var phi_2581_: bool;
-    var phi_2599_: f32;
-    var phi_2600_: bool;
-    var phi_2601_: bool;
-    var phi_2602_: f32;
-    var phi_2603_: bool;
+    var phi_2438_: vec3<f32>;
+    var phi_2439_: vec3<f32>;
+    var phi_2468_: vec3<f32>;
+    var phi_2469_: vec3<f32>;
+    var phi_2487_: bool;
+    var phi_2488_: bool;
+    var phi_2492_: f32;
+    var phi_2493_: f32;
+    var phi_2494_: f32;
+    var phi_2495_: f32;
+    var phi_2503_: f32;
+    var phi_2513_: bool;
+    var phi_2514_: bool;
+    var phi_2518_: f32;
+    var phi_2519_: f32;
+    var phi_2520_: f32;
+    var phi_2521_: f32;
+    var phi_2529_: f32;
+    var phi_2539_: bool;
+    var phi_2540_: bool;
+    var phi_2544_: f32;
+    var phi_2545_: f32;
+    var phi_2546_: f32;
+    var phi_2547_: f32;
+    var phi_2555_: f32;
+    var phi_2570_: f32;
+    var phi_2571_: bool;
+    var phi_2572_: f32;
+    var phi_2573_: bool;
+    var phi_2574_: f32;
+    var phi_2575_: bool;
+    var phi_2593_: f32;
+    var phi_2594_: bool;
+    var phi_2595_: bool;
+    var phi_2596_: f32;
+    var phi_2597_: bool;
+    var phi_2598_: bool;
+    var phi_2602_: bool;
+    var phi_2603_: f32;
     var phi_2604_: bool;
-    var phi_2608_: bool;
-    var phi_2609_: f32;
-    var phi_2610_: bool;
-    var phi_2644_: f32;
-    var phi_2653_: f32;
-    var phi_2662_: f32;
-    var phi_2671_: f32;
-    var phi_2678_: f32;
-    var phi_2685_: f32;
-    var phi_2698_: f32;
-    var phi_2707_: f32;
-    var phi_2716_: f32;
-    var phi_2725_: f32;
-    var phi_2732_: f32;
-    var phi_2739_: f32;
-    var phi_2756_: f32;
-    var phi_2761_: f32;
-    var phi_2766_: f32;
-    var phi_2774_: f32;
-    var phi_2779_: f32;
-    var phi_2784_: f32;
-    var phi_2796_: f32;
-    var phi_2801_: f32;
-    var phi_2806_: f32;
-    var phi_2811_: f32;
-    var phi_2816_: lt_bvh_triangle_Intersection;
-    var phi_2817_: bool;
-    var phi_2818_: lt_bvh_triangle_Intersection;
-    var phi_2819_: bool;
-    var phi_2823_: lt_bvh_triangle_Intersection;
-    var phi_2824_: bool;
-    var phi_2825_: lt_bvh_triangle_Intersection;
-    var phi_2826_: bool;
-    var phi_2827_: bool;
-    var phi_2831_: bool;
-    var phi_2835_: lt_bvh_triangle_Intersection;
-    var phi_3049_: f32;
-    var phi_3052_: bool;
-    var phi_3053_: bool;
-    var phi_3057_: bool;
-    var phi_3058_: bool;
-    var phi_3059_: bool;
-    var phi_3060_: bool;
-    var phi_3061_: bool;
-    var phi_3062_: bool;
-    var phi_3063_: bool;
-    var phi_3064_: bool;
-    var phi_3065_: bool;
-    var phi_3066_: bool;
-    var phi_3067_: bool;
-    var phi_3068_: bool;
-    var phi_3072_: bool;
-    var phi_3073_: bool;
-    var phi_2364_: u32;
-    var phi_3074_: bool;
-    var phi_3075_: bool;
-    var phi_3076_: bool;
-    var local_9: bool;
-    var phi_3118_: bool;
-    var phi_3119_: bool;
-    var phi_3150_: u32;
-    var phi_3151_: u32;
-    var phi_3152_: bool;
-    var phi_3153_: bool;
-    var phi_2034_: u32;
+    var phi_2632_: vec3<f32>;
+    var phi_2633_: vec3<f32>;
+    var phi_2658_: vec3<f32>;
+    var phi_2659_: vec3<f32>;
+    var phi_2684_: vec3<f32>;
+    var phi_2685_: vec3<f32>;
+    var phi_2741_: f32;
+    var phi_2750_: f32;
+    var phi_2759_: f32;
+    var phi_2768_: f32;
+    var phi_2775_: f32;
+    var phi_2782_: f32;
+    var phi_2795_: f32;
+    var phi_2804_: f32;
+    var phi_2813_: f32;
+    var phi_2822_: f32;
+    var phi_2829_: f32;
+    var phi_2836_: f32;
+    var phi_2853_: f32;
+    var phi_2858_: f32;
+    var phi_2863_: f32;
+    var phi_2871_: f32;
+    var phi_2876_: f32;
+    var phi_2881_: f32;
+    var phi_2893_: f32;
+    var phi_2898_: f32;
+    var phi_2903_: f32;
+    var phi_2908_: f32;
+    var phi_2913_: lt_bvh_triangle_Intersection;
+    var phi_2914_: bool;
+    var phi_2915_: lt_bvh_triangle_Intersection;
+    var phi_2916_: bool;
+    var phi_2920_: lt_bvh_triangle_Intersection;
+    var phi_2921_: bool;
+    var phi_2922_: lt_bvh_triangle_Intersection;
+    var phi_2923_: bool;
+    var phi_2924_: bool;
+    var phi_2928_: bool;
+    var phi_2932_: lt_bvh_triangle_Intersection;
+    var phi_3146_: f32;
+    var phi_3149_: bool;
+    var phi_3150_: bool;
     var phi_3154_: bool;
     var phi_3155_: bool;
     var phi_3156_: bool;
     var phi_3157_: bool;
-    var local_10: bool;
+    var phi_3158_: bool;
+    var phi_3159_: bool;
+    var phi_3160_: bool;
     var phi_3161_: bool;
     var phi_3162_: bool;
-    var phi_3166_: bool;
+    var phi_3163_: bool;
+    var phi_3164_: bool;
+    var phi_3165_: bool;
+    var phi_3169_: bool;
     var phi_3170_: bool;
+    var phi_2364_: u32;
     var phi_3171_: bool;
     var phi_3172_: bool;
     var phi_3173_: bool;
-    var phi_3177_: bool;
-    var phi_3181_: bool;
-    var phi_3182_: bool;
-    var phi_3183_: bool;
-    var phi_3184_: bool;
-    var phi_1428_: u32;
-    var phi_3188_: bool;
-    var local_11: bool;
-    var phi_3230_: bool;
-    var phi_3231_: bool;
-    var phi_3262_: u32;
-    var phi_3263_: u32;
-    var phi_1098_: u32;
-    var phi_3264_: bool;
-    var phi_3265_: bool;
-    var local_12: bool;
+    var local_9: bool;
+    var phi_3215_: bool;
+    var phi_3216_: bool;
+    var phi_3247_: u32;
+    var phi_3248_: u32;
+    var phi_3249_: bool;
+    var phi_3250_: bool;
+    var phi_2034_: u32;
+    var phi_3251_: bool;
+    var phi_3252_: bool;
+    var phi_3253_: bool;
+    var phi_3254_: bool;
+    var local_10: bool;
+    var phi_3258_: bool;
+    var phi_3259_: bool;
+    var phi_3263_: bool;
+    var phi_3267_: bool;
+    var phi_3268_: bool;
     var phi_3269_: bool;
-    var phi_3273_: bool;
+    var phi_3270_: bool;
     var phi_3274_: bool;
-    var phi_3275_: bool;
-    var phi_3276_: bool;
+    var phi_3278_: bool;
+    var phi_3279_: bool;
     var phi_3280_: bool;
-    var phi_3284_: f32;
-    var phi_3305_: u32;
-    var phi_3320_: u32;
-    var phi_3325_: u32;
+    var phi_3281_: bool;
+    var phi_1428_: u32;
+    var phi_3285_: bool;
+    var local_11: bool;
+    var phi_3327_: bool;
+    var phi_3328_: bool;
+    var phi_3359_: u32;
+    var phi_3360_: u32;
+    var phi_1098_: u32;
+    var phi_3361_: bool;
+    var phi_3362_: bool;
+    var local_12: bool;
+    var phi_3366_: bool;
+    var phi_3370_: bool;
+    var phi_3371_: bool;
+    var phi_3372_: bool;
+    var phi_3373_: bool;
+    var phi_3377_: bool;
+    var phi_3381_: f32;
+    var phi_3402_: u32;
+    var phi_3417_: u32;
+    var phi_3422_: u32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -1009,7 +1015,7 @@ fn function_() {
         if _e216 {
             let _e217 = (_e116 >= _e77);
             if _e217 {
-                phi_3274_ = bool();
+                phi_3371_ = bool();
             } else {
                 if (_e116 < _e77) {
                 } else {
@@ -1357,7 +1363,7 @@ fn function_() {
                             local_18 = _e936;
                             if _e936 {
                                 phi_1428_ = u32();
-                                phi_3188_ = false;
+                                phi_3285_ = false;
                             } else {
                                 let _e939 = nodes.member[(0u + _e499)].links[1u];
                                 let _e943 = (_e939 + select(firstTrailingBit(_e935), 32u, (_e935 == 0u)));
@@ -1539,7 +1545,7 @@ fn function_() {
                                             if _e1147 {
                                                 let _e1148 = (_e1084 >= _e77);
                                                 if _e1148 {
-                                                    phi_3171_ = bool();
+                                                    phi_3268_ = bool();
                                                 } else {
                                                     if (_e1084 < _e77) {
                                                     } else {
@@ -1666,7 +1672,6 @@ fn function_() {
                                                     let _e1303 = phi_1862_;
                                                     let _e1306 = (_e1303.x / _e1303.z);
                                                     let _e1309 = (_e1303.y / _e1303.z);
-                                                    let _e1311 = (1f / _e1303.z);
                                                     if (_e1224 < 0f) {
                                                         phi_1875_ = 0u;
                                                     } else {
@@ -1929,9 +1934,9 @@ fn function_() {
                                                                 local_15 = _e1897;
                                                                 if _e1897 {
                                                                     phi_2364_ = u32();
-                                                                    phi_3074_ = false;
-                                                                    phi_3075_ = false;
-                                                                    phi_3076_ = false;
+                                                                    phi_3171_ = false;
+                                                                    phi_3172_ = false;
+                                                                    phi_3173_ = false;
                                                                 } else {
                                                                     let _e1900 = nodes.member[(0u + _e1460)].links[1u];
                                                                     let _e1905 = ((_e1086 + _e1900) + select(firstTrailingBit(_e1896), 32u, (_e1896 == 0u)));
@@ -1957,873 +1962,926 @@ fn function_() {
                                                                     let _e1928 = phi_2409_;
                                                                     let _e1932 = (_e1928.x - (_e1306 * _e1928.z));
                                                                     let _e1936 = (_e1928.y - (_e1309 * _e1928.z));
-                                                                    let _e1940 = triangles.member[(0u + _e1905)].v1_;
-                                                                    let _e1942 = (_e1940.x - _e1015);
-                                                                    let _e1944 = (_e1940.y - _e1028);
-                                                                    let _e1946 = (_e1940.z - _e1041);
+                                                                    let _e1938 = triangles.member[(0u + _e1905)].v1_;
+                                                                    let _e1940 = (_e1938.x - _e1015);
+                                                                    let _e1942 = (_e1938.y - _e1028);
+                                                                    let _e1944 = (_e1938.z - _e1041);
                                                                     if (_e1295 == 0u) {
-                                                                        phi_2441_ = vec3<f32>(_e1944, _e1946, _e1942);
+                                                                        phi_2439_ = vec3<f32>(_e1942, _e1944, _e1940);
                                                                     } else {
                                                                         if (_e1295 == 1u) {
-                                                                            phi_2440_ = vec3<f32>(_e1946, _e1942, _e1944);
+                                                                            phi_2438_ = vec3<f32>(_e1944, _e1940, _e1942);
                                                                         } else {
-                                                                            phi_2440_ = (_e1940 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2438_ = (_e1938 - vec3<f32>(_e1015, _e1028, _e1041));
                                                                         }
-                                                                        let _e1954 = phi_2440_;
-                                                                        phi_2441_ = _e1954;
+                                                                        let _e1952 = phi_2438_;
+                                                                        phi_2439_ = _e1952;
                                                                     }
-                                                                    let _e1956 = phi_2441_;
-                                                                    let _e1960 = (_e1956.x - (_e1306 * _e1956.z));
-                                                                    let _e1964 = (_e1956.y - (_e1309 * _e1956.z));
-                                                                    let _e1968 = triangles.member[(0u + _e1905)].v2_;
-                                                                    let _e1970 = (_e1968.x - _e1015);
-                                                                    let _e1972 = (_e1968.y - _e1028);
-                                                                    let _e1974 = (_e1968.z - _e1041);
+                                                                    let _e1954 = phi_2439_;
+                                                                    let _e1958 = (_e1954.x - (_e1306 * _e1954.z));
+                                                                    let _e1962 = (_e1954.y - (_e1309 * _e1954.z));
+                                                                    let _e1964 = triangles.member[(0u + _e1905)].v2_;
+                                                                    let _e1966 = (_e1964.x - _e1015);
+                                                                    let _e1968 = (_e1964.y - _e1028);
+                                                                    let _e1970 = (_e1964.z - _e1041);
                                                                     if (_e1295 == 0u) {
-                                                                        phi_2473_ = vec3<f32>(_e1972, _e1974, _e1970);
+                                                                        phi_2469_ = vec3<f32>(_e1968, _e1970, _e1966);
                                                                     } else {
                                                                         if (_e1295 == 1u) {
-                                                                            phi_2472_ = vec3<f32>(_e1974, _e1970, _e1972);
+                                                                            phi_2468_ = vec3<f32>(_e1970, _e1966, _e1968);
                                                                         } else {
-                                                                            phi_2472_ = (_e1968 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2468_ = (_e1964 - vec3<f32>(_e1015, _e1028, _e1041));
                                                                         }
-                                                                        let _e1982 = phi_2472_;
-                                                                        phi_2473_ = _e1982;
+                                                                        let _e1978 = phi_2468_;
+                                                                        phi_2469_ = _e1978;
                                                                     }
-                                                                    let _e1984 = phi_2473_;
-                                                                    let _e1988 = (_e1984.x - (_e1306 * _e1984.z));
-                                                                    let _e1992 = (_e1984.y - (_e1309 * _e1984.z));
-                                                                    if (_e1960 < _e1988) {
-                                                                        phi_2494_ = true;
+                                                                    let _e1980 = phi_2469_;
+                                                                    let _e1984 = (_e1980.x - (_e1306 * _e1980.z));
+                                                                    let _e1988 = (_e1980.y - (_e1309 * _e1980.z));
+                                                                    if (_e1958 < _e1984) {
+                                                                        phi_2488_ = true;
                                                                     } else {
-                                                                        if (_e1960 == _e1988) {
-                                                                            phi_2493_ = (_e1964 < _e1992);
+                                                                        if (_e1958 == _e1984) {
+                                                                            phi_2487_ = (_e1962 < _e1988);
                                                                         } else {
-                                                                            phi_2493_ = false;
+                                                                            phi_2487_ = false;
                                                                         }
-                                                                        let _e1999 = phi_2493_;
-                                                                        phi_2494_ = _e1999;
+                                                                        let _e1993 = phi_2487_;
+                                                                        phi_2488_ = _e1993;
                                                                     }
+                                                                    let _e1995 = phi_2488_;
+                                                                    if _e1995 {
+                                                                        phi_2492_ = _e1988;
+                                                                        phi_2493_ = _e1984;
+                                                                        phi_2494_ = _e1962;
+                                                                        phi_2495_ = _e1958;
+                                                                    } else {
+                                                                        phi_2492_ = _e1962;
+                                                                        phi_2493_ = _e1958;
+                                                                        phi_2494_ = _e1988;
+                                                                        phi_2495_ = _e1984;
+                                                                    }
+                                                                    let _e1997 = phi_2492_;
+                                                                    let _e1999 = phi_2493_;
                                                                     let _e2001 = phi_2494_;
-                                                                    if _e2001 {
-                                                                        phi_2498_ = _e1992;
-                                                                        phi_2499_ = _e1988;
-                                                                        phi_2500_ = _e1964;
-                                                                        phi_2501_ = _e1960;
+                                                                    let _e2003 = phi_2495_;
+                                                                    let _e2006 = ((_e2003 * _e1997) - (_e2001 * _e1999));
+                                                                    if _e1995 {
+                                                                        phi_2503_ = -(_e2006);
                                                                     } else {
-                                                                        phi_2498_ = _e1964;
-                                                                        phi_2499_ = _e1960;
-                                                                        phi_2500_ = _e1992;
-                                                                        phi_2501_ = _e1988;
+                                                                        phi_2503_ = _e2006;
                                                                     }
-                                                                    let _e2003 = phi_2498_;
-                                                                    let _e2005 = phi_2499_;
-                                                                    let _e2007 = phi_2500_;
-                                                                    let _e2009 = phi_2501_;
-                                                                    let _e2012 = ((_e2009 * _e2003) - (_e2007 * _e2005));
-                                                                    if _e2001 {
-                                                                        phi_2509_ = -(_e2012);
+                                                                    let _e2009 = phi_2503_;
+                                                                    if (_e1984 < _e1932) {
+                                                                        phi_2514_ = true;
                                                                     } else {
-                                                                        phi_2509_ = _e2012;
-                                                                    }
-                                                                    let _e2015 = phi_2509_;
-                                                                    if (_e1988 < _e1932) {
-                                                                        phi_2520_ = true;
-                                                                    } else {
-                                                                        if (_e1988 == _e1932) {
-                                                                            phi_2519_ = (_e1992 < _e1936);
+                                                                        if (_e1984 == _e1932) {
+                                                                            phi_2513_ = (_e1988 < _e1936);
                                                                         } else {
-                                                                            phi_2519_ = false;
+                                                                            phi_2513_ = false;
                                                                         }
-                                                                        let _e2020 = phi_2519_;
-                                                                        phi_2520_ = _e2020;
+                                                                        let _e2014 = phi_2513_;
+                                                                        phi_2514_ = _e2014;
                                                                     }
+                                                                    let _e2016 = phi_2514_;
+                                                                    if _e2016 {
+                                                                        phi_2518_ = _e1936;
+                                                                        phi_2519_ = _e1932;
+                                                                        phi_2520_ = _e1988;
+                                                                        phi_2521_ = _e1984;
+                                                                    } else {
+                                                                        phi_2518_ = _e1988;
+                                                                        phi_2519_ = _e1984;
+                                                                        phi_2520_ = _e1936;
+                                                                        phi_2521_ = _e1932;
+                                                                    }
+                                                                    let _e2018 = phi_2518_;
+                                                                    let _e2020 = phi_2519_;
                                                                     let _e2022 = phi_2520_;
-                                                                    if _e2022 {
-                                                                        phi_2524_ = _e1936;
-                                                                        phi_2525_ = _e1932;
-                                                                        phi_2526_ = _e1992;
-                                                                        phi_2527_ = _e1988;
+                                                                    let _e2024 = phi_2521_;
+                                                                    let _e2027 = ((_e2024 * _e2018) - (_e2022 * _e2020));
+                                                                    if _e2016 {
+                                                                        phi_2529_ = -(_e2027);
                                                                     } else {
-                                                                        phi_2524_ = _e1992;
-                                                                        phi_2525_ = _e1988;
-                                                                        phi_2526_ = _e1936;
-                                                                        phi_2527_ = _e1932;
+                                                                        phi_2529_ = _e2027;
                                                                     }
-                                                                    let _e2024 = phi_2524_;
-                                                                    let _e2026 = phi_2525_;
-                                                                    let _e2028 = phi_2526_;
-                                                                    let _e2030 = phi_2527_;
-                                                                    let _e2033 = ((_e2030 * _e2024) - (_e2028 * _e2026));
-                                                                    if _e2022 {
-                                                                        phi_2535_ = -(_e2033);
+                                                                    let _e2030 = phi_2529_;
+                                                                    if (_e1932 < _e1958) {
+                                                                        phi_2540_ = true;
                                                                     } else {
-                                                                        phi_2535_ = _e2033;
-                                                                    }
-                                                                    let _e2036 = phi_2535_;
-                                                                    if (_e1932 < _e1960) {
-                                                                        phi_2546_ = true;
-                                                                    } else {
-                                                                        if (_e1932 == _e1960) {
-                                                                            phi_2545_ = (_e1936 < _e1964);
+                                                                        if (_e1932 == _e1958) {
+                                                                            phi_2539_ = (_e1936 < _e1962);
                                                                         } else {
-                                                                            phi_2545_ = false;
+                                                                            phi_2539_ = false;
                                                                         }
-                                                                        let _e2041 = phi_2545_;
-                                                                        phi_2546_ = _e2041;
+                                                                        let _e2035 = phi_2539_;
+                                                                        phi_2540_ = _e2035;
                                                                     }
+                                                                    let _e2037 = phi_2540_;
+                                                                    if _e2037 {
+                                                                        phi_2544_ = _e1962;
+                                                                        phi_2545_ = _e1958;
+                                                                        phi_2546_ = _e1936;
+                                                                        phi_2547_ = _e1932;
+                                                                    } else {
+                                                                        phi_2544_ = _e1936;
+                                                                        phi_2545_ = _e1932;
+                                                                        phi_2546_ = _e1962;
+                                                                        phi_2547_ = _e1958;
+                                                                    }
+                                                                    let _e2039 = phi_2544_;
+                                                                    let _e2041 = phi_2545_;
                                                                     let _e2043 = phi_2546_;
-                                                                    if _e2043 {
-                                                                        phi_2550_ = _e1964;
-                                                                        phi_2551_ = _e1960;
-                                                                        phi_2552_ = _e1936;
-                                                                        phi_2553_ = _e1932;
+                                                                    let _e2045 = phi_2547_;
+                                                                    let _e2048 = ((_e2045 * _e2039) - (_e2043 * _e2041));
+                                                                    if _e2037 {
+                                                                        phi_2555_ = -(_e2048);
                                                                     } else {
-                                                                        phi_2550_ = _e1936;
-                                                                        phi_2551_ = _e1932;
-                                                                        phi_2552_ = _e1964;
-                                                                        phi_2553_ = _e1960;
+                                                                        phi_2555_ = _e2048;
                                                                     }
-                                                                    let _e2045 = phi_2550_;
-                                                                    let _e2047 = phi_2551_;
-                                                                    let _e2049 = phi_2552_;
-                                                                    let _e2051 = phi_2553_;
-                                                                    let _e2054 = ((_e2051 * _e2045) - (_e2049 * _e2047));
-                                                                    if _e2043 {
-                                                                        phi_2561_ = -(_e2054);
-                                                                    } else {
-                                                                        phi_2561_ = _e2054;
-                                                                    }
-                                                                    let _e2057 = phi_2561_;
-                                                                    if (_e2015 >= 0f) {
-                                                                        if (_e2036 >= 0f) {
-                                                                            if (_e2057 >= 0f) {
-                                                                                phi_2576_ = ((_e2015 + _e2036) + _e2057);
-                                                                                phi_2577_ = false;
+                                                                    let _e2051 = phi_2555_;
+                                                                    if (_e2009 >= 0f) {
+                                                                        if (_e2030 >= 0f) {
+                                                                            if (_e2051 >= 0f) {
+                                                                                phi_2570_ = ((_e2009 + _e2030) + _e2051);
+                                                                                phi_2571_ = false;
                                                                             } else {
-                                                                                phi_2576_ = f32();
-                                                                                phi_2577_ = true;
+                                                                                phi_2570_ = f32();
+                                                                                phi_2571_ = true;
                                                                             }
-                                                                            let _e2064 = phi_2576_;
-                                                                            let _e2066 = phi_2577_;
-                                                                            phi_2578_ = _e2064;
-                                                                            phi_2579_ = _e2066;
+                                                                            let _e2058 = phi_2570_;
+                                                                            let _e2060 = phi_2571_;
+                                                                            phi_2572_ = _e2058;
+                                                                            phi_2573_ = _e2060;
                                                                         } else {
-                                                                            phi_2578_ = f32();
-                                                                            phi_2579_ = true;
+                                                                            phi_2572_ = f32();
+                                                                            phi_2573_ = true;
                                                                         }
-                                                                        let _e2068 = phi_2578_;
-                                                                        let _e2070 = phi_2579_;
-                                                                        phi_2580_ = _e2068;
-                                                                        phi_2581_ = _e2070;
+                                                                        let _e2062 = phi_2572_;
+                                                                        let _e2064 = phi_2573_;
+                                                                        phi_2574_ = _e2062;
+                                                                        phi_2575_ = _e2064;
                                                                     } else {
-                                                                        phi_2580_ = f32();
-                                                                        phi_2581_ = true;
+                                                                        phi_2574_ = f32();
+                                                                        phi_2575_ = true;
                                                                     }
-                                                                    let _e2072 = phi_2580_;
-                                                                    let _e2074 = phi_2581_;
-                                                                    if _e2074 {
-                                                                        if (_e2015 <= 0f) {
-                                                                            if (_e2036 <= 0f) {
-                                                                                let _e2077 = (_e2057 <= 0f);
-                                                                                if _e2077 {
+                                                                    let _e2066 = phi_2574_;
+                                                                    let _e2068 = phi_2575_;
+                                                                    if _e2068 {
+                                                                        if (_e2009 <= 0f) {
+                                                                            if (_e2030 <= 0f) {
+                                                                                let _e2071 = (_e2051 <= 0f);
+                                                                                if _e2071 {
                                                                                 }
-                                                                                phi_2599_ = ((_e2015 + _e2036) + _e2057);
-                                                                                phi_2600_ = false;
-                                                                                phi_2601_ = _e2077;
+                                                                                phi_2593_ = ((_e2009 + _e2030) + _e2051);
+                                                                                phi_2594_ = false;
+                                                                                phi_2595_ = _e2071;
                                                                             } else {
-                                                                                phi_2599_ = f32();
-                                                                                phi_2600_ = true;
-                                                                                phi_2601_ = false;
+                                                                                phi_2593_ = f32();
+                                                                                phi_2594_ = true;
+                                                                                phi_2595_ = false;
                                                                             }
-                                                                            let _e2081 = phi_2599_;
-                                                                            let _e2083 = phi_2600_;
-                                                                            let _e2085 = phi_2601_;
-                                                                            phi_2602_ = _e2081;
-                                                                            phi_2603_ = _e2083;
-                                                                            phi_2604_ = _e2085;
+                                                                            let _e2075 = phi_2593_;
+                                                                            let _e2077 = phi_2594_;
+                                                                            let _e2079 = phi_2595_;
+                                                                            phi_2596_ = _e2075;
+                                                                            phi_2597_ = _e2077;
+                                                                            phi_2598_ = _e2079;
                                                                         } else {
-                                                                            phi_2602_ = f32();
-                                                                            phi_2603_ = true;
-                                                                            phi_2604_ = false;
+                                                                            phi_2596_ = f32();
+                                                                            phi_2597_ = true;
+                                                                            phi_2598_ = false;
+                                                                        }
+                                                                        let _e2081 = phi_2596_;
+                                                                        let _e2083 = phi_2597_;
+                                                                        let _e2085 = phi_2598_;
+                                                                        if _e2083 {
+                                                                            phi_2602_ = false;
+                                                                        } else {
+                                                                            phi_2602_ = _e2085;
                                                                         }
                                                                         let _e2087 = phi_2602_;
-                                                                        let _e2089 = phi_2603_;
-                                                                        let _e2091 = phi_2604_;
-                                                                        if _e2089 {
-                                                                            phi_2608_ = false;
-                                                                        } else {
-                                                                            phi_2608_ = _e2091;
-                                                                        }
-                                                                        let _e2093 = phi_2608_;
-                                                                        phi_2609_ = _e2087;
-                                                                        phi_2610_ = _e2093;
+                                                                        phi_2603_ = _e2081;
+                                                                        phi_2604_ = _e2087;
                                                                     } else {
-                                                                        phi_2609_ = _e2072;
-                                                                        phi_2610_ = true;
+                                                                        phi_2603_ = _e2066;
+                                                                        phi_2604_ = true;
                                                                     }
-                                                                    let _e2095 = phi_2609_;
-                                                                    let _e2097 = phi_2610_;
-                                                                    if _e2097 {
-                                                                        let _e2098 = (_e2095 == 0f);
-                                                                        if _e2098 {
-                                                                            phi_2823_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2824_ = false;
+                                                                    let _e2089 = phi_2603_;
+                                                                    let _e2091 = phi_2604_;
+                                                                    if _e2091 {
+                                                                        let _e2092 = (_e2089 == 0f);
+                                                                        if _e2092 {
+                                                                            phi_2920_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2921_ = false;
                                                                         } else {
-                                                                            let _e2104 = ((((_e2015 * (_e1311 * _e1928.z)) + (_e2036 * (_e1311 * _e1956.z))) + (_e2057 * (_e1311 * _e1984.z))) / _e2095);
-                                                                            if (_e2104 > 0f) {
-                                                                                if (_e2104 < _e145) {
-                                                                                    let _e2108 = triangles.member[(0u + _e1905)].v0_;
-                                                                                    let _e2110 = triangles.member[(0u + _e1905)].v1_;
-                                                                                    if (_e2108.x < _e2110.x) {
-                                                                                        phi_2644_ = _e2108.x;
-                                                                                    } else {
-                                                                                        phi_2644_ = _e2110.x;
-                                                                                    }
-                                                                                    let _e2117 = phi_2644_;
-                                                                                    if (_e2108.y < _e2110.y) {
-                                                                                        phi_2653_ = _e2108.y;
-                                                                                    } else {
-                                                                                        phi_2653_ = _e2110.y;
-                                                                                    }
-                                                                                    let _e2124 = phi_2653_;
-                                                                                    if (_e2108.z < _e2110.z) {
-                                                                                        phi_2662_ = _e2108.z;
-                                                                                    } else {
-                                                                                        phi_2662_ = _e2110.z;
-                                                                                    }
-                                                                                    let _e2131 = phi_2662_;
-                                                                                    let _e2133 = triangles.member[(0u + _e1905)].v2_;
-                                                                                    if (_e2117 < _e2133.x) {
-                                                                                        phi_2671_ = _e2117;
-                                                                                    } else {
-                                                                                        phi_2671_ = _e2133.x;
-                                                                                    }
-                                                                                    let _e2138 = phi_2671_;
-                                                                                    if (_e2124 < _e2133.y) {
-                                                                                        phi_2678_ = _e2124;
-                                                                                    } else {
-                                                                                        phi_2678_ = _e2133.y;
-                                                                                    }
-                                                                                    let _e2143 = phi_2678_;
-                                                                                    if (_e2131 < _e2133.z) {
-                                                                                        phi_2685_ = _e2131;
-                                                                                    } else {
-                                                                                        phi_2685_ = _e2133.z;
-                                                                                    }
-                                                                                    let _e2148 = phi_2685_;
-                                                                                    let _e2150 = triangles.member[(0u + _e1905)].v0_;
-                                                                                    let _e2152 = triangles.member[(0u + _e1905)].v1_;
-                                                                                    if (_e2150.x > _e2152.x) {
-                                                                                        phi_2698_ = _e2150.x;
-                                                                                    } else {
-                                                                                        phi_2698_ = _e2152.x;
-                                                                                    }
-                                                                                    let _e2159 = phi_2698_;
-                                                                                    if (_e2150.y > _e2152.y) {
-                                                                                        phi_2707_ = _e2150.y;
-                                                                                    } else {
-                                                                                        phi_2707_ = _e2152.y;
-                                                                                    }
-                                                                                    let _e2166 = phi_2707_;
-                                                                                    if (_e2150.z > _e2152.z) {
-                                                                                        phi_2716_ = _e2150.z;
-                                                                                    } else {
-                                                                                        phi_2716_ = _e2152.z;
-                                                                                    }
-                                                                                    let _e2173 = phi_2716_;
-                                                                                    let _e2175 = triangles.member[(0u + _e1905)].v2_;
-                                                                                    if (_e2159 > _e2175.x) {
-                                                                                        phi_2725_ = _e2159;
-                                                                                    } else {
-                                                                                        phi_2725_ = _e2175.x;
-                                                                                    }
-                                                                                    let _e2180 = phi_2725_;
-                                                                                    if (_e2166 > _e2175.y) {
-                                                                                        phi_2732_ = _e2166;
-                                                                                    } else {
-                                                                                        phi_2732_ = _e2175.y;
-                                                                                    }
-                                                                                    let _e2185 = phi_2732_;
-                                                                                    if (_e2173 > _e2175.z) {
-                                                                                        phi_2739_ = _e2173;
-                                                                                    } else {
-                                                                                        phi_2739_ = _e2175.z;
-                                                                                    }
-                                                                                    let _e2190 = phi_2739_;
-                                                                                    let _e2194 = ((_e2138 - _e1015) * _e1224);
-                                                                                    let _e2195 = ((_e2143 - _e1028) * _e1234);
-                                                                                    let _e2196 = ((_e2148 - _e1041) * _e1244);
-                                                                                    let _e2200 = ((_e2180 - _e1015) * _e1224);
-                                                                                    let _e2201 = ((_e2185 - _e1028) * _e1234);
-                                                                                    let _e2202 = ((_e2190 - _e1041) * _e1244);
-                                                                                    if (_e2194 < _e2200) {
-                                                                                        phi_2756_ = _e2194;
-                                                                                    } else {
-                                                                                        phi_2756_ = _e2200;
-                                                                                    }
-                                                                                    let _e2205 = phi_2756_;
-                                                                                    if (_e2195 < _e2201) {
-                                                                                        phi_2761_ = _e2195;
-                                                                                    } else {
-                                                                                        phi_2761_ = _e2201;
-                                                                                    }
-                                                                                    let _e2208 = phi_2761_;
-                                                                                    if (_e2196 < _e2202) {
-                                                                                        phi_2766_ = _e2196;
-                                                                                    } else {
-                                                                                        phi_2766_ = _e2202;
-                                                                                    }
-                                                                                    let _e2211 = phi_2766_;
-                                                                                    if (_e2194 > _e2200) {
-                                                                                        phi_2774_ = _e2194;
-                                                                                    } else {
-                                                                                        phi_2774_ = _e2200;
-                                                                                    }
-                                                                                    let _e2217 = phi_2774_;
-                                                                                    if (_e2195 > _e2201) {
-                                                                                        phi_2779_ = _e2195;
-                                                                                    } else {
-                                                                                        phi_2779_ = _e2201;
-                                                                                    }
-                                                                                    let _e2220 = phi_2779_;
-                                                                                    if (_e2196 > _e2202) {
-                                                                                        phi_2784_ = _e2196;
-                                                                                    } else {
-                                                                                        phi_2784_ = _e2202;
-                                                                                    }
-                                                                                    let _e2223 = phi_2784_;
-                                                                                    let _e2227 = core_intrinsics_maximum_number_nsz_f32_((_e2205 - _e1279), (_e2208 - _e1280));
-                                                                                    let _e2228 = core_intrinsics_maximum_number_nsz_f32_(_e2227, (_e2211 - _e1281));
-                                                                                    let _e2229 = core_intrinsics_minimum_number_nsz_f32_((_e2217 + _e1279), (_e2220 + _e1280));
-                                                                                    let _e2230 = core_intrinsics_minimum_number_nsz_f32_(_e2229, (_e2223 + _e1281));
-                                                                                    if (_e2228 > _e996) {
-                                                                                        phi_2796_ = _e2228;
-                                                                                    } else {
-                                                                                        phi_2796_ = _e996;
-                                                                                    }
-                                                                                    let _e2233 = phi_2796_;
-                                                                                    if (_e2230 < _e998) {
-                                                                                        phi_2801_ = _e2230;
-                                                                                    } else {
-                                                                                        phi_2801_ = _e998;
-                                                                                    }
-                                                                                    let _e2236 = phi_2801_;
-                                                                                    if (_e2104 < _e2233) {
-                                                                                        phi_2806_ = _e2233;
-                                                                                    } else {
-                                                                                        phi_2806_ = _e2104;
-                                                                                    }
-                                                                                    let _e2239 = phi_2806_;
-                                                                                    if (_e2239 > _e2236) {
-                                                                                        phi_2811_ = _e2236;
-                                                                                    } else {
-                                                                                        phi_2811_ = _e2239;
-                                                                                    }
-                                                                                    let _e2242 = phi_2811_;
-                                                                                    phi_2816_ = lt_bvh_triangle_Intersection(_e2242, (_e2036 / _e2095), (_e2057 / _e2095), (_e2233 <= _e2236));
-                                                                                    phi_2817_ = false;
-                                                                                } else {
-                                                                                    phi_2816_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2817_ = true;
-                                                                                }
-                                                                                let _e2248 = phi_2816_;
-                                                                                let _e2250 = phi_2817_;
-                                                                                phi_2818_ = _e2248;
-                                                                                phi_2819_ = _e2250;
+                                                                            let _e2094 = triangles.member[(0u + _e1905)].v0_;
+                                                                            let _e2096 = (_e2094.x - _e1015);
+                                                                            let _e2098 = (_e2094.y - _e1028);
+                                                                            let _e2100 = (_e2094.z - _e1041);
+                                                                            if (_e1295 == 0u) {
+                                                                                phi_2633_ = vec3<f32>(_e2098, _e2100, _e2096);
                                                                             } else {
-                                                                                phi_2818_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2819_ = true;
+                                                                                if (_e1295 == 1u) {
+                                                                                    phi_2632_ = vec3<f32>(_e2100, _e2096, _e2098);
+                                                                                } else {
+                                                                                    phi_2632_ = (_e2094 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                                }
+                                                                                let _e2108 = phi_2632_;
+                                                                                phi_2633_ = _e2108;
                                                                             }
-                                                                            let _e2252 = phi_2818_;
-                                                                            let _e2254 = phi_2819_;
-                                                                            if _e2254 {
+                                                                            let _e2110 = phi_2633_;
+                                                                            let _e2112 = triangles.member[(0u + _e1905)].v1_;
+                                                                            let _e2114 = triangles.member[(0u + _e1905)].v0_;
+                                                                            let _e2117 = (_e2112.x - _e2114.x);
+                                                                            let _e2120 = (_e2112.y - _e2114.y);
+                                                                            let _e2123 = (_e2112.z - _e2114.z);
+                                                                            if (_e1295 == 0u) {
+                                                                                phi_2659_ = vec3<f32>(_e2120, _e2123, _e2117);
+                                                                            } else {
+                                                                                if (_e1295 == 1u) {
+                                                                                    phi_2658_ = vec3<f32>(_e2123, _e2117, _e2120);
+                                                                                } else {
+                                                                                    phi_2658_ = (_e2112 - _e2114);
+                                                                                }
+                                                                                let _e2130 = phi_2658_;
+                                                                                phi_2659_ = _e2130;
                                                                             }
-                                                                            phi_2823_ = _e2252;
-                                                                            phi_2824_ = _e2254;
+                                                                            let _e2132 = phi_2659_;
+                                                                            let _e2134 = triangles.member[(0u + _e1905)].v2_;
+                                                                            let _e2136 = triangles.member[(0u + _e1905)].v0_;
+                                                                            let _e2139 = (_e2134.x - _e2136.x);
+                                                                            let _e2142 = (_e2134.y - _e2136.y);
+                                                                            let _e2145 = (_e2134.z - _e2136.z);
+                                                                            if (_e1295 == 0u) {
+                                                                                phi_2685_ = vec3<f32>(_e2142, _e2145, _e2139);
+                                                                            } else {
+                                                                                if (_e1295 == 1u) {
+                                                                                    phi_2684_ = vec3<f32>(_e2145, _e2139, _e2142);
+                                                                                } else {
+                                                                                    phi_2684_ = (_e2134 - _e2136);
+                                                                                }
+                                                                                let _e2152 = phi_2684_;
+                                                                                phi_2685_ = _e2152;
+                                                                            }
+                                                                            let _e2154 = phi_2685_;
+                                                                            let _e2161 = ((_e2132.y * _e2154.z) - (_e2132.z * _e2154.y));
+                                                                            let _e2168 = ((_e2132.z * _e2154.x) - (_e2132.x * _e2154.z));
+                                                                            let _e2175 = ((_e2132.x * _e2154.y) - (_e2132.y * _e2154.x));
+                                                                            let _e2189 = (((1f / _e1303.z) * (((_e2161 * _e2110.x) + (_e2168 * _e2110.y)) + (_e2175 * _e2110.z))) / (((_e2161 * _e1306) + (_e2168 * _e1309)) + _e2175));
+                                                                            if (_e2189 > 0f) {
+                                                                                if (_e2189 < _e145) {
+                                                                                    let _e2193 = triangles.member[(0u + _e1905)].v0_;
+                                                                                    let _e2195 = triangles.member[(0u + _e1905)].v1_;
+                                                                                    if (_e2193.x < _e2195.x) {
+                                                                                        phi_2741_ = _e2193.x;
+                                                                                    } else {
+                                                                                        phi_2741_ = _e2195.x;
+                                                                                    }
+                                                                                    let _e2202 = phi_2741_;
+                                                                                    if (_e2193.y < _e2195.y) {
+                                                                                        phi_2750_ = _e2193.y;
+                                                                                    } else {
+                                                                                        phi_2750_ = _e2195.y;
+                                                                                    }
+                                                                                    let _e2209 = phi_2750_;
+                                                                                    if (_e2193.z < _e2195.z) {
+                                                                                        phi_2759_ = _e2193.z;
+                                                                                    } else {
+                                                                                        phi_2759_ = _e2195.z;
+                                                                                    }
+                                                                                    let _e2216 = phi_2759_;
+                                                                                    let _e2218 = triangles.member[(0u + _e1905)].v2_;
+                                                                                    if (_e2202 < _e2218.x) {
+                                                                                        phi_2768_ = _e2202;
+                                                                                    } else {
+                                                                                        phi_2768_ = _e2218.x;
+                                                                                    }
+                                                                                    let _e2223 = phi_2768_;
+                                                                                    if (_e2209 < _e2218.y) {
+                                                                                        phi_2775_ = _e2209;
+                                                                                    } else {
+                                                                                        phi_2775_ = _e2218.y;
+                                                                                    }
+                                                                                    let _e2228 = phi_2775_;
+                                                                                    if (_e2216 < _e2218.z) {
+                                                                                        phi_2782_ = _e2216;
+                                                                                    } else {
+                                                                                        phi_2782_ = _e2218.z;
+                                                                                    }
+                                                                                    let _e2233 = phi_2782_;
+                                                                                    let _e2235 = triangles.member[(0u + _e1905)].v0_;
+                                                                                    let _e2237 = triangles.member[(0u + _e1905)].v1_;
+                                                                                    if (_e2235.x > _e2237.x) {
+                                                                                        phi_2795_ = _e2235.x;
+                                                                                    } else {
+                                                                                        phi_2795_ = _e2237.x;
+                                                                                    }
+                                                                                    let _e2244 = phi_2795_;
+                                                                                    if (_e2235.y > _e2237.y) {
+                                                                                        phi_2804_ = _e2235.y;
+                                                                                    } else {
+                                                                                        phi_2804_ = _e2237.y;
+                                                                                    }
+                                                                                    let _e2251 = phi_2804_;
+                                                                                    if (_e2235.z > _e2237.z) {
+                                                                                        phi_2813_ = _e2235.z;
+                                                                                    } else {
+                                                                                        phi_2813_ = _e2237.z;
+                                                                                    }
+                                                                                    let _e2258 = phi_2813_;
+                                                                                    let _e2260 = triangles.member[(0u + _e1905)].v2_;
+                                                                                    if (_e2244 > _e2260.x) {
+                                                                                        phi_2822_ = _e2244;
+                                                                                    } else {
+                                                                                        phi_2822_ = _e2260.x;
+                                                                                    }
+                                                                                    let _e2265 = phi_2822_;
+                                                                                    if (_e2251 > _e2260.y) {
+                                                                                        phi_2829_ = _e2251;
+                                                                                    } else {
+                                                                                        phi_2829_ = _e2260.y;
+                                                                                    }
+                                                                                    let _e2270 = phi_2829_;
+                                                                                    if (_e2258 > _e2260.z) {
+                                                                                        phi_2836_ = _e2258;
+                                                                                    } else {
+                                                                                        phi_2836_ = _e2260.z;
+                                                                                    }
+                                                                                    let _e2275 = phi_2836_;
+                                                                                    let _e2279 = ((_e2223 - _e1015) * _e1224);
+                                                                                    let _e2280 = ((_e2228 - _e1028) * _e1234);
+                                                                                    let _e2281 = ((_e2233 - _e1041) * _e1244);
+                                                                                    let _e2285 = ((_e2265 - _e1015) * _e1224);
+                                                                                    let _e2286 = ((_e2270 - _e1028) * _e1234);
+                                                                                    let _e2287 = ((_e2275 - _e1041) * _e1244);
+                                                                                    if (_e2279 < _e2285) {
+                                                                                        phi_2853_ = _e2279;
+                                                                                    } else {
+                                                                                        phi_2853_ = _e2285;
+                                                                                    }
+                                                                                    let _e2290 = phi_2853_;
+                                                                                    if (_e2280 < _e2286) {
+                                                                                        phi_2858_ = _e2280;
+                                                                                    } else {
+                                                                                        phi_2858_ = _e2286;
+                                                                                    }
+                                                                                    let _e2293 = phi_2858_;
+                                                                                    if (_e2281 < _e2287) {
+                                                                                        phi_2863_ = _e2281;
+                                                                                    } else {
+                                                                                        phi_2863_ = _e2287;
+                                                                                    }
+                                                                                    let _e2296 = phi_2863_;
+                                                                                    if (_e2279 > _e2285) {
+                                                                                        phi_2871_ = _e2279;
+                                                                                    } else {
+                                                                                        phi_2871_ = _e2285;
+                                                                                    }
+                                                                                    let _e2302 = phi_2871_;
+                                                                                    if (_e2280 > _e2286) {
+                                                                                        phi_2876_ = _e2280;
+                                                                                    } else {
+                                                                                        phi_2876_ = _e2286;
+                                                                                    }
+                                                                                    let _e2305 = phi_2876_;
+                                                                                    if (_e2281 > _e2287) {
+                                                                                        phi_2881_ = _e2281;
+                                                                                    } else {
+                                                                                        phi_2881_ = _e2287;
+                                                                                    }
+                                                                                    let _e2308 = phi_2881_;
+                                                                                    let _e2312 = core_intrinsics_maximum_number_nsz_f32_((_e2290 - _e1279), (_e2293 - _e1280));
+                                                                                    let _e2313 = core_intrinsics_maximum_number_nsz_f32_(_e2312, (_e2296 - _e1281));
+                                                                                    let _e2314 = core_intrinsics_minimum_number_nsz_f32_((_e2302 + _e1279), (_e2305 + _e1280));
+                                                                                    let _e2315 = core_intrinsics_minimum_number_nsz_f32_(_e2314, (_e2308 + _e1281));
+                                                                                    if (_e2313 > _e996) {
+                                                                                        phi_2893_ = _e2313;
+                                                                                    } else {
+                                                                                        phi_2893_ = _e996;
+                                                                                    }
+                                                                                    let _e2318 = phi_2893_;
+                                                                                    if (_e2315 < _e998) {
+                                                                                        phi_2898_ = _e2315;
+                                                                                    } else {
+                                                                                        phi_2898_ = _e998;
+                                                                                    }
+                                                                                    let _e2321 = phi_2898_;
+                                                                                    if (_e2189 < _e2318) {
+                                                                                        phi_2903_ = _e2318;
+                                                                                    } else {
+                                                                                        phi_2903_ = _e2189;
+                                                                                    }
+                                                                                    let _e2324 = phi_2903_;
+                                                                                    if (_e2324 > _e2321) {
+                                                                                        phi_2908_ = _e2321;
+                                                                                    } else {
+                                                                                        phi_2908_ = _e2324;
+                                                                                    }
+                                                                                    let _e2327 = phi_2908_;
+                                                                                    phi_2913_ = lt_bvh_triangle_Intersection(_e2327, (_e2030 / _e2089), (_e2051 / _e2089), (_e2318 <= _e2321));
+                                                                                    phi_2914_ = false;
+                                                                                } else {
+                                                                                    phi_2913_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2914_ = true;
+                                                                                }
+                                                                                let _e2333 = phi_2913_;
+                                                                                let _e2335 = phi_2914_;
+                                                                                phi_2915_ = _e2333;
+                                                                                phi_2916_ = _e2335;
+                                                                            } else {
+                                                                                phi_2915_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2916_ = true;
+                                                                            }
+                                                                            let _e2337 = phi_2915_;
+                                                                            let _e2339 = phi_2916_;
+                                                                            if _e2339 {
+                                                                            }
+                                                                            phi_2920_ = _e2337;
+                                                                            phi_2921_ = _e2339;
                                                                         }
-                                                                        let _e2256 = phi_2823_;
-                                                                        let _e2258 = phi_2824_;
-                                                                        phi_2825_ = _e2256;
-                                                                        phi_2826_ = _e2098;
-                                                                        phi_2827_ = _e2258;
+                                                                        let _e2341 = phi_2920_;
+                                                                        let _e2343 = phi_2921_;
+                                                                        phi_2922_ = _e2341;
+                                                                        phi_2923_ = _e2092;
+                                                                        phi_2924_ = _e2343;
                                                                     } else {
-                                                                        phi_2825_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2826_ = true;
-                                                                        phi_2827_ = false;
+                                                                        phi_2922_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2923_ = true;
+                                                                        phi_2924_ = false;
                                                                     }
-                                                                    let _e2260 = phi_2825_;
-                                                                    let _e2262 = phi_2826_;
-                                                                    let _e2264 = phi_2827_;
-                                                                    if _e2262 {
-                                                                        phi_2831_ = true;
+                                                                    let _e2345 = phi_2922_;
+                                                                    let _e2347 = phi_2923_;
+                                                                    let _e2349 = phi_2924_;
+                                                                    if _e2347 {
+                                                                        phi_2928_ = true;
                                                                     } else {
-                                                                        phi_2831_ = _e2264;
+                                                                        phi_2928_ = _e2349;
                                                                     }
-                                                                    let _e2266 = phi_2831_;
-                                                                    if _e2266 {
-                                                                        phi_2835_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2351 = phi_2928_;
+                                                                    if _e2351 {
+                                                                        phi_2932_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2835_ = _e2260;
+                                                                        phi_2932_ = _e2345;
                                                                     }
-                                                                    let _e2268 = phi_2835_;
-                                                                    if _e2268.is_hit {
-                                                                        if (_e2268.t > 0f) {
-                                                                            if (_e2268.t < _e145) {
-                                                                                let _e2275 = triangles.member[(0u + _e1905)].i0_;
-                                                                                let _e2277 = ((_e2275 & 2147483648u) == 0u);
-                                                                                if _e2277 {
-                                                                                    phi_3058_ = false;
-                                                                                    phi_3059_ = false;
+                                                                    let _e2353 = phi_2932_;
+                                                                    if _e2353.is_hit {
+                                                                        if (_e2353.t > 0f) {
+                                                                            if (_e2353.t < _e145) {
+                                                                                let _e2360 = triangles.member[(0u + _e1905)].i0_;
+                                                                                let _e2362 = ((_e2360 & 2147483648u) == 0u);
+                                                                                if _e2362 {
+                                                                                    phi_3155_ = false;
+                                                                                    phi_3156_ = false;
                                                                                 } else {
                                                                                     if (_e1905 < _e80) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2284 = triangles.member[(0u + _e1905)].i0_;
-                                                                                    let _e2285 = (_e2284 & 2147483647u);
-                                                                                    let _e2287 = triangles.member[(0u + _e1905)].i1_;
-                                                                                    let _e2289 = triangles.member[(0u + _e1905)].i2_;
-                                                                                    if (_e2285 < _e95) {
+                                                                                    let _e2369 = triangles.member[(0u + _e1905)].i0_;
+                                                                                    let _e2370 = (_e2369 & 2147483647u);
+                                                                                    let _e2372 = triangles.member[(0u + _e1905)].i1_;
+                                                                                    let _e2374 = triangles.member[(0u + _e1905)].i2_;
+                                                                                    if (_e2370 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2293 = vertices.member[(0u + _e2285)];
-                                                                                    if (_e2287 < _e95) {
+                                                                                    let _e2378 = vertices.member[(0u + _e2370)];
+                                                                                    if (_e2372 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2297 = vertices.member[(0u + _e2287)];
-                                                                                    if (_e2289 < _e95) {
+                                                                                    let _e2382 = vertices.member[(0u + _e2372)];
+                                                                                    if (_e2374 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2301 = vertices.member[(0u + _e2289)];
-                                                                                    let _e2302 = array<abi_Vertex, 3>(_e2293, _e2297, _e2301);
-                                                                                    if (_e2302[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2386 = vertices.member[(0u + _e2374)];
+                                                                                    let _e2387 = array<abi_Vertex, 3>(_e2378, _e2382, _e2386);
+                                                                                    if (_e2387[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2308 = materials.member[(0u + _e2302[0].material)];
-                                                                                    if ((_e2308.flags & 1u) == 1u) {
-                                                                                        let _e2313 = ((1f - _e2268.u) - _e2268.v);
-                                                                                        if (_e2308.cutoff <= 0f) {
-                                                                                            phi_3052_ = true;
+                                                                                    let _e2393 = materials.member[(0u + _e2387[0].material)];
+                                                                                    if ((_e2393.flags & 1u) == 1u) {
+                                                                                        let _e2398 = ((1f - _e2353.u) - _e2353.v);
+                                                                                        if (_e2393.cutoff <= 0f) {
+                                                                                            phi_3149_ = true;
                                                                                         } else {
-                                                                                            let _e2340 = (_e2308.base_color.w * ((((f32((_e2302[0].color >> bitcast<u32>(24i))) * _e2313) + (f32((_e2302[1].color >> bitcast<u32>(24i))) * _e2268.u)) + (f32((_e2302[2].color >> bitcast<u32>(24i))) * _e2268.v)) * (1f / 255f)));
-                                                                                            if (_e2308.alpha_size == 0u) {
-                                                                                                phi_3049_ = _e2340;
+                                                                                            let _e2425 = (_e2393.base_color.w * ((((f32((_e2387[0].color >> bitcast<u32>(24i))) * _e2398) + (f32((_e2387[1].color >> bitcast<u32>(24i))) * _e2353.u)) + (f32((_e2387[2].color >> bitcast<u32>(24i))) * _e2353.v)) * (1f / 255f)));
+                                                                                            if (_e2393.alpha_size == 0u) {
+                                                                                                phi_3146_ = _e2425;
                                                                                             } else {
-                                                                                                local.offset = _e2308.alpha_offset;
-                                                                                                local.size = _e2308.alpha_size;
-                                                                                                local.flags = _e2308.flags;
-                                                                                                let _e2371 = _lt_shaders_texture_TextureView_quad((&local), (((_e2302[0].u * _e2313) + (_e2302[1].u * _e2268.u)) + (_e2302[2].u * _e2268.v)), (((_e2302[0].v * _e2313) + (_e2302[1].v * _e2268.u)) + (_e2302[2].v * _e2268.v)));
-                                                                                                let _e2375 = (_e2371.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2375 < _e101) {
+                                                                                                local.offset = _e2393.alpha_offset;
+                                                                                                local.size = _e2393.alpha_size;
+                                                                                                local.flags = _e2393.flags;
+                                                                                                let _e2456 = _lt_shaders_texture_TextureView_quad((&local), (((_e2387[0].u * _e2398) + (_e2387[1].u * _e2353.u)) + (_e2387[2].u * _e2353.v)), (((_e2387[0].v * _e2398) + (_e2387[1].v * _e2353.u)) + (_e2387[2].v * _e2353.v)));
+                                                                                                let _e2460 = (_e2456.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2460 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2379 = alpha_texels.member[(0u + _e2375)];
-                                                                                                let _e2395 = (_e2371.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2395 < _e101) {
+                                                                                                let _e2464 = alpha_texels.member[(0u + _e2460)];
+                                                                                                let _e2480 = (_e2456.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2480 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2399 = alpha_texels.member[(0u + _e2395)];
-                                                                                                let _e2416 = (_e2371.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2416 < _e101) {
+                                                                                                let _e2484 = alpha_texels.member[(0u + _e2480)];
+                                                                                                let _e2501 = (_e2456.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2501 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2420 = alpha_texels.member[(0u + _e2416)];
-                                                                                                let _e2437 = (_e2371.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2437 < _e101) {
+                                                                                                let _e2505 = alpha_texels.member[(0u + _e2501)];
+                                                                                                let _e2522 = (_e2456.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2522 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2441 = alpha_texels.member[(0u + _e2437)];
-                                                                                                phi_3049_ = (_e2340 * (((((f32(((_e2379 >> bitcast<u32>((((_e2371.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.x) + ((f32(((_e2399 >> bitcast<u32>((((_e2371.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.y)) + ((f32(((_e2420 >> bitcast<u32>((((_e2371.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.z)) + ((f32(((_e2441 >> bitcast<u32>((((_e2371.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2371.weights.w)));
+                                                                                                let _e2526 = alpha_texels.member[(0u + _e2522)];
+                                                                                                phi_3146_ = (_e2425 * (((((f32(((_e2464 >> bitcast<u32>((((_e2456.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.x) + ((f32(((_e2484 >> bitcast<u32>((((_e2456.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.y)) + ((f32(((_e2505 >> bitcast<u32>((((_e2456.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.z)) + ((f32(((_e2526 >> bitcast<u32>((((_e2456.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.w)));
                                                                                             }
-                                                                                            let _e2457 = phi_3049_;
-                                                                                            phi_3052_ = (_e2457 >= _e2308.cutoff);
+                                                                                            let _e2542 = phi_3146_;
+                                                                                            phi_3149_ = (_e2542 >= _e2393.cutoff);
                                                                                         }
-                                                                                        let _e2461 = phi_3052_;
-                                                                                        phi_3053_ = _e2461;
+                                                                                        let _e2546 = phi_3149_;
+                                                                                        phi_3150_ = _e2546;
                                                                                     } else {
-                                                                                        phi_3053_ = false;
+                                                                                        phi_3150_ = false;
                                                                                     }
-                                                                                    let _e2463 = phi_3053_;
-                                                                                    if _e2463 {
-                                                                                        phi_3057_ = false;
+                                                                                    let _e2548 = phi_3150_;
+                                                                                    if _e2548 {
+                                                                                        phi_3154_ = false;
                                                                                     } else {
-                                                                                        phi_3057_ = true;
+                                                                                        phi_3154_ = true;
                                                                                     }
-                                                                                    let _e2465 = phi_3057_;
-                                                                                    phi_3058_ = _e2465;
-                                                                                    phi_3059_ = _e2463;
+                                                                                    let _e2550 = phi_3154_;
+                                                                                    phi_3155_ = _e2550;
+                                                                                    phi_3156_ = _e2548;
                                                                                 }
-                                                                                let _e2467 = phi_3058_;
-                                                                                let _e2469 = phi_3059_;
-                                                                                phi_3060_ = _e2467;
-                                                                                phi_3061_ = _e2277;
-                                                                                phi_3062_ = _e2469;
+                                                                                let _e2552 = phi_3155_;
+                                                                                let _e2554 = phi_3156_;
+                                                                                phi_3157_ = _e2552;
+                                                                                phi_3158_ = _e2362;
+                                                                                phi_3159_ = _e2554;
                                                                             } else {
-                                                                                phi_3060_ = true;
-                                                                                phi_3061_ = false;
-                                                                                phi_3062_ = false;
+                                                                                phi_3157_ = true;
+                                                                                phi_3158_ = false;
+                                                                                phi_3159_ = false;
                                                                             }
-                                                                            let _e2471 = phi_3060_;
-                                                                            let _e2473 = phi_3061_;
-                                                                            let _e2475 = phi_3062_;
-                                                                            phi_3063_ = _e2471;
-                                                                            phi_3064_ = _e2473;
-                                                                            phi_3065_ = _e2475;
+                                                                            let _e2556 = phi_3157_;
+                                                                            let _e2558 = phi_3158_;
+                                                                            let _e2560 = phi_3159_;
+                                                                            phi_3160_ = _e2556;
+                                                                            phi_3161_ = _e2558;
+                                                                            phi_3162_ = _e2560;
                                                                         } else {
-                                                                            phi_3063_ = true;
-                                                                            phi_3064_ = false;
-                                                                            phi_3065_ = false;
+                                                                            phi_3160_ = true;
+                                                                            phi_3161_ = false;
+                                                                            phi_3162_ = false;
                                                                         }
-                                                                        let _e2477 = phi_3063_;
-                                                                        let _e2479 = phi_3064_;
-                                                                        let _e2481 = phi_3065_;
-                                                                        phi_3066_ = _e2477;
-                                                                        phi_3067_ = _e2479;
-                                                                        phi_3068_ = _e2481;
+                                                                        let _e2562 = phi_3160_;
+                                                                        let _e2564 = phi_3161_;
+                                                                        let _e2566 = phi_3162_;
+                                                                        phi_3163_ = _e2562;
+                                                                        phi_3164_ = _e2564;
+                                                                        phi_3165_ = _e2566;
                                                                     } else {
-                                                                        phi_3066_ = true;
-                                                                        phi_3067_ = false;
-                                                                        phi_3068_ = false;
+                                                                        phi_3163_ = true;
+                                                                        phi_3164_ = false;
+                                                                        phi_3165_ = false;
                                                                     }
-                                                                    let _e2483 = phi_3066_;
-                                                                    let _e2485 = phi_3067_;
-                                                                    let _e2487 = phi_3068_;
-                                                                    if _e2483 {
-                                                                        phi_3072_ = false;
-                                                                        phi_3073_ = false;
+                                                                    let _e2568 = phi_3163_;
+                                                                    let _e2570 = phi_3164_;
+                                                                    let _e2572 = phi_3165_;
+                                                                    if _e2568 {
+                                                                        phi_3169_ = false;
+                                                                        phi_3170_ = false;
                                                                     } else {
-                                                                        phi_3072_ = _e2485;
-                                                                        phi_3073_ = _e2487;
+                                                                        phi_3169_ = _e2570;
+                                                                        phi_3170_ = _e2572;
                                                                     }
-                                                                    let _e2489 = phi_3072_;
-                                                                    let _e2491 = phi_3073_;
+                                                                    let _e2574 = phi_3169_;
+                                                                    let _e2576 = phi_3170_;
                                                                     phi_2364_ = (_e1896 & (_e1896 - 1u));
-                                                                    phi_3074_ = _e2483;
-                                                                    phi_3075_ = _e2489;
-                                                                    phi_3076_ = _e2491;
+                                                                    phi_3171_ = _e2568;
+                                                                    phi_3172_ = _e2574;
+                                                                    phi_3173_ = _e2576;
                                                                 }
-                                                                let _e2493 = phi_2364_;
-                                                                let _e2495 = phi_3074_;
-                                                                let _e2497 = phi_3075_;
-                                                                let _e2499 = phi_3076_;
-                                                                local_13 = _e2497;
-                                                                local_14 = _e2499;
+                                                                let _e2578 = phi_2364_;
+                                                                let _e2580 = phi_3171_;
+                                                                let _e2582 = phi_3172_;
+                                                                let _e2584 = phi_3173_;
+                                                                local_13 = _e2582;
+                                                                local_14 = _e2584;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2363_ = _e2493;
-                                                                    break if !(_e2495);
+                                                                    phi_2363_ = _e2578;
+                                                                    break if !(_e2580);
                                                                 }
                                                             }
-                                                            let _e2502 = local_9;
-                                                            if _e2502 {
-                                                                let _e2504 = local_1.group_mask;
-                                                                if ((_e2504 & 4278190080u) == 0u) {
-                                                                    let _e2508 = local_1.len;
-                                                                    if (_e2508 == 0u) {
-                                                                        phi_3118_ = false;
+                                                            let _e2587 = local_9;
+                                                            if _e2587 {
+                                                                let _e2589 = local_1.group_mask;
+                                                                if ((_e2589 & 4278190080u) == 0u) {
+                                                                    let _e2593 = local_1.len;
+                                                                    if (_e2593 == 0u) {
+                                                                        phi_3215_ = false;
                                                                     } else {
-                                                                        let _e2512 = local_1.len;
-                                                                        local_1.len = (_e2512 - 1u);
-                                                                        let _e2515 = local_1.len;
-                                                                        if (_e2515 < 32u) {
+                                                                        let _e2597 = local_1.len;
+                                                                        local_1.len = (_e2597 - 1u);
+                                                                        let _e2600 = local_1.len;
+                                                                        if (_e2600 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2520 = local_1.first[(0u + _e2515)];
-                                                                        local_1.group = _e2520;
-                                                                        let _e2523 = local_1.len;
-                                                                        if (_e2523 < 32u) {
+                                                                        let _e2605 = local_1.first[(0u + _e2600)];
+                                                                        local_1.group = _e2605;
+                                                                        let _e2608 = local_1.len;
+                                                                        if (_e2608 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2528 = local_1.mask[(0u + _e2523)];
-                                                                        local_1.group_mask = _e2528;
-                                                                        phi_3118_ = true;
+                                                                        let _e2613 = local_1.mask[(0u + _e2608)];
+                                                                        local_1.group_mask = _e2613;
+                                                                        phi_3215_ = true;
                                                                     }
-                                                                    let _e2531 = phi_3118_;
-                                                                    phi_3119_ = _e2531;
+                                                                    let _e2616 = phi_3215_;
+                                                                    phi_3216_ = _e2616;
                                                                 } else {
-                                                                    phi_3119_ = true;
+                                                                    phi_3216_ = true;
                                                                 }
-                                                                let _e2533 = phi_3119_;
-                                                                if _e2533 {
-                                                                    let _e2535 = local_1.group_mask;
-                                                                    let _e2541 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2535)), 32u, (_e2535 == 0u)));
-                                                                    let _e2545 = local_1.group_mask;
-                                                                    let _e2559 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2559 & ~((1u << bitcast<u32>((_e2541 & 31u)))));
-                                                                    let _e2562 = local_1.group;
-                                                                    phi_3150_ = (_e2562 + countOneBits(((_e2545 & ~((4294967295u << bitcast<u32>((((_e2541 - 24u) ^ _e1322) & 31u))))) & 255u)));
+                                                                let _e2618 = phi_3216_;
+                                                                if _e2618 {
+                                                                    let _e2620 = local_1.group_mask;
+                                                                    let _e2626 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2620)), 32u, (_e2620 == 0u)));
+                                                                    let _e2630 = local_1.group_mask;
+                                                                    let _e2644 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2644 & ~((1u << bitcast<u32>((_e2626 & 31u)))));
+                                                                    let _e2647 = local_1.group;
+                                                                    phi_3247_ = (_e2647 + countOneBits(((_e2630 & ~((4294967295u << bitcast<u32>((((_e2626 - 24u) ^ _e1322) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3150_ = 4294967295u;
+                                                                    phi_3247_ = 4294967295u;
                                                                 }
-                                                                let _e2565 = phi_3150_;
-                                                                phi_3151_ = _e2565;
-                                                                phi_3152_ = false;
-                                                                phi_3153_ = false;
+                                                                let _e2650 = phi_3247_;
+                                                                phi_3248_ = _e2650;
+                                                                phi_3249_ = false;
+                                                                phi_3250_ = false;
                                                             } else {
-                                                                phi_3151_ = u32();
-                                                                let _e2971 = local_13;
-                                                                phi_3152_ = _e2971;
-                                                                let _e2974 = local_14;
-                                                                phi_3153_ = _e2974;
+                                                                phi_3248_ = u32();
+                                                                let _e3062 = local_13;
+                                                                phi_3249_ = _e3062;
+                                                                let _e3065 = local_14;
+                                                                phi_3250_ = _e3065;
                                                             }
-                                                            let _e2567 = phi_3151_;
-                                                            let _e2569 = phi_3152_;
-                                                            let _e2571 = phi_3153_;
-                                                            phi_2034_ = _e2567;
-                                                            let _e2978 = local_15;
-                                                            phi_3154_ = _e2978;
-                                                            phi_3155_ = false;
-                                                            phi_3156_ = _e2569;
-                                                            phi_3157_ = _e2571;
+                                                            let _e2652 = phi_3248_;
+                                                            let _e2654 = phi_3249_;
+                                                            let _e2656 = phi_3250_;
+                                                            phi_2034_ = _e2652;
+                                                            let _e3069 = local_15;
+                                                            phi_3251_ = _e3069;
+                                                            phi_3252_ = false;
+                                                            phi_3253_ = _e2654;
+                                                            phi_3254_ = _e2656;
                                                         } else {
                                                             phi_2034_ = u32();
-                                                            phi_3154_ = false;
-                                                            phi_3155_ = true;
-                                                            phi_3156_ = false;
-                                                            phi_3157_ = false;
+                                                            phi_3251_ = false;
+                                                            phi_3252_ = true;
+                                                            phi_3253_ = false;
+                                                            phi_3254_ = false;
                                                         }
-                                                        let _e2573 = phi_2034_;
-                                                        let _e2575 = phi_3154_;
-                                                        let _e2577 = phi_3155_;
-                                                        let _e2579 = phi_3156_;
-                                                        let _e2581 = phi_3157_;
-                                                        local_10 = _e2577;
-                                                        local_16 = _e2579;
-                                                        local_17 = _e2581;
+                                                        let _e2658 = phi_2034_;
+                                                        let _e2660 = phi_3251_;
+                                                        let _e2662 = phi_3252_;
+                                                        let _e2664 = phi_3253_;
+                                                        let _e2666 = phi_3254_;
+                                                        local_10 = _e2662;
+                                                        local_16 = _e2664;
+                                                        local_17 = _e2666;
                                                         continue;
                                                         continuing {
-                                                            phi_2033_ = _e2573;
-                                                            break if !(_e2575);
+                                                            phi_2033_ = _e2658;
+                                                            break if !(_e2660);
                                                         }
                                                     }
-                                                    let _e2584 = local_10;
-                                                    if _e2584 {
-                                                        phi_3161_ = false;
-                                                        phi_3162_ = false;
+                                                    let _e2669 = local_10;
+                                                    if _e2669 {
+                                                        phi_3258_ = false;
+                                                        phi_3259_ = false;
                                                     } else {
-                                                        let _e2985 = local_16;
-                                                        phi_3161_ = _e2985;
-                                                        let _e2988 = local_17;
-                                                        phi_3162_ = _e2988;
+                                                        let _e3076 = local_16;
+                                                        phi_3258_ = _e3076;
+                                                        let _e3079 = local_17;
+                                                        phi_3259_ = _e3079;
                                                     }
-                                                    let _e2586 = phi_3161_;
-                                                    let _e2588 = phi_3162_;
-                                                    if _e2586 {
-                                                        phi_3166_ = true;
+                                                    let _e2671 = phi_3258_;
+                                                    let _e2673 = phi_3259_;
+                                                    if _e2671 {
+                                                        phi_3263_ = true;
                                                     } else {
-                                                        phi_3166_ = _e2588;
+                                                        phi_3263_ = _e2673;
                                                     }
-                                                    let _e2590 = phi_3166_;
-                                                    if _e2590 {
-                                                        phi_3170_ = true;
+                                                    let _e2675 = phi_3263_;
+                                                    if _e2675 {
+                                                        phi_3267_ = true;
                                                     } else {
-                                                        phi_3170_ = false;
+                                                        phi_3267_ = false;
                                                     }
-                                                    let _e2592 = phi_3170_;
-                                                    phi_3171_ = _e2592;
+                                                    let _e2677 = phi_3267_;
+                                                    phi_3268_ = _e2677;
                                                 }
-                                                let _e2594 = phi_3171_;
-                                                phi_3172_ = _e2594;
-                                                phi_3173_ = _e1148;
+                                                let _e2679 = phi_3268_;
+                                                phi_3269_ = _e2679;
+                                                phi_3270_ = _e1148;
                                             } else {
-                                                phi_3172_ = bool();
-                                                phi_3173_ = true;
+                                                phi_3269_ = bool();
+                                                phi_3270_ = true;
                                             }
-                                            let _e2596 = phi_3172_;
-                                            let _e2598 = phi_3173_;
-                                            if _e2598 {
-                                                phi_3177_ = false;
+                                            let _e2681 = phi_3269_;
+                                            let _e2683 = phi_3270_;
+                                            if _e2683 {
+                                                phi_3274_ = false;
                                             } else {
-                                                phi_3177_ = _e2596;
+                                                phi_3274_ = _e2681;
                                             }
-                                            let _e2600 = phi_3177_;
-                                            if _e2600 {
-                                                phi_3181_ = false;
+                                            let _e2685 = phi_3274_;
+                                            if _e2685 {
+                                                phi_3278_ = false;
                                             } else {
-                                                phi_3181_ = true;
+                                                phi_3278_ = true;
                                             }
-                                            let _e2602 = phi_3181_;
-                                            phi_3182_ = _e2602;
+                                            let _e2687 = phi_3278_;
+                                            phi_3279_ = _e2687;
                                         } else {
-                                            phi_3182_ = true;
+                                            phi_3279_ = true;
                                         }
-                                        let _e2604 = phi_3182_;
-                                        phi_3183_ = _e2604;
+                                        let _e2689 = phi_3279_;
+                                        phi_3280_ = _e2689;
                                     } else {
-                                        phi_3183_ = true;
+                                        phi_3280_ = true;
                                     }
-                                    let _e2606 = phi_3183_;
-                                    phi_3184_ = _e2606;
+                                    let _e2691 = phi_3280_;
+                                    phi_3281_ = _e2691;
                                 } else {
-                                    phi_3184_ = true;
+                                    phi_3281_ = true;
                                 }
-                                let _e2608 = phi_3184_;
-                                if _e2608 {
+                                let _e2693 = phi_3281_;
+                                if _e2693 {
                                 }
                                 phi_1428_ = (_e935 & (_e935 - 1u));
-                                phi_3188_ = _e2608;
+                                phi_3285_ = _e2693;
                             }
-                            let _e2610 = phi_1428_;
-                            let _e2612 = phi_3188_;
+                            let _e2695 = phi_1428_;
+                            let _e2697 = phi_3285_;
                             continue;
                             continuing {
-                                phi_1427_ = _e2610;
-                                break if !(_e2612);
+                                phi_1427_ = _e2695;
+                                break if !(_e2697);
                             }
                         }
-                        let _e2615 = local_11;
-                        if _e2615 {
-                            let _e2617 = local_2.group_mask;
-                            if ((_e2617 & 4278190080u) == 0u) {
-                                let _e2621 = local_2.len;
-                                if (_e2621 == 0u) {
-                                    phi_3230_ = false;
+                        let _e2700 = local_11;
+                        if _e2700 {
+                            let _e2702 = local_2.group_mask;
+                            if ((_e2702 & 4278190080u) == 0u) {
+                                let _e2706 = local_2.len;
+                                if (_e2706 == 0u) {
+                                    phi_3327_ = false;
                                 } else {
-                                    let _e2625 = local_2.len;
-                                    local_2.len = (_e2625 - 1u);
-                                    let _e2628 = local_2.len;
-                                    if (_e2628 < 32u) {
+                                    let _e2710 = local_2.len;
+                                    local_2.len = (_e2710 - 1u);
+                                    let _e2713 = local_2.len;
+                                    if (_e2713 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2633 = local_2.first[(0u + _e2628)];
-                                    local_2.group = _e2633;
-                                    let _e2636 = local_2.len;
-                                    if (_e2636 < 32u) {
+                                    let _e2718 = local_2.first[(0u + _e2713)];
+                                    local_2.group = _e2718;
+                                    let _e2721 = local_2.len;
+                                    if (_e2721 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2641 = local_2.mask[(0u + _e2636)];
-                                    local_2.group_mask = _e2641;
-                                    phi_3230_ = true;
+                                    let _e2726 = local_2.mask[(0u + _e2721)];
+                                    local_2.group_mask = _e2726;
+                                    phi_3327_ = true;
                                 }
-                                let _e2644 = phi_3230_;
-                                phi_3231_ = _e2644;
+                                let _e2729 = phi_3327_;
+                                phi_3328_ = _e2729;
                             } else {
-                                phi_3231_ = true;
+                                phi_3328_ = true;
                             }
-                            let _e2646 = phi_3231_;
-                            if _e2646 {
-                                let _e2648 = local_2.group_mask;
-                                let _e2654 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2648)), 32u, (_e2648 == 0u)));
-                                let _e2658 = local_2.group_mask;
-                                let _e2672 = local_2.group_mask;
-                                local_2.group_mask = (_e2672 & ~((1u << bitcast<u32>((_e2654 & 31u)))));
-                                let _e2675 = local_2.group;
-                                phi_3262_ = (_e2675 + countOneBits(((_e2658 & ~((4294967295u << bitcast<u32>((((_e2654 - 24u) ^ _e361) & 31u))))) & 255u)));
+                            let _e2731 = phi_3328_;
+                            if _e2731 {
+                                let _e2733 = local_2.group_mask;
+                                let _e2739 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2733)), 32u, (_e2733 == 0u)));
+                                let _e2743 = local_2.group_mask;
+                                let _e2757 = local_2.group_mask;
+                                local_2.group_mask = (_e2757 & ~((1u << bitcast<u32>((_e2739 & 31u)))));
+                                let _e2760 = local_2.group;
+                                phi_3359_ = (_e2760 + countOneBits(((_e2743 & ~((4294967295u << bitcast<u32>((((_e2739 - 24u) ^ _e361) & 31u))))) & 255u)));
                             } else {
-                                phi_3262_ = 4294967295u;
+                                phi_3359_ = 4294967295u;
                             }
-                            let _e2678 = phi_3262_;
-                            phi_3263_ = _e2678;
+                            let _e2763 = phi_3359_;
+                            phi_3360_ = _e2763;
                         } else {
-                            phi_3263_ = u32();
+                            phi_3360_ = u32();
                         }
-                        let _e2680 = phi_3263_;
-                        phi_1098_ = _e2680;
-                        let _e3009 = local_18;
-                        phi_3264_ = _e3009;
-                        phi_3265_ = false;
+                        let _e2765 = phi_3360_;
+                        phi_1098_ = _e2765;
+                        let _e3100 = local_18;
+                        phi_3361_ = _e3100;
+                        phi_3362_ = false;
                     } else {
                         phi_1098_ = u32();
-                        phi_3264_ = false;
-                        phi_3265_ = true;
+                        phi_3361_ = false;
+                        phi_3362_ = true;
                     }
-                    let _e2682 = phi_1098_;
-                    let _e2684 = phi_3264_;
-                    let _e2686 = phi_3265_;
-                    local_12 = _e2686;
+                    let _e2767 = phi_1098_;
+                    let _e2769 = phi_3361_;
+                    let _e2771 = phi_3362_;
+                    local_12 = _e2771;
                     continue;
                     continuing {
-                        phi_1097_ = _e2682;
-                        break if !(_e2684);
+                        phi_1097_ = _e2767;
+                        break if !(_e2769);
                     }
                 }
-                let _e2689 = local_12;
-                if _e2689 {
-                    phi_3269_ = false;
+                let _e2774 = local_12;
+                if _e2774 {
+                    phi_3366_ = false;
                 } else {
-                    phi_3269_ = true;
+                    phi_3366_ = true;
                 }
-                let _e2691 = phi_3269_;
-                if _e2691 {
-                    phi_3273_ = true;
+                let _e2776 = phi_3366_;
+                if _e2776 {
+                    phi_3370_ = true;
                 } else {
-                    phi_3273_ = false;
+                    phi_3370_ = false;
                 }
-                let _e2693 = phi_3273_;
-                phi_3274_ = _e2693;
+                let _e2778 = phi_3370_;
+                phi_3371_ = _e2778;
             }
-            let _e2695 = phi_3274_;
-            phi_3275_ = _e2695;
-            phi_3276_ = _e217;
+            let _e2780 = phi_3371_;
+            phi_3372_ = _e2780;
+            phi_3373_ = _e217;
         } else {
-            phi_3275_ = bool();
-            phi_3276_ = true;
+            phi_3372_ = bool();
+            phi_3373_ = true;
         }
-        let _e2697 = phi_3275_;
-        let _e2699 = phi_3276_;
-        if _e2699 {
-            phi_3280_ = false;
+        let _e2782 = phi_3372_;
+        let _e2784 = phi_3373_;
+        if _e2784 {
+            phi_3377_ = false;
         } else {
-            phi_3280_ = _e2697;
+            phi_3377_ = _e2782;
         }
-        let _e2701 = phi_3280_;
-        if _e2701 {
-            phi_3284_ = 0f;
+        let _e2786 = phi_3377_;
+        if _e2786 {
+            phi_3381_ = 0f;
         } else {
-            phi_3284_ = 1f;
+            phi_3381_ = 1f;
         }
-        let _e2703 = phi_3284_;
+        let _e2788 = phi_3381_;
         if (_e114 < _e83) {
         } else {
             return;
         }
-        visibility.member[(0u + _e114)] = _e2703;
+        visibility.member[(0u + _e114)] = _e2788;
         if (_e114 < _e89) {
         } else {
             return;
         }
-        let _e2710 = bits.member[(0u + _e114)];
-        if ((_e2710 & 2u) == 0u) {
-            phi_3305_ = (_e2710 & 1u);
+        let _e2795 = bits.member[(0u + _e114)];
+        if ((_e2795 & 2u) == 0u) {
+            phi_3402_ = (_e2795 & 1u);
         } else {
-            phi_3305_ = (_e2710 & 7u);
+            phi_3402_ = (_e2795 & 7u);
         }
-        let _e2716 = phi_3305_;
+        let _e2801 = phi_3402_;
         if (_e114 < _e83) {
         } else {
             return;
         }
-        let _e2720 = visibility.member[(0u + _e114)];
-        if ((_e2716 & 1u) != 0u) {
-            phi_3320_ = (2u | 1u);
+        let _e2805 = visibility.member[(0u + _e114)];
+        if ((_e2801 & 1u) != 0u) {
+            phi_3417_ = (2u | 1u);
         } else {
-            phi_3320_ = 2u;
+            phi_3417_ = 2u;
         }
-        let _e2726 = phi_3320_;
-        if (_e2720 < 0.5f) {
-            phi_3325_ = (_e2726 | 4u);
+        let _e2811 = phi_3417_;
+        if (_e2805 < 0.5f) {
+            phi_3422_ = (_e2811 | 4u);
         } else {
-            phi_3325_ = _e2726;
+            phi_3422_ = _e2811;
         }
-        let _e2729 = phi_3325_;
+        let _e2814 = phi_3422_;
         if (_e114 < _e89) {
         } else {
             return;
         }
-        bits.member[(0u + _e114)] = _e2729;
+        bits.member[(0u + _e114)] = _e2814;
     }
     return;
 }

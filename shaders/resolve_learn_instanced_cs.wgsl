@@ -310,143 +310,149 @@ fn function_() {
     var phi_1933_: u32;
     var phi_1978_: vec3<f32>;
     var phi_1979_: vec3<f32>;
-    var phi_2010_: vec3<f32>;
-    var phi_2011_: vec3<f32>;
-    var phi_2042_: vec3<f32>;
-    var phi_2043_: vec3<f32>;
-    var phi_2063_: bool;
-    var phi_2064_: bool;
-    var phi_2068_: f32;
-    var phi_2069_: f32;
-    var phi_2070_: f32;
-    var phi_2071_: f32;
-    var phi_2079_: f32;
-    var phi_2089_: bool;
-    var phi_2090_: bool;
-    var phi_2094_: f32;
-    var phi_2095_: f32;
-    var phi_2096_: f32;
-    var phi_2097_: f32;
-    var phi_2105_: f32;
-    var phi_2115_: bool;
-    var phi_2116_: bool;
-    var phi_2120_: f32;
-    var phi_2121_: f32;
-    var phi_2122_: f32;
-    var phi_2123_: f32;
-    var phi_2131_: f32;
-    var phi_2146_: f32;
-    var phi_2147_: bool;
-    var phi_2148_: f32;
-    var phi_2149_: bool;
-    var phi_2150_: f32;
-    var phi_2151_: bool;
-    var phi_2169_: f32;
-    var phi_2170_: bool;
-    var phi_2171_: bool;
-    var phi_2172_: f32;
-    var phi_2173_: bool;
+    var phi_2008_: vec3<f32>;
+    var phi_2009_: vec3<f32>;
+    var phi_2038_: vec3<f32>;
+    var phi_2039_: vec3<f32>;
+    var phi_2057_: bool;
+    var phi_2058_: bool;
+    var phi_2062_: f32;
+    var phi_2063_: f32;
+    var phi_2064_: f32;
+    var phi_2065_: f32;
+    var phi_2073_: f32;
+    var phi_2083_: bool;
+    var phi_2084_: bool;
+    var phi_2088_: f32;
+    var phi_2089_: f32;
+    var phi_2090_: f32;
+    var phi_2091_: f32;
+    var phi_2099_: f32;
+    var phi_2109_: bool;
+    var phi_2110_: bool;
+    var phi_2114_: f32;
+    var phi_2115_: f32;
+    var phi_2116_: f32;
+    var phi_2117_: f32;
+    var phi_2125_: f32;
+    var phi_2140_: f32;
+    var phi_2141_: bool;
+    var phi_2142_: f32;
+    var phi_2143_: bool;
+    var phi_2144_: f32;
+    var phi_2145_: bool;
+    var phi_2163_: f32;
+    var phi_2164_: bool;
+    var phi_2165_: bool;
+    var phi_2166_: f32;
+    var phi_2167_: bool;
+    var phi_2168_: bool;
+    var phi_2172_: bool;
+    var phi_2173_: f32;
     var phi_2174_: bool;
-    var phi_2178_: bool;
-    var phi_2179_: f32;
-    var phi_2180_: bool;
-    var phi_2214_: f32;
-    var phi_2223_: f32;
-    var phi_2232_: f32;
-    var phi_2241_: f32;
-    var phi_2248_: f32;
-    var phi_2255_: f32;
-    var phi_2268_: f32;
-    var phi_2277_: f32;
-    var phi_2286_: f32;
-    var phi_2295_: f32;
-    var phi_2302_: f32;
-    var phi_2309_: f32;
-    var phi_2326_: f32;
-    var phi_2331_: f32;
-    var phi_2336_: f32;
-    var phi_2344_: f32;
-    var phi_2349_: f32;
-    var phi_2354_: f32;
-    var phi_2366_: f32;
-    var phi_2371_: f32;
-    var phi_2376_: f32;
-    var phi_2381_: f32;
-    var phi_2386_: lt_bvh_triangle_Intersection;
-    var phi_2387_: bool;
-    var phi_2388_: lt_bvh_triangle_Intersection;
-    var phi_2389_: bool;
-    var phi_2393_: lt_bvh_triangle_Intersection;
-    var phi_2394_: bool;
-    var phi_2395_: lt_bvh_triangle_Intersection;
-    var phi_2396_: bool;
-    var phi_2397_: bool;
-    var phi_2401_: bool;
-    var phi_2405_: lt_bvh_triangle_Intersection;
-    var phi_2430_: bool;
-    var phi_2431_: bool;
-    var phi_2432_: bool;
-    var phi_2433_: bool;
-    var phi_2434_: bool;
-    var phi_2435_: bool;
-    var phi_2436_: bool;
-    var phi_2437_: bool;
-    var phi_2438_: bool;
-    var phi_2439_: bool;
-    var phi_2440_: bool;
-    var phi_2441_: bool;
-    var phi_2445_: bool;
-    var phi_2446_: bool;
-    var phi_1934_: u32;
-    var phi_2447_: bool;
-    var phi_2448_: bool;
-    var phi_2449_: bool;
-    var local_8: bool;
+    var phi_2202_: vec3<f32>;
+    var phi_2203_: vec3<f32>;
+    var phi_2228_: vec3<f32>;
+    var phi_2229_: vec3<f32>;
+    var phi_2254_: vec3<f32>;
+    var phi_2255_: vec3<f32>;
+    var phi_2311_: f32;
+    var phi_2320_: f32;
+    var phi_2329_: f32;
+    var phi_2338_: f32;
+    var phi_2345_: f32;
+    var phi_2352_: f32;
+    var phi_2365_: f32;
+    var phi_2374_: f32;
+    var phi_2383_: f32;
+    var phi_2392_: f32;
+    var phi_2399_: f32;
+    var phi_2406_: f32;
+    var phi_2423_: f32;
+    var phi_2428_: f32;
+    var phi_2433_: f32;
+    var phi_2441_: f32;
+    var phi_2446_: f32;
+    var phi_2451_: f32;
+    var phi_2463_: f32;
+    var phi_2468_: f32;
+    var phi_2473_: f32;
+    var phi_2478_: f32;
+    var phi_2483_: lt_bvh_triangle_Intersection;
+    var phi_2484_: bool;
+    var phi_2485_: lt_bvh_triangle_Intersection;
+    var phi_2486_: bool;
+    var phi_2490_: lt_bvh_triangle_Intersection;
     var phi_2491_: bool;
-    var phi_2492_: bool;
-    var phi_2523_: u32;
-    var phi_2524_: u32;
-    var phi_2525_: bool;
-    var phi_2526_: bool;
-    var phi_1604_: u32;
+    var phi_2492_: lt_bvh_triangle_Intersection;
+    var phi_2493_: bool;
+    var phi_2494_: bool;
+    var phi_2498_: bool;
+    var phi_2502_: lt_bvh_triangle_Intersection;
     var phi_2527_: bool;
     var phi_2528_: bool;
     var phi_2529_: bool;
     var phi_2530_: bool;
-    var local_9: bool;
+    var phi_2531_: bool;
+    var phi_2532_: bool;
+    var phi_2533_: bool;
     var phi_2534_: bool;
     var phi_2535_: bool;
-    var phi_2539_: bool;
+    var phi_2536_: bool;
+    var phi_2537_: bool;
+    var phi_2538_: bool;
+    var phi_2542_: bool;
     var phi_2543_: bool;
+    var phi_1934_: u32;
     var phi_2544_: bool;
     var phi_2545_: bool;
     var phi_2546_: bool;
-    var phi_2550_: bool;
-    var phi_2554_: bool;
-    var phi_2555_: bool;
-    var phi_2556_: bool;
-    var phi_2557_: bool;
-    var phi_998_: u32;
-    var phi_2561_: bool;
-    var local_10: bool;
-    var phi_2603_: bool;
-    var phi_2604_: bool;
-    var phi_2635_: u32;
-    var phi_2636_: u32;
-    var phi_668_: u32;
-    var phi_2637_: bool;
-    var phi_2638_: bool;
-    var local_11: bool;
+    var local_8: bool;
+    var phi_2588_: bool;
+    var phi_2589_: bool;
+    var phi_2620_: u32;
+    var phi_2621_: u32;
+    var phi_2622_: bool;
+    var phi_2623_: bool;
+    var phi_1604_: u32;
+    var phi_2624_: bool;
+    var phi_2625_: bool;
+    var phi_2626_: bool;
+    var phi_2627_: bool;
+    var local_9: bool;
+    var phi_2631_: bool;
+    var phi_2632_: bool;
+    var phi_2636_: bool;
+    var phi_2640_: bool;
+    var phi_2641_: bool;
     var phi_2642_: bool;
-    var phi_2646_: bool;
+    var phi_2643_: bool;
     var phi_2647_: bool;
-    var phi_2648_: bool;
-    var phi_2649_: bool;
+    var phi_2651_: bool;
+    var phi_2652_: bool;
     var phi_2653_: bool;
-    var phi_2657_: f32;
-    var phi_2678_: u32;
-    var phi_2693_: u32;
-    var phi_2698_: u32;
+    var phi_2654_: bool;
+    var phi_998_: u32;
+    var phi_2658_: bool;
+    var local_10: bool;
+    var phi_2700_: bool;
+    var phi_2701_: bool;
+    var phi_2732_: u32;
+    var phi_2733_: u32;
+    var phi_668_: u32;
+    var phi_2734_: bool;
+    var phi_2735_: bool;
+    var local_11: bool;
+    var phi_2739_: bool;
+    var phi_2743_: bool;
+    var phi_2744_: bool;
+    var phi_2745_: bool;
+    var phi_2746_: bool;
+    var phi_2750_: bool;
+    var phi_2754_: f32;
+    var phi_2775_: u32;
+    var phi_2790_: u32;
+    var phi_2795_: u32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
@@ -603,7 +609,7 @@ fn function_() {
         if _e192 {
             let _e193 = (_e92 >= _e62);
             if _e193 {
-                phi_2647_ = bool();
+                phi_2744_ = bool();
             } else {
                 if (_e92 < _e62) {
                 } else {
@@ -951,7 +957,7 @@ fn function_() {
                             local_17 = _e912;
                             if _e912 {
                                 phi_998_ = u32();
-                                phi_2561_ = false;
+                                phi_2658_ = false;
                             } else {
                                 let _e915 = nodes.member[(0u + _e475)].links[1u];
                                 let _e919 = (_e915 + select(firstTrailingBit(_e911), 32u, (_e911 == 0u)));
@@ -1133,7 +1139,7 @@ fn function_() {
                                             if _e1123 {
                                                 let _e1124 = (_e1060 >= _e62);
                                                 if _e1124 {
-                                                    phi_2544_ = bool();
+                                                    phi_2641_ = bool();
                                                 } else {
                                                     if (_e1060 < _e62) {
                                                     } else {
@@ -1260,7 +1266,6 @@ fn function_() {
                                                     let _e1279 = phi_1432_;
                                                     let _e1282 = (_e1279.x / _e1279.z);
                                                     let _e1285 = (_e1279.y / _e1279.z);
-                                                    let _e1287 = (1f / _e1279.z);
                                                     if (_e1200 < 0f) {
                                                         phi_1445_ = 0u;
                                                     } else {
@@ -1523,9 +1528,9 @@ fn function_() {
                                                                 local_14 = _e1873;
                                                                 if _e1873 {
                                                                     phi_1934_ = u32();
-                                                                    phi_2447_ = false;
-                                                                    phi_2448_ = false;
-                                                                    phi_2449_ = false;
+                                                                    phi_2544_ = false;
+                                                                    phi_2545_ = false;
+                                                                    phi_2546_ = false;
                                                                 } else {
                                                                     let _e1876 = nodes.member[(0u + _e1436)].links[1u];
                                                                     let _e1881 = ((_e1062 + _e1876) + select(firstTrailingBit(_e1872), 32u, (_e1872 == 0u)));
@@ -1551,796 +1556,849 @@ fn function_() {
                                                                     let _e1904 = phi_1979_;
                                                                     let _e1908 = (_e1904.x - (_e1282 * _e1904.z));
                                                                     let _e1912 = (_e1904.y - (_e1285 * _e1904.z));
-                                                                    let _e1916 = triangles.member[(0u + _e1881)].v1_;
-                                                                    let _e1918 = (_e1916.x - _e991);
-                                                                    let _e1920 = (_e1916.y - _e1004);
-                                                                    let _e1922 = (_e1916.z - _e1017);
+                                                                    let _e1914 = triangles.member[(0u + _e1881)].v1_;
+                                                                    let _e1916 = (_e1914.x - _e991);
+                                                                    let _e1918 = (_e1914.y - _e1004);
+                                                                    let _e1920 = (_e1914.z - _e1017);
                                                                     if (_e1271 == 0u) {
-                                                                        phi_2011_ = vec3<f32>(_e1920, _e1922, _e1918);
+                                                                        phi_2009_ = vec3<f32>(_e1918, _e1920, _e1916);
                                                                     } else {
                                                                         if (_e1271 == 1u) {
-                                                                            phi_2010_ = vec3<f32>(_e1922, _e1918, _e1920);
+                                                                            phi_2008_ = vec3<f32>(_e1920, _e1916, _e1918);
                                                                         } else {
-                                                                            phi_2010_ = (_e1916 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_2008_ = (_e1914 - vec3<f32>(_e991, _e1004, _e1017));
                                                                         }
-                                                                        let _e1930 = phi_2010_;
-                                                                        phi_2011_ = _e1930;
+                                                                        let _e1928 = phi_2008_;
+                                                                        phi_2009_ = _e1928;
                                                                     }
-                                                                    let _e1932 = phi_2011_;
-                                                                    let _e1936 = (_e1932.x - (_e1282 * _e1932.z));
-                                                                    let _e1940 = (_e1932.y - (_e1285 * _e1932.z));
-                                                                    let _e1944 = triangles.member[(0u + _e1881)].v2_;
-                                                                    let _e1946 = (_e1944.x - _e991);
-                                                                    let _e1948 = (_e1944.y - _e1004);
-                                                                    let _e1950 = (_e1944.z - _e1017);
+                                                                    let _e1930 = phi_2009_;
+                                                                    let _e1934 = (_e1930.x - (_e1282 * _e1930.z));
+                                                                    let _e1938 = (_e1930.y - (_e1285 * _e1930.z));
+                                                                    let _e1940 = triangles.member[(0u + _e1881)].v2_;
+                                                                    let _e1942 = (_e1940.x - _e991);
+                                                                    let _e1944 = (_e1940.y - _e1004);
+                                                                    let _e1946 = (_e1940.z - _e1017);
                                                                     if (_e1271 == 0u) {
-                                                                        phi_2043_ = vec3<f32>(_e1948, _e1950, _e1946);
+                                                                        phi_2039_ = vec3<f32>(_e1944, _e1946, _e1942);
                                                                     } else {
                                                                         if (_e1271 == 1u) {
-                                                                            phi_2042_ = vec3<f32>(_e1950, _e1946, _e1948);
+                                                                            phi_2038_ = vec3<f32>(_e1946, _e1942, _e1944);
                                                                         } else {
-                                                                            phi_2042_ = (_e1944 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_2038_ = (_e1940 - vec3<f32>(_e991, _e1004, _e1017));
                                                                         }
-                                                                        let _e1958 = phi_2042_;
-                                                                        phi_2043_ = _e1958;
+                                                                        let _e1954 = phi_2038_;
+                                                                        phi_2039_ = _e1954;
                                                                     }
-                                                                    let _e1960 = phi_2043_;
-                                                                    let _e1964 = (_e1960.x - (_e1282 * _e1960.z));
-                                                                    let _e1968 = (_e1960.y - (_e1285 * _e1960.z));
-                                                                    if (_e1936 < _e1964) {
-                                                                        phi_2064_ = true;
+                                                                    let _e1956 = phi_2039_;
+                                                                    let _e1960 = (_e1956.x - (_e1282 * _e1956.z));
+                                                                    let _e1964 = (_e1956.y - (_e1285 * _e1956.z));
+                                                                    if (_e1934 < _e1960) {
+                                                                        phi_2058_ = true;
                                                                     } else {
-                                                                        if (_e1936 == _e1964) {
-                                                                            phi_2063_ = (_e1940 < _e1968);
+                                                                        if (_e1934 == _e1960) {
+                                                                            phi_2057_ = (_e1938 < _e1964);
                                                                         } else {
-                                                                            phi_2063_ = false;
+                                                                            phi_2057_ = false;
                                                                         }
-                                                                        let _e1975 = phi_2063_;
-                                                                        phi_2064_ = _e1975;
+                                                                        let _e1969 = phi_2057_;
+                                                                        phi_2058_ = _e1969;
                                                                     }
+                                                                    let _e1971 = phi_2058_;
+                                                                    if _e1971 {
+                                                                        phi_2062_ = _e1964;
+                                                                        phi_2063_ = _e1960;
+                                                                        phi_2064_ = _e1938;
+                                                                        phi_2065_ = _e1934;
+                                                                    } else {
+                                                                        phi_2062_ = _e1938;
+                                                                        phi_2063_ = _e1934;
+                                                                        phi_2064_ = _e1964;
+                                                                        phi_2065_ = _e1960;
+                                                                    }
+                                                                    let _e1973 = phi_2062_;
+                                                                    let _e1975 = phi_2063_;
                                                                     let _e1977 = phi_2064_;
-                                                                    if _e1977 {
-                                                                        phi_2068_ = _e1968;
-                                                                        phi_2069_ = _e1964;
-                                                                        phi_2070_ = _e1940;
-                                                                        phi_2071_ = _e1936;
+                                                                    let _e1979 = phi_2065_;
+                                                                    let _e1982 = ((_e1979 * _e1973) - (_e1977 * _e1975));
+                                                                    if _e1971 {
+                                                                        phi_2073_ = -(_e1982);
                                                                     } else {
-                                                                        phi_2068_ = _e1940;
-                                                                        phi_2069_ = _e1936;
-                                                                        phi_2070_ = _e1968;
-                                                                        phi_2071_ = _e1964;
+                                                                        phi_2073_ = _e1982;
                                                                     }
-                                                                    let _e1979 = phi_2068_;
-                                                                    let _e1981 = phi_2069_;
-                                                                    let _e1983 = phi_2070_;
-                                                                    let _e1985 = phi_2071_;
-                                                                    let _e1988 = ((_e1985 * _e1979) - (_e1983 * _e1981));
-                                                                    if _e1977 {
-                                                                        phi_2079_ = -(_e1988);
+                                                                    let _e1985 = phi_2073_;
+                                                                    if (_e1960 < _e1908) {
+                                                                        phi_2084_ = true;
                                                                     } else {
-                                                                        phi_2079_ = _e1988;
-                                                                    }
-                                                                    let _e1991 = phi_2079_;
-                                                                    if (_e1964 < _e1908) {
-                                                                        phi_2090_ = true;
-                                                                    } else {
-                                                                        if (_e1964 == _e1908) {
-                                                                            phi_2089_ = (_e1968 < _e1912);
+                                                                        if (_e1960 == _e1908) {
+                                                                            phi_2083_ = (_e1964 < _e1912);
                                                                         } else {
-                                                                            phi_2089_ = false;
+                                                                            phi_2083_ = false;
                                                                         }
-                                                                        let _e1996 = phi_2089_;
-                                                                        phi_2090_ = _e1996;
+                                                                        let _e1990 = phi_2083_;
+                                                                        phi_2084_ = _e1990;
                                                                     }
+                                                                    let _e1992 = phi_2084_;
+                                                                    if _e1992 {
+                                                                        phi_2088_ = _e1912;
+                                                                        phi_2089_ = _e1908;
+                                                                        phi_2090_ = _e1964;
+                                                                        phi_2091_ = _e1960;
+                                                                    } else {
+                                                                        phi_2088_ = _e1964;
+                                                                        phi_2089_ = _e1960;
+                                                                        phi_2090_ = _e1912;
+                                                                        phi_2091_ = _e1908;
+                                                                    }
+                                                                    let _e1994 = phi_2088_;
+                                                                    let _e1996 = phi_2089_;
                                                                     let _e1998 = phi_2090_;
-                                                                    if _e1998 {
-                                                                        phi_2094_ = _e1912;
-                                                                        phi_2095_ = _e1908;
-                                                                        phi_2096_ = _e1968;
-                                                                        phi_2097_ = _e1964;
+                                                                    let _e2000 = phi_2091_;
+                                                                    let _e2003 = ((_e2000 * _e1994) - (_e1998 * _e1996));
+                                                                    if _e1992 {
+                                                                        phi_2099_ = -(_e2003);
                                                                     } else {
-                                                                        phi_2094_ = _e1968;
-                                                                        phi_2095_ = _e1964;
-                                                                        phi_2096_ = _e1912;
-                                                                        phi_2097_ = _e1908;
+                                                                        phi_2099_ = _e2003;
                                                                     }
-                                                                    let _e2000 = phi_2094_;
-                                                                    let _e2002 = phi_2095_;
-                                                                    let _e2004 = phi_2096_;
-                                                                    let _e2006 = phi_2097_;
-                                                                    let _e2009 = ((_e2006 * _e2000) - (_e2004 * _e2002));
-                                                                    if _e1998 {
-                                                                        phi_2105_ = -(_e2009);
+                                                                    let _e2006 = phi_2099_;
+                                                                    if (_e1908 < _e1934) {
+                                                                        phi_2110_ = true;
                                                                     } else {
-                                                                        phi_2105_ = _e2009;
-                                                                    }
-                                                                    let _e2012 = phi_2105_;
-                                                                    if (_e1908 < _e1936) {
-                                                                        phi_2116_ = true;
-                                                                    } else {
-                                                                        if (_e1908 == _e1936) {
-                                                                            phi_2115_ = (_e1912 < _e1940);
+                                                                        if (_e1908 == _e1934) {
+                                                                            phi_2109_ = (_e1912 < _e1938);
                                                                         } else {
-                                                                            phi_2115_ = false;
+                                                                            phi_2109_ = false;
                                                                         }
-                                                                        let _e2017 = phi_2115_;
-                                                                        phi_2116_ = _e2017;
+                                                                        let _e2011 = phi_2109_;
+                                                                        phi_2110_ = _e2011;
                                                                     }
+                                                                    let _e2013 = phi_2110_;
+                                                                    if _e2013 {
+                                                                        phi_2114_ = _e1938;
+                                                                        phi_2115_ = _e1934;
+                                                                        phi_2116_ = _e1912;
+                                                                        phi_2117_ = _e1908;
+                                                                    } else {
+                                                                        phi_2114_ = _e1912;
+                                                                        phi_2115_ = _e1908;
+                                                                        phi_2116_ = _e1938;
+                                                                        phi_2117_ = _e1934;
+                                                                    }
+                                                                    let _e2015 = phi_2114_;
+                                                                    let _e2017 = phi_2115_;
                                                                     let _e2019 = phi_2116_;
-                                                                    if _e2019 {
-                                                                        phi_2120_ = _e1940;
-                                                                        phi_2121_ = _e1936;
-                                                                        phi_2122_ = _e1912;
-                                                                        phi_2123_ = _e1908;
+                                                                    let _e2021 = phi_2117_;
+                                                                    let _e2024 = ((_e2021 * _e2015) - (_e2019 * _e2017));
+                                                                    if _e2013 {
+                                                                        phi_2125_ = -(_e2024);
                                                                     } else {
-                                                                        phi_2120_ = _e1912;
-                                                                        phi_2121_ = _e1908;
-                                                                        phi_2122_ = _e1940;
-                                                                        phi_2123_ = _e1936;
+                                                                        phi_2125_ = _e2024;
                                                                     }
-                                                                    let _e2021 = phi_2120_;
-                                                                    let _e2023 = phi_2121_;
-                                                                    let _e2025 = phi_2122_;
-                                                                    let _e2027 = phi_2123_;
-                                                                    let _e2030 = ((_e2027 * _e2021) - (_e2025 * _e2023));
-                                                                    if _e2019 {
-                                                                        phi_2131_ = -(_e2030);
-                                                                    } else {
-                                                                        phi_2131_ = _e2030;
-                                                                    }
-                                                                    let _e2033 = phi_2131_;
-                                                                    if (_e1991 >= 0f) {
-                                                                        if (_e2012 >= 0f) {
-                                                                            if (_e2033 >= 0f) {
-                                                                                phi_2146_ = ((_e1991 + _e2012) + _e2033);
-                                                                                phi_2147_ = false;
+                                                                    let _e2027 = phi_2125_;
+                                                                    if (_e1985 >= 0f) {
+                                                                        if (_e2006 >= 0f) {
+                                                                            if (_e2027 >= 0f) {
+                                                                                phi_2140_ = ((_e1985 + _e2006) + _e2027);
+                                                                                phi_2141_ = false;
                                                                             } else {
-                                                                                phi_2146_ = f32();
-                                                                                phi_2147_ = true;
+                                                                                phi_2140_ = f32();
+                                                                                phi_2141_ = true;
                                                                             }
-                                                                            let _e2040 = phi_2146_;
-                                                                            let _e2042 = phi_2147_;
-                                                                            phi_2148_ = _e2040;
-                                                                            phi_2149_ = _e2042;
+                                                                            let _e2034 = phi_2140_;
+                                                                            let _e2036 = phi_2141_;
+                                                                            phi_2142_ = _e2034;
+                                                                            phi_2143_ = _e2036;
                                                                         } else {
-                                                                            phi_2148_ = f32();
-                                                                            phi_2149_ = true;
+                                                                            phi_2142_ = f32();
+                                                                            phi_2143_ = true;
                                                                         }
-                                                                        let _e2044 = phi_2148_;
-                                                                        let _e2046 = phi_2149_;
-                                                                        phi_2150_ = _e2044;
-                                                                        phi_2151_ = _e2046;
+                                                                        let _e2038 = phi_2142_;
+                                                                        let _e2040 = phi_2143_;
+                                                                        phi_2144_ = _e2038;
+                                                                        phi_2145_ = _e2040;
                                                                     } else {
-                                                                        phi_2150_ = f32();
-                                                                        phi_2151_ = true;
+                                                                        phi_2144_ = f32();
+                                                                        phi_2145_ = true;
                                                                     }
-                                                                    let _e2048 = phi_2150_;
-                                                                    let _e2050 = phi_2151_;
-                                                                    if _e2050 {
-                                                                        if (_e1991 <= 0f) {
-                                                                            if (_e2012 <= 0f) {
-                                                                                let _e2053 = (_e2033 <= 0f);
-                                                                                if _e2053 {
+                                                                    let _e2042 = phi_2144_;
+                                                                    let _e2044 = phi_2145_;
+                                                                    if _e2044 {
+                                                                        if (_e1985 <= 0f) {
+                                                                            if (_e2006 <= 0f) {
+                                                                                let _e2047 = (_e2027 <= 0f);
+                                                                                if _e2047 {
                                                                                 }
-                                                                                phi_2169_ = ((_e1991 + _e2012) + _e2033);
-                                                                                phi_2170_ = false;
-                                                                                phi_2171_ = _e2053;
+                                                                                phi_2163_ = ((_e1985 + _e2006) + _e2027);
+                                                                                phi_2164_ = false;
+                                                                                phi_2165_ = _e2047;
                                                                             } else {
-                                                                                phi_2169_ = f32();
-                                                                                phi_2170_ = true;
-                                                                                phi_2171_ = false;
+                                                                                phi_2163_ = f32();
+                                                                                phi_2164_ = true;
+                                                                                phi_2165_ = false;
                                                                             }
-                                                                            let _e2057 = phi_2169_;
-                                                                            let _e2059 = phi_2170_;
-                                                                            let _e2061 = phi_2171_;
-                                                                            phi_2172_ = _e2057;
-                                                                            phi_2173_ = _e2059;
-                                                                            phi_2174_ = _e2061;
+                                                                            let _e2051 = phi_2163_;
+                                                                            let _e2053 = phi_2164_;
+                                                                            let _e2055 = phi_2165_;
+                                                                            phi_2166_ = _e2051;
+                                                                            phi_2167_ = _e2053;
+                                                                            phi_2168_ = _e2055;
                                                                         } else {
-                                                                            phi_2172_ = f32();
-                                                                            phi_2173_ = true;
-                                                                            phi_2174_ = false;
+                                                                            phi_2166_ = f32();
+                                                                            phi_2167_ = true;
+                                                                            phi_2168_ = false;
+                                                                        }
+                                                                        let _e2057 = phi_2166_;
+                                                                        let _e2059 = phi_2167_;
+                                                                        let _e2061 = phi_2168_;
+                                                                        if _e2059 {
+                                                                            phi_2172_ = false;
+                                                                        } else {
+                                                                            phi_2172_ = _e2061;
                                                                         }
                                                                         let _e2063 = phi_2172_;
-                                                                        let _e2065 = phi_2173_;
-                                                                        let _e2067 = phi_2174_;
-                                                                        if _e2065 {
-                                                                            phi_2178_ = false;
-                                                                        } else {
-                                                                            phi_2178_ = _e2067;
-                                                                        }
-                                                                        let _e2069 = phi_2178_;
-                                                                        phi_2179_ = _e2063;
-                                                                        phi_2180_ = _e2069;
+                                                                        phi_2173_ = _e2057;
+                                                                        phi_2174_ = _e2063;
                                                                     } else {
-                                                                        phi_2179_ = _e2048;
-                                                                        phi_2180_ = true;
+                                                                        phi_2173_ = _e2042;
+                                                                        phi_2174_ = true;
                                                                     }
-                                                                    let _e2071 = phi_2179_;
-                                                                    let _e2073 = phi_2180_;
-                                                                    if _e2073 {
-                                                                        let _e2074 = (_e2071 == 0f);
-                                                                        if _e2074 {
-                                                                            phi_2393_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2394_ = false;
+                                                                    let _e2065 = phi_2173_;
+                                                                    let _e2067 = phi_2174_;
+                                                                    if _e2067 {
+                                                                        let _e2068 = (_e2065 == 0f);
+                                                                        if _e2068 {
+                                                                            phi_2490_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2491_ = false;
                                                                         } else {
-                                                                            let _e2080 = ((((_e1991 * (_e1287 * _e1904.z)) + (_e2012 * (_e1287 * _e1932.z))) + (_e2033 * (_e1287 * _e1960.z))) / _e2071);
-                                                                            if (_e2080 > 0f) {
-                                                                                if (_e2080 < _e121) {
-                                                                                    let _e2084 = triangles.member[(0u + _e1881)].v0_;
-                                                                                    let _e2086 = triangles.member[(0u + _e1881)].v1_;
-                                                                                    if (_e2084.x < _e2086.x) {
-                                                                                        phi_2214_ = _e2084.x;
-                                                                                    } else {
-                                                                                        phi_2214_ = _e2086.x;
-                                                                                    }
-                                                                                    let _e2093 = phi_2214_;
-                                                                                    if (_e2084.y < _e2086.y) {
-                                                                                        phi_2223_ = _e2084.y;
-                                                                                    } else {
-                                                                                        phi_2223_ = _e2086.y;
-                                                                                    }
-                                                                                    let _e2100 = phi_2223_;
-                                                                                    if (_e2084.z < _e2086.z) {
-                                                                                        phi_2232_ = _e2084.z;
-                                                                                    } else {
-                                                                                        phi_2232_ = _e2086.z;
-                                                                                    }
-                                                                                    let _e2107 = phi_2232_;
-                                                                                    let _e2109 = triangles.member[(0u + _e1881)].v2_;
-                                                                                    if (_e2093 < _e2109.x) {
-                                                                                        phi_2241_ = _e2093;
-                                                                                    } else {
-                                                                                        phi_2241_ = _e2109.x;
-                                                                                    }
-                                                                                    let _e2114 = phi_2241_;
-                                                                                    if (_e2100 < _e2109.y) {
-                                                                                        phi_2248_ = _e2100;
-                                                                                    } else {
-                                                                                        phi_2248_ = _e2109.y;
-                                                                                    }
-                                                                                    let _e2119 = phi_2248_;
-                                                                                    if (_e2107 < _e2109.z) {
-                                                                                        phi_2255_ = _e2107;
-                                                                                    } else {
-                                                                                        phi_2255_ = _e2109.z;
-                                                                                    }
-                                                                                    let _e2124 = phi_2255_;
-                                                                                    let _e2126 = triangles.member[(0u + _e1881)].v0_;
-                                                                                    let _e2128 = triangles.member[(0u + _e1881)].v1_;
-                                                                                    if (_e2126.x > _e2128.x) {
-                                                                                        phi_2268_ = _e2126.x;
-                                                                                    } else {
-                                                                                        phi_2268_ = _e2128.x;
-                                                                                    }
-                                                                                    let _e2135 = phi_2268_;
-                                                                                    if (_e2126.y > _e2128.y) {
-                                                                                        phi_2277_ = _e2126.y;
-                                                                                    } else {
-                                                                                        phi_2277_ = _e2128.y;
-                                                                                    }
-                                                                                    let _e2142 = phi_2277_;
-                                                                                    if (_e2126.z > _e2128.z) {
-                                                                                        phi_2286_ = _e2126.z;
-                                                                                    } else {
-                                                                                        phi_2286_ = _e2128.z;
-                                                                                    }
-                                                                                    let _e2149 = phi_2286_;
-                                                                                    let _e2151 = triangles.member[(0u + _e1881)].v2_;
-                                                                                    if (_e2135 > _e2151.x) {
-                                                                                        phi_2295_ = _e2135;
-                                                                                    } else {
-                                                                                        phi_2295_ = _e2151.x;
-                                                                                    }
-                                                                                    let _e2156 = phi_2295_;
-                                                                                    if (_e2142 > _e2151.y) {
-                                                                                        phi_2302_ = _e2142;
-                                                                                    } else {
-                                                                                        phi_2302_ = _e2151.y;
-                                                                                    }
-                                                                                    let _e2161 = phi_2302_;
-                                                                                    if (_e2149 > _e2151.z) {
-                                                                                        phi_2309_ = _e2149;
-                                                                                    } else {
-                                                                                        phi_2309_ = _e2151.z;
-                                                                                    }
-                                                                                    let _e2166 = phi_2309_;
-                                                                                    let _e2170 = ((_e2114 - _e991) * _e1200);
-                                                                                    let _e2171 = ((_e2119 - _e1004) * _e1210);
-                                                                                    let _e2172 = ((_e2124 - _e1017) * _e1220);
-                                                                                    let _e2176 = ((_e2156 - _e991) * _e1200);
-                                                                                    let _e2177 = ((_e2161 - _e1004) * _e1210);
-                                                                                    let _e2178 = ((_e2166 - _e1017) * _e1220);
-                                                                                    if (_e2170 < _e2176) {
-                                                                                        phi_2326_ = _e2170;
-                                                                                    } else {
-                                                                                        phi_2326_ = _e2176;
-                                                                                    }
-                                                                                    let _e2181 = phi_2326_;
-                                                                                    if (_e2171 < _e2177) {
-                                                                                        phi_2331_ = _e2171;
-                                                                                    } else {
-                                                                                        phi_2331_ = _e2177;
-                                                                                    }
-                                                                                    let _e2184 = phi_2331_;
-                                                                                    if (_e2172 < _e2178) {
-                                                                                        phi_2336_ = _e2172;
-                                                                                    } else {
-                                                                                        phi_2336_ = _e2178;
-                                                                                    }
-                                                                                    let _e2187 = phi_2336_;
-                                                                                    if (_e2170 > _e2176) {
-                                                                                        phi_2344_ = _e2170;
-                                                                                    } else {
-                                                                                        phi_2344_ = _e2176;
-                                                                                    }
-                                                                                    let _e2193 = phi_2344_;
-                                                                                    if (_e2171 > _e2177) {
-                                                                                        phi_2349_ = _e2171;
-                                                                                    } else {
-                                                                                        phi_2349_ = _e2177;
-                                                                                    }
-                                                                                    let _e2196 = phi_2349_;
-                                                                                    if (_e2172 > _e2178) {
-                                                                                        phi_2354_ = _e2172;
-                                                                                    } else {
-                                                                                        phi_2354_ = _e2178;
-                                                                                    }
-                                                                                    let _e2199 = phi_2354_;
-                                                                                    let _e2203 = core_intrinsics_maximum_number_nsz_f32_((_e2181 - _e1255), (_e2184 - _e1256));
-                                                                                    let _e2204 = core_intrinsics_maximum_number_nsz_f32_(_e2203, (_e2187 - _e1257));
-                                                                                    let _e2205 = core_intrinsics_minimum_number_nsz_f32_((_e2193 + _e1255), (_e2196 + _e1256));
-                                                                                    let _e2206 = core_intrinsics_minimum_number_nsz_f32_(_e2205, (_e2199 + _e1257));
-                                                                                    if (_e2204 > _e972) {
-                                                                                        phi_2366_ = _e2204;
-                                                                                    } else {
-                                                                                        phi_2366_ = _e972;
-                                                                                    }
-                                                                                    let _e2209 = phi_2366_;
-                                                                                    if (_e2206 < _e974) {
-                                                                                        phi_2371_ = _e2206;
-                                                                                    } else {
-                                                                                        phi_2371_ = _e974;
-                                                                                    }
-                                                                                    let _e2212 = phi_2371_;
-                                                                                    if (_e2080 < _e2209) {
-                                                                                        phi_2376_ = _e2209;
-                                                                                    } else {
-                                                                                        phi_2376_ = _e2080;
-                                                                                    }
-                                                                                    let _e2215 = phi_2376_;
-                                                                                    if (_e2215 > _e2212) {
-                                                                                        phi_2381_ = _e2212;
-                                                                                    } else {
-                                                                                        phi_2381_ = _e2215;
-                                                                                    }
-                                                                                    let _e2218 = phi_2381_;
-                                                                                    phi_2386_ = lt_bvh_triangle_Intersection(_e2218, (_e2012 / _e2071), (_e2033 / _e2071), (_e2209 <= _e2212));
-                                                                                    phi_2387_ = false;
-                                                                                } else {
-                                                                                    phi_2386_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2387_ = true;
-                                                                                }
-                                                                                let _e2224 = phi_2386_;
-                                                                                let _e2226 = phi_2387_;
-                                                                                phi_2388_ = _e2224;
-                                                                                phi_2389_ = _e2226;
+                                                                            let _e2070 = triangles.member[(0u + _e1881)].v0_;
+                                                                            let _e2072 = (_e2070.x - _e991);
+                                                                            let _e2074 = (_e2070.y - _e1004);
+                                                                            let _e2076 = (_e2070.z - _e1017);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2203_ = vec3<f32>(_e2074, _e2076, _e2072);
                                                                             } else {
-                                                                                phi_2388_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2389_ = true;
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2202_ = vec3<f32>(_e2076, _e2072, _e2074);
+                                                                                } else {
+                                                                                    phi_2202_ = (_e2070 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                                }
+                                                                                let _e2084 = phi_2202_;
+                                                                                phi_2203_ = _e2084;
                                                                             }
-                                                                            let _e2228 = phi_2388_;
-                                                                            let _e2230 = phi_2389_;
-                                                                            if _e2230 {
+                                                                            let _e2086 = phi_2203_;
+                                                                            let _e2088 = triangles.member[(0u + _e1881)].v1_;
+                                                                            let _e2090 = triangles.member[(0u + _e1881)].v0_;
+                                                                            let _e2093 = (_e2088.x - _e2090.x);
+                                                                            let _e2096 = (_e2088.y - _e2090.y);
+                                                                            let _e2099 = (_e2088.z - _e2090.z);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2229_ = vec3<f32>(_e2096, _e2099, _e2093);
+                                                                            } else {
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2228_ = vec3<f32>(_e2099, _e2093, _e2096);
+                                                                                } else {
+                                                                                    phi_2228_ = (_e2088 - _e2090);
+                                                                                }
+                                                                                let _e2106 = phi_2228_;
+                                                                                phi_2229_ = _e2106;
                                                                             }
-                                                                            phi_2393_ = _e2228;
-                                                                            phi_2394_ = _e2230;
+                                                                            let _e2108 = phi_2229_;
+                                                                            let _e2110 = triangles.member[(0u + _e1881)].v2_;
+                                                                            let _e2112 = triangles.member[(0u + _e1881)].v0_;
+                                                                            let _e2115 = (_e2110.x - _e2112.x);
+                                                                            let _e2118 = (_e2110.y - _e2112.y);
+                                                                            let _e2121 = (_e2110.z - _e2112.z);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2255_ = vec3<f32>(_e2118, _e2121, _e2115);
+                                                                            } else {
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2254_ = vec3<f32>(_e2121, _e2115, _e2118);
+                                                                                } else {
+                                                                                    phi_2254_ = (_e2110 - _e2112);
+                                                                                }
+                                                                                let _e2128 = phi_2254_;
+                                                                                phi_2255_ = _e2128;
+                                                                            }
+                                                                            let _e2130 = phi_2255_;
+                                                                            let _e2137 = ((_e2108.y * _e2130.z) - (_e2108.z * _e2130.y));
+                                                                            let _e2144 = ((_e2108.z * _e2130.x) - (_e2108.x * _e2130.z));
+                                                                            let _e2151 = ((_e2108.x * _e2130.y) - (_e2108.y * _e2130.x));
+                                                                            let _e2165 = (((1f / _e1279.z) * (((_e2137 * _e2086.x) + (_e2144 * _e2086.y)) + (_e2151 * _e2086.z))) / (((_e2137 * _e1282) + (_e2144 * _e1285)) + _e2151));
+                                                                            if (_e2165 > 0f) {
+                                                                                if (_e2165 < _e121) {
+                                                                                    let _e2169 = triangles.member[(0u + _e1881)].v0_;
+                                                                                    let _e2171 = triangles.member[(0u + _e1881)].v1_;
+                                                                                    if (_e2169.x < _e2171.x) {
+                                                                                        phi_2311_ = _e2169.x;
+                                                                                    } else {
+                                                                                        phi_2311_ = _e2171.x;
+                                                                                    }
+                                                                                    let _e2178 = phi_2311_;
+                                                                                    if (_e2169.y < _e2171.y) {
+                                                                                        phi_2320_ = _e2169.y;
+                                                                                    } else {
+                                                                                        phi_2320_ = _e2171.y;
+                                                                                    }
+                                                                                    let _e2185 = phi_2320_;
+                                                                                    if (_e2169.z < _e2171.z) {
+                                                                                        phi_2329_ = _e2169.z;
+                                                                                    } else {
+                                                                                        phi_2329_ = _e2171.z;
+                                                                                    }
+                                                                                    let _e2192 = phi_2329_;
+                                                                                    let _e2194 = triangles.member[(0u + _e1881)].v2_;
+                                                                                    if (_e2178 < _e2194.x) {
+                                                                                        phi_2338_ = _e2178;
+                                                                                    } else {
+                                                                                        phi_2338_ = _e2194.x;
+                                                                                    }
+                                                                                    let _e2199 = phi_2338_;
+                                                                                    if (_e2185 < _e2194.y) {
+                                                                                        phi_2345_ = _e2185;
+                                                                                    } else {
+                                                                                        phi_2345_ = _e2194.y;
+                                                                                    }
+                                                                                    let _e2204 = phi_2345_;
+                                                                                    if (_e2192 < _e2194.z) {
+                                                                                        phi_2352_ = _e2192;
+                                                                                    } else {
+                                                                                        phi_2352_ = _e2194.z;
+                                                                                    }
+                                                                                    let _e2209 = phi_2352_;
+                                                                                    let _e2211 = triangles.member[(0u + _e1881)].v0_;
+                                                                                    let _e2213 = triangles.member[(0u + _e1881)].v1_;
+                                                                                    if (_e2211.x > _e2213.x) {
+                                                                                        phi_2365_ = _e2211.x;
+                                                                                    } else {
+                                                                                        phi_2365_ = _e2213.x;
+                                                                                    }
+                                                                                    let _e2220 = phi_2365_;
+                                                                                    if (_e2211.y > _e2213.y) {
+                                                                                        phi_2374_ = _e2211.y;
+                                                                                    } else {
+                                                                                        phi_2374_ = _e2213.y;
+                                                                                    }
+                                                                                    let _e2227 = phi_2374_;
+                                                                                    if (_e2211.z > _e2213.z) {
+                                                                                        phi_2383_ = _e2211.z;
+                                                                                    } else {
+                                                                                        phi_2383_ = _e2213.z;
+                                                                                    }
+                                                                                    let _e2234 = phi_2383_;
+                                                                                    let _e2236 = triangles.member[(0u + _e1881)].v2_;
+                                                                                    if (_e2220 > _e2236.x) {
+                                                                                        phi_2392_ = _e2220;
+                                                                                    } else {
+                                                                                        phi_2392_ = _e2236.x;
+                                                                                    }
+                                                                                    let _e2241 = phi_2392_;
+                                                                                    if (_e2227 > _e2236.y) {
+                                                                                        phi_2399_ = _e2227;
+                                                                                    } else {
+                                                                                        phi_2399_ = _e2236.y;
+                                                                                    }
+                                                                                    let _e2246 = phi_2399_;
+                                                                                    if (_e2234 > _e2236.z) {
+                                                                                        phi_2406_ = _e2234;
+                                                                                    } else {
+                                                                                        phi_2406_ = _e2236.z;
+                                                                                    }
+                                                                                    let _e2251 = phi_2406_;
+                                                                                    let _e2255 = ((_e2199 - _e991) * _e1200);
+                                                                                    let _e2256 = ((_e2204 - _e1004) * _e1210);
+                                                                                    let _e2257 = ((_e2209 - _e1017) * _e1220);
+                                                                                    let _e2261 = ((_e2241 - _e991) * _e1200);
+                                                                                    let _e2262 = ((_e2246 - _e1004) * _e1210);
+                                                                                    let _e2263 = ((_e2251 - _e1017) * _e1220);
+                                                                                    if (_e2255 < _e2261) {
+                                                                                        phi_2423_ = _e2255;
+                                                                                    } else {
+                                                                                        phi_2423_ = _e2261;
+                                                                                    }
+                                                                                    let _e2266 = phi_2423_;
+                                                                                    if (_e2256 < _e2262) {
+                                                                                        phi_2428_ = _e2256;
+                                                                                    } else {
+                                                                                        phi_2428_ = _e2262;
+                                                                                    }
+                                                                                    let _e2269 = phi_2428_;
+                                                                                    if (_e2257 < _e2263) {
+                                                                                        phi_2433_ = _e2257;
+                                                                                    } else {
+                                                                                        phi_2433_ = _e2263;
+                                                                                    }
+                                                                                    let _e2272 = phi_2433_;
+                                                                                    if (_e2255 > _e2261) {
+                                                                                        phi_2441_ = _e2255;
+                                                                                    } else {
+                                                                                        phi_2441_ = _e2261;
+                                                                                    }
+                                                                                    let _e2278 = phi_2441_;
+                                                                                    if (_e2256 > _e2262) {
+                                                                                        phi_2446_ = _e2256;
+                                                                                    } else {
+                                                                                        phi_2446_ = _e2262;
+                                                                                    }
+                                                                                    let _e2281 = phi_2446_;
+                                                                                    if (_e2257 > _e2263) {
+                                                                                        phi_2451_ = _e2257;
+                                                                                    } else {
+                                                                                        phi_2451_ = _e2263;
+                                                                                    }
+                                                                                    let _e2284 = phi_2451_;
+                                                                                    let _e2288 = core_intrinsics_maximum_number_nsz_f32_((_e2266 - _e1255), (_e2269 - _e1256));
+                                                                                    let _e2289 = core_intrinsics_maximum_number_nsz_f32_(_e2288, (_e2272 - _e1257));
+                                                                                    let _e2290 = core_intrinsics_minimum_number_nsz_f32_((_e2278 + _e1255), (_e2281 + _e1256));
+                                                                                    let _e2291 = core_intrinsics_minimum_number_nsz_f32_(_e2290, (_e2284 + _e1257));
+                                                                                    if (_e2289 > _e972) {
+                                                                                        phi_2463_ = _e2289;
+                                                                                    } else {
+                                                                                        phi_2463_ = _e972;
+                                                                                    }
+                                                                                    let _e2294 = phi_2463_;
+                                                                                    if (_e2291 < _e974) {
+                                                                                        phi_2468_ = _e2291;
+                                                                                    } else {
+                                                                                        phi_2468_ = _e974;
+                                                                                    }
+                                                                                    let _e2297 = phi_2468_;
+                                                                                    if (_e2165 < _e2294) {
+                                                                                        phi_2473_ = _e2294;
+                                                                                    } else {
+                                                                                        phi_2473_ = _e2165;
+                                                                                    }
+                                                                                    let _e2300 = phi_2473_;
+                                                                                    if (_e2300 > _e2297) {
+                                                                                        phi_2478_ = _e2297;
+                                                                                    } else {
+                                                                                        phi_2478_ = _e2300;
+                                                                                    }
+                                                                                    let _e2303 = phi_2478_;
+                                                                                    phi_2483_ = lt_bvh_triangle_Intersection(_e2303, (_e2006 / _e2065), (_e2027 / _e2065), (_e2294 <= _e2297));
+                                                                                    phi_2484_ = false;
+                                                                                } else {
+                                                                                    phi_2483_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2484_ = true;
+                                                                                }
+                                                                                let _e2309 = phi_2483_;
+                                                                                let _e2311 = phi_2484_;
+                                                                                phi_2485_ = _e2309;
+                                                                                phi_2486_ = _e2311;
+                                                                            } else {
+                                                                                phi_2485_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2486_ = true;
+                                                                            }
+                                                                            let _e2313 = phi_2485_;
+                                                                            let _e2315 = phi_2486_;
+                                                                            if _e2315 {
+                                                                            }
+                                                                            phi_2490_ = _e2313;
+                                                                            phi_2491_ = _e2315;
                                                                         }
-                                                                        let _e2232 = phi_2393_;
-                                                                        let _e2234 = phi_2394_;
-                                                                        phi_2395_ = _e2232;
-                                                                        phi_2396_ = _e2074;
-                                                                        phi_2397_ = _e2234;
+                                                                        let _e2317 = phi_2490_;
+                                                                        let _e2319 = phi_2491_;
+                                                                        phi_2492_ = _e2317;
+                                                                        phi_2493_ = _e2068;
+                                                                        phi_2494_ = _e2319;
                                                                     } else {
-                                                                        phi_2395_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2396_ = true;
-                                                                        phi_2397_ = false;
+                                                                        phi_2492_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2493_ = true;
+                                                                        phi_2494_ = false;
                                                                     }
-                                                                    let _e2236 = phi_2395_;
-                                                                    let _e2238 = phi_2396_;
-                                                                    let _e2240 = phi_2397_;
-                                                                    if _e2238 {
-                                                                        phi_2401_ = true;
+                                                                    let _e2321 = phi_2492_;
+                                                                    let _e2323 = phi_2493_;
+                                                                    let _e2325 = phi_2494_;
+                                                                    if _e2323 {
+                                                                        phi_2498_ = true;
                                                                     } else {
-                                                                        phi_2401_ = _e2240;
+                                                                        phi_2498_ = _e2325;
                                                                     }
-                                                                    let _e2242 = phi_2401_;
-                                                                    if _e2242 {
-                                                                        phi_2405_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2327 = phi_2498_;
+                                                                    if _e2327 {
+                                                                        phi_2502_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2405_ = _e2236;
+                                                                        phi_2502_ = _e2321;
                                                                     }
-                                                                    let _e2244 = phi_2405_;
-                                                                    if _e2244.is_hit {
-                                                                        if (_e2244.t > 0f) {
-                                                                            if (_e2244.t < _e121) {
-                                                                                let _e2251 = triangles.member[(0u + _e1881)].i0_;
-                                                                                let _e2253 = ((_e2251 & 2147483648u) == 0u);
-                                                                                if _e2253 {
-                                                                                    phi_2431_ = false;
-                                                                                    phi_2432_ = false;
+                                                                    let _e2329 = phi_2502_;
+                                                                    if _e2329.is_hit {
+                                                                        if (_e2329.t > 0f) {
+                                                                            if (_e2329.t < _e121) {
+                                                                                let _e2336 = triangles.member[(0u + _e1881)].i0_;
+                                                                                let _e2338 = ((_e2336 & 2147483648u) == 0u);
+                                                                                if _e2338 {
+                                                                                    phi_2528_ = false;
+                                                                                    phi_2529_ = false;
                                                                                 } else {
                                                                                     if true {
-                                                                                        phi_2430_ = false;
+                                                                                        phi_2527_ = false;
                                                                                     } else {
-                                                                                        phi_2430_ = true;
+                                                                                        phi_2527_ = true;
                                                                                     }
-                                                                                    let _e2255 = phi_2430_;
-                                                                                    phi_2431_ = _e2255;
-                                                                                    phi_2432_ = true;
+                                                                                    let _e2340 = phi_2527_;
+                                                                                    phi_2528_ = _e2340;
+                                                                                    phi_2529_ = true;
                                                                                 }
-                                                                                let _e2257 = phi_2431_;
-                                                                                let _e2259 = phi_2432_;
-                                                                                phi_2433_ = _e2257;
-                                                                                phi_2434_ = _e2253;
-                                                                                phi_2435_ = _e2259;
+                                                                                let _e2342 = phi_2528_;
+                                                                                let _e2344 = phi_2529_;
+                                                                                phi_2530_ = _e2342;
+                                                                                phi_2531_ = _e2338;
+                                                                                phi_2532_ = _e2344;
                                                                             } else {
-                                                                                phi_2433_ = true;
-                                                                                phi_2434_ = false;
-                                                                                phi_2435_ = false;
+                                                                                phi_2530_ = true;
+                                                                                phi_2531_ = false;
+                                                                                phi_2532_ = false;
                                                                             }
-                                                                            let _e2261 = phi_2433_;
-                                                                            let _e2263 = phi_2434_;
-                                                                            let _e2265 = phi_2435_;
-                                                                            phi_2436_ = _e2261;
-                                                                            phi_2437_ = _e2263;
-                                                                            phi_2438_ = _e2265;
+                                                                            let _e2346 = phi_2530_;
+                                                                            let _e2348 = phi_2531_;
+                                                                            let _e2350 = phi_2532_;
+                                                                            phi_2533_ = _e2346;
+                                                                            phi_2534_ = _e2348;
+                                                                            phi_2535_ = _e2350;
                                                                         } else {
-                                                                            phi_2436_ = true;
-                                                                            phi_2437_ = false;
-                                                                            phi_2438_ = false;
+                                                                            phi_2533_ = true;
+                                                                            phi_2534_ = false;
+                                                                            phi_2535_ = false;
                                                                         }
-                                                                        let _e2267 = phi_2436_;
-                                                                        let _e2269 = phi_2437_;
-                                                                        let _e2271 = phi_2438_;
-                                                                        phi_2439_ = _e2267;
-                                                                        phi_2440_ = _e2269;
-                                                                        phi_2441_ = _e2271;
+                                                                        let _e2352 = phi_2533_;
+                                                                        let _e2354 = phi_2534_;
+                                                                        let _e2356 = phi_2535_;
+                                                                        phi_2536_ = _e2352;
+                                                                        phi_2537_ = _e2354;
+                                                                        phi_2538_ = _e2356;
                                                                     } else {
-                                                                        phi_2439_ = true;
-                                                                        phi_2440_ = false;
-                                                                        phi_2441_ = false;
+                                                                        phi_2536_ = true;
+                                                                        phi_2537_ = false;
+                                                                        phi_2538_ = false;
                                                                     }
-                                                                    let _e2273 = phi_2439_;
-                                                                    let _e2275 = phi_2440_;
-                                                                    let _e2277 = phi_2441_;
-                                                                    if _e2273 {
-                                                                        phi_2445_ = false;
-                                                                        phi_2446_ = false;
+                                                                    let _e2358 = phi_2536_;
+                                                                    let _e2360 = phi_2537_;
+                                                                    let _e2362 = phi_2538_;
+                                                                    if _e2358 {
+                                                                        phi_2542_ = false;
+                                                                        phi_2543_ = false;
                                                                     } else {
-                                                                        phi_2445_ = _e2275;
-                                                                        phi_2446_ = _e2277;
+                                                                        phi_2542_ = _e2360;
+                                                                        phi_2543_ = _e2362;
                                                                     }
-                                                                    let _e2279 = phi_2445_;
-                                                                    let _e2281 = phi_2446_;
+                                                                    let _e2364 = phi_2542_;
+                                                                    let _e2366 = phi_2543_;
                                                                     phi_1934_ = (_e1872 & (_e1872 - 1u));
-                                                                    phi_2447_ = _e2273;
-                                                                    phi_2448_ = _e2279;
-                                                                    phi_2449_ = _e2281;
+                                                                    phi_2544_ = _e2358;
+                                                                    phi_2545_ = _e2364;
+                                                                    phi_2546_ = _e2366;
                                                                 }
-                                                                let _e2283 = phi_1934_;
-                                                                let _e2285 = phi_2447_;
-                                                                let _e2287 = phi_2448_;
-                                                                let _e2289 = phi_2449_;
-                                                                local_12 = _e2287;
-                                                                local_13 = _e2289;
+                                                                let _e2368 = phi_1934_;
+                                                                let _e2370 = phi_2544_;
+                                                                let _e2372 = phi_2545_;
+                                                                let _e2374 = phi_2546_;
+                                                                local_12 = _e2372;
+                                                                local_13 = _e2374;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1933_ = _e2283;
-                                                                    break if !(_e2285);
+                                                                    phi_1933_ = _e2368;
+                                                                    break if !(_e2370);
                                                                 }
                                                             }
-                                                            let _e2292 = local_8;
-                                                            if _e2292 {
-                                                                let _e2294 = local.group_mask;
-                                                                if ((_e2294 & 4278190080u) == 0u) {
-                                                                    let _e2298 = local.len;
-                                                                    if (_e2298 == 0u) {
-                                                                        phi_2491_ = false;
+                                                            let _e2377 = local_8;
+                                                            if _e2377 {
+                                                                let _e2379 = local.group_mask;
+                                                                if ((_e2379 & 4278190080u) == 0u) {
+                                                                    let _e2383 = local.len;
+                                                                    if (_e2383 == 0u) {
+                                                                        phi_2588_ = false;
                                                                     } else {
-                                                                        let _e2302 = local.len;
-                                                                        local.len = (_e2302 - 1u);
-                                                                        let _e2305 = local.len;
-                                                                        if (_e2305 < 32u) {
+                                                                        let _e2387 = local.len;
+                                                                        local.len = (_e2387 - 1u);
+                                                                        let _e2390 = local.len;
+                                                                        if (_e2390 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2310 = local.first[(0u + _e2305)];
-                                                                        local.group = _e2310;
-                                                                        let _e2313 = local.len;
-                                                                        if (_e2313 < 32u) {
+                                                                        let _e2395 = local.first[(0u + _e2390)];
+                                                                        local.group = _e2395;
+                                                                        let _e2398 = local.len;
+                                                                        if (_e2398 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2318 = local.mask[(0u + _e2313)];
-                                                                        local.group_mask = _e2318;
-                                                                        phi_2491_ = true;
+                                                                        let _e2403 = local.mask[(0u + _e2398)];
+                                                                        local.group_mask = _e2403;
+                                                                        phi_2588_ = true;
                                                                     }
-                                                                    let _e2321 = phi_2491_;
-                                                                    phi_2492_ = _e2321;
+                                                                    let _e2406 = phi_2588_;
+                                                                    phi_2589_ = _e2406;
                                                                 } else {
-                                                                    phi_2492_ = true;
+                                                                    phi_2589_ = true;
                                                                 }
-                                                                let _e2323 = phi_2492_;
-                                                                if _e2323 {
-                                                                    let _e2325 = local.group_mask;
-                                                                    let _e2331 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2325)), 32u, (_e2325 == 0u)));
-                                                                    let _e2335 = local.group_mask;
-                                                                    let _e2349 = local.group_mask;
-                                                                    local.group_mask = (_e2349 & ~((1u << bitcast<u32>((_e2331 & 31u)))));
-                                                                    let _e2352 = local.group;
-                                                                    phi_2523_ = (_e2352 + countOneBits(((_e2335 & ~((4294967295u << bitcast<u32>((((_e2331 - 24u) ^ _e1298) & 31u))))) & 255u)));
+                                                                let _e2408 = phi_2589_;
+                                                                if _e2408 {
+                                                                    let _e2410 = local.group_mask;
+                                                                    let _e2416 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2410)), 32u, (_e2410 == 0u)));
+                                                                    let _e2420 = local.group_mask;
+                                                                    let _e2434 = local.group_mask;
+                                                                    local.group_mask = (_e2434 & ~((1u << bitcast<u32>((_e2416 & 31u)))));
+                                                                    let _e2437 = local.group;
+                                                                    phi_2620_ = (_e2437 + countOneBits(((_e2420 & ~((4294967295u << bitcast<u32>((((_e2416 - 24u) ^ _e1298) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2523_ = 4294967295u;
+                                                                    phi_2620_ = 4294967295u;
                                                                 }
-                                                                let _e2355 = phi_2523_;
-                                                                phi_2524_ = _e2355;
-                                                                phi_2525_ = false;
-                                                                phi_2526_ = false;
+                                                                let _e2440 = phi_2620_;
+                                                                phi_2621_ = _e2440;
+                                                                phi_2622_ = false;
+                                                                phi_2623_ = false;
                                                             } else {
-                                                                phi_2524_ = u32();
-                                                                let _e2758 = local_12;
-                                                                phi_2525_ = _e2758;
-                                                                let _e2761 = local_13;
-                                                                phi_2526_ = _e2761;
+                                                                phi_2621_ = u32();
+                                                                let _e2849 = local_12;
+                                                                phi_2622_ = _e2849;
+                                                                let _e2852 = local_13;
+                                                                phi_2623_ = _e2852;
                                                             }
-                                                            let _e2357 = phi_2524_;
-                                                            let _e2359 = phi_2525_;
-                                                            let _e2361 = phi_2526_;
-                                                            phi_1604_ = _e2357;
-                                                            let _e2765 = local_14;
-                                                            phi_2527_ = _e2765;
-                                                            phi_2528_ = false;
-                                                            phi_2529_ = _e2359;
-                                                            phi_2530_ = _e2361;
+                                                            let _e2442 = phi_2621_;
+                                                            let _e2444 = phi_2622_;
+                                                            let _e2446 = phi_2623_;
+                                                            phi_1604_ = _e2442;
+                                                            let _e2856 = local_14;
+                                                            phi_2624_ = _e2856;
+                                                            phi_2625_ = false;
+                                                            phi_2626_ = _e2444;
+                                                            phi_2627_ = _e2446;
                                                         } else {
                                                             phi_1604_ = u32();
-                                                            phi_2527_ = false;
-                                                            phi_2528_ = true;
-                                                            phi_2529_ = false;
-                                                            phi_2530_ = false;
+                                                            phi_2624_ = false;
+                                                            phi_2625_ = true;
+                                                            phi_2626_ = false;
+                                                            phi_2627_ = false;
                                                         }
-                                                        let _e2363 = phi_1604_;
-                                                        let _e2365 = phi_2527_;
-                                                        let _e2367 = phi_2528_;
-                                                        let _e2369 = phi_2529_;
-                                                        let _e2371 = phi_2530_;
-                                                        local_9 = _e2367;
-                                                        local_15 = _e2369;
-                                                        local_16 = _e2371;
+                                                        let _e2448 = phi_1604_;
+                                                        let _e2450 = phi_2624_;
+                                                        let _e2452 = phi_2625_;
+                                                        let _e2454 = phi_2626_;
+                                                        let _e2456 = phi_2627_;
+                                                        local_9 = _e2452;
+                                                        local_15 = _e2454;
+                                                        local_16 = _e2456;
                                                         continue;
                                                         continuing {
-                                                            phi_1603_ = _e2363;
-                                                            break if !(_e2365);
+                                                            phi_1603_ = _e2448;
+                                                            break if !(_e2450);
                                                         }
                                                     }
-                                                    let _e2374 = local_9;
-                                                    if _e2374 {
-                                                        phi_2534_ = false;
-                                                        phi_2535_ = false;
+                                                    let _e2459 = local_9;
+                                                    if _e2459 {
+                                                        phi_2631_ = false;
+                                                        phi_2632_ = false;
                                                     } else {
-                                                        let _e2772 = local_15;
-                                                        phi_2534_ = _e2772;
-                                                        let _e2775 = local_16;
-                                                        phi_2535_ = _e2775;
+                                                        let _e2863 = local_15;
+                                                        phi_2631_ = _e2863;
+                                                        let _e2866 = local_16;
+                                                        phi_2632_ = _e2866;
                                                     }
-                                                    let _e2376 = phi_2534_;
-                                                    let _e2378 = phi_2535_;
-                                                    if _e2376 {
-                                                        phi_2539_ = true;
+                                                    let _e2461 = phi_2631_;
+                                                    let _e2463 = phi_2632_;
+                                                    if _e2461 {
+                                                        phi_2636_ = true;
                                                     } else {
-                                                        phi_2539_ = _e2378;
+                                                        phi_2636_ = _e2463;
                                                     }
-                                                    let _e2380 = phi_2539_;
-                                                    if _e2380 {
-                                                        phi_2543_ = true;
+                                                    let _e2465 = phi_2636_;
+                                                    if _e2465 {
+                                                        phi_2640_ = true;
                                                     } else {
-                                                        phi_2543_ = false;
+                                                        phi_2640_ = false;
                                                     }
-                                                    let _e2382 = phi_2543_;
-                                                    phi_2544_ = _e2382;
+                                                    let _e2467 = phi_2640_;
+                                                    phi_2641_ = _e2467;
                                                 }
-                                                let _e2384 = phi_2544_;
-                                                phi_2545_ = _e2384;
-                                                phi_2546_ = _e1124;
+                                                let _e2469 = phi_2641_;
+                                                phi_2642_ = _e2469;
+                                                phi_2643_ = _e1124;
                                             } else {
-                                                phi_2545_ = bool();
-                                                phi_2546_ = true;
+                                                phi_2642_ = bool();
+                                                phi_2643_ = true;
                                             }
-                                            let _e2386 = phi_2545_;
-                                            let _e2388 = phi_2546_;
-                                            if _e2388 {
-                                                phi_2550_ = false;
+                                            let _e2471 = phi_2642_;
+                                            let _e2473 = phi_2643_;
+                                            if _e2473 {
+                                                phi_2647_ = false;
                                             } else {
-                                                phi_2550_ = _e2386;
+                                                phi_2647_ = _e2471;
                                             }
-                                            let _e2390 = phi_2550_;
-                                            if _e2390 {
-                                                phi_2554_ = false;
+                                            let _e2475 = phi_2647_;
+                                            if _e2475 {
+                                                phi_2651_ = false;
                                             } else {
-                                                phi_2554_ = true;
+                                                phi_2651_ = true;
                                             }
-                                            let _e2392 = phi_2554_;
-                                            phi_2555_ = _e2392;
+                                            let _e2477 = phi_2651_;
+                                            phi_2652_ = _e2477;
                                         } else {
-                                            phi_2555_ = true;
+                                            phi_2652_ = true;
                                         }
-                                        let _e2394 = phi_2555_;
-                                        phi_2556_ = _e2394;
+                                        let _e2479 = phi_2652_;
+                                        phi_2653_ = _e2479;
                                     } else {
-                                        phi_2556_ = true;
+                                        phi_2653_ = true;
                                     }
-                                    let _e2396 = phi_2556_;
-                                    phi_2557_ = _e2396;
+                                    let _e2481 = phi_2653_;
+                                    phi_2654_ = _e2481;
                                 } else {
-                                    phi_2557_ = true;
+                                    phi_2654_ = true;
                                 }
-                                let _e2398 = phi_2557_;
-                                if _e2398 {
+                                let _e2483 = phi_2654_;
+                                if _e2483 {
                                 }
                                 phi_998_ = (_e911 & (_e911 - 1u));
-                                phi_2561_ = _e2398;
+                                phi_2658_ = _e2483;
                             }
-                            let _e2400 = phi_998_;
-                            let _e2402 = phi_2561_;
+                            let _e2485 = phi_998_;
+                            let _e2487 = phi_2658_;
                             continue;
                             continuing {
-                                phi_997_ = _e2400;
-                                break if !(_e2402);
+                                phi_997_ = _e2485;
+                                break if !(_e2487);
                             }
                         }
-                        let _e2405 = local_10;
-                        if _e2405 {
-                            let _e2407 = local_1.group_mask;
-                            if ((_e2407 & 4278190080u) == 0u) {
-                                let _e2411 = local_1.len;
-                                if (_e2411 == 0u) {
-                                    phi_2603_ = false;
+                        let _e2490 = local_10;
+                        if _e2490 {
+                            let _e2492 = local_1.group_mask;
+                            if ((_e2492 & 4278190080u) == 0u) {
+                                let _e2496 = local_1.len;
+                                if (_e2496 == 0u) {
+                                    phi_2700_ = false;
                                 } else {
-                                    let _e2415 = local_1.len;
-                                    local_1.len = (_e2415 - 1u);
-                                    let _e2418 = local_1.len;
-                                    if (_e2418 < 32u) {
+                                    let _e2500 = local_1.len;
+                                    local_1.len = (_e2500 - 1u);
+                                    let _e2503 = local_1.len;
+                                    if (_e2503 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2423 = local_1.first[(0u + _e2418)];
-                                    local_1.group = _e2423;
-                                    let _e2426 = local_1.len;
-                                    if (_e2426 < 32u) {
+                                    let _e2508 = local_1.first[(0u + _e2503)];
+                                    local_1.group = _e2508;
+                                    let _e2511 = local_1.len;
+                                    if (_e2511 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2431 = local_1.mask[(0u + _e2426)];
-                                    local_1.group_mask = _e2431;
-                                    phi_2603_ = true;
+                                    let _e2516 = local_1.mask[(0u + _e2511)];
+                                    local_1.group_mask = _e2516;
+                                    phi_2700_ = true;
                                 }
-                                let _e2434 = phi_2603_;
-                                phi_2604_ = _e2434;
+                                let _e2519 = phi_2700_;
+                                phi_2701_ = _e2519;
                             } else {
-                                phi_2604_ = true;
+                                phi_2701_ = true;
                             }
-                            let _e2436 = phi_2604_;
-                            if _e2436 {
-                                let _e2438 = local_1.group_mask;
-                                let _e2444 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2438)), 32u, (_e2438 == 0u)));
-                                let _e2448 = local_1.group_mask;
-                                let _e2462 = local_1.group_mask;
-                                local_1.group_mask = (_e2462 & ~((1u << bitcast<u32>((_e2444 & 31u)))));
-                                let _e2465 = local_1.group;
-                                phi_2635_ = (_e2465 + countOneBits(((_e2448 & ~((4294967295u << bitcast<u32>((((_e2444 - 24u) ^ _e337) & 31u))))) & 255u)));
+                            let _e2521 = phi_2701_;
+                            if _e2521 {
+                                let _e2523 = local_1.group_mask;
+                                let _e2529 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2523)), 32u, (_e2523 == 0u)));
+                                let _e2533 = local_1.group_mask;
+                                let _e2547 = local_1.group_mask;
+                                local_1.group_mask = (_e2547 & ~((1u << bitcast<u32>((_e2529 & 31u)))));
+                                let _e2550 = local_1.group;
+                                phi_2732_ = (_e2550 + countOneBits(((_e2533 & ~((4294967295u << bitcast<u32>((((_e2529 - 24u) ^ _e337) & 31u))))) & 255u)));
                             } else {
-                                phi_2635_ = 4294967295u;
+                                phi_2732_ = 4294967295u;
                             }
-                            let _e2468 = phi_2635_;
-                            phi_2636_ = _e2468;
+                            let _e2553 = phi_2732_;
+                            phi_2733_ = _e2553;
                         } else {
-                            phi_2636_ = u32();
+                            phi_2733_ = u32();
                         }
-                        let _e2470 = phi_2636_;
-                        phi_668_ = _e2470;
-                        let _e2796 = local_17;
-                        phi_2637_ = _e2796;
-                        phi_2638_ = false;
+                        let _e2555 = phi_2733_;
+                        phi_668_ = _e2555;
+                        let _e2887 = local_17;
+                        phi_2734_ = _e2887;
+                        phi_2735_ = false;
                     } else {
                         phi_668_ = u32();
-                        phi_2637_ = false;
-                        phi_2638_ = true;
+                        phi_2734_ = false;
+                        phi_2735_ = true;
                     }
-                    let _e2472 = phi_668_;
-                    let _e2474 = phi_2637_;
-                    let _e2476 = phi_2638_;
-                    local_11 = _e2476;
+                    let _e2557 = phi_668_;
+                    let _e2559 = phi_2734_;
+                    let _e2561 = phi_2735_;
+                    local_11 = _e2561;
                     continue;
                     continuing {
-                        phi_667_ = _e2472;
-                        break if !(_e2474);
+                        phi_667_ = _e2557;
+                        break if !(_e2559);
                     }
                 }
-                let _e2479 = local_11;
-                if _e2479 {
-                    phi_2642_ = false;
+                let _e2564 = local_11;
+                if _e2564 {
+                    phi_2739_ = false;
                 } else {
-                    phi_2642_ = true;
+                    phi_2739_ = true;
                 }
-                let _e2481 = phi_2642_;
-                if _e2481 {
-                    phi_2646_ = true;
+                let _e2566 = phi_2739_;
+                if _e2566 {
+                    phi_2743_ = true;
                 } else {
-                    phi_2646_ = false;
+                    phi_2743_ = false;
                 }
-                let _e2483 = phi_2646_;
-                phi_2647_ = _e2483;
+                let _e2568 = phi_2743_;
+                phi_2744_ = _e2568;
             }
-            let _e2485 = phi_2647_;
-            phi_2648_ = _e2485;
-            phi_2649_ = _e193;
+            let _e2570 = phi_2744_;
+            phi_2745_ = _e2570;
+            phi_2746_ = _e193;
         } else {
-            phi_2648_ = bool();
-            phi_2649_ = true;
+            phi_2745_ = bool();
+            phi_2746_ = true;
         }
-        let _e2487 = phi_2648_;
-        let _e2489 = phi_2649_;
-        if _e2489 {
-            phi_2653_ = false;
+        let _e2572 = phi_2745_;
+        let _e2574 = phi_2746_;
+        if _e2574 {
+            phi_2750_ = false;
         } else {
-            phi_2653_ = _e2487;
+            phi_2750_ = _e2572;
         }
-        let _e2491 = phi_2653_;
-        if _e2491 {
-            phi_2657_ = 0f;
+        let _e2576 = phi_2750_;
+        if _e2576 {
+            phi_2754_ = 0f;
         } else {
-            phi_2657_ = 1f;
+            phi_2754_ = 1f;
         }
-        let _e2493 = phi_2657_;
+        let _e2578 = phi_2754_;
         if (_e90 < _e68) {
         } else {
             return;
         }
-        visibility.member[(0u + _e90)] = _e2493;
+        visibility.member[(0u + _e90)] = _e2578;
         if (_e90 < _e74) {
         } else {
             return;
         }
-        let _e2500 = bits.member[(0u + _e90)];
-        if ((_e2500 & 2u) == 0u) {
-            phi_2678_ = (_e2500 & 1u);
+        let _e2585 = bits.member[(0u + _e90)];
+        if ((_e2585 & 2u) == 0u) {
+            phi_2775_ = (_e2585 & 1u);
         } else {
-            phi_2678_ = (_e2500 & 7u);
+            phi_2775_ = (_e2585 & 7u);
         }
-        let _e2506 = phi_2678_;
+        let _e2591 = phi_2775_;
         if (_e90 < _e68) {
         } else {
             return;
         }
-        let _e2510 = visibility.member[(0u + _e90)];
-        if ((_e2506 & 1u) != 0u) {
-            phi_2693_ = (2u | 1u);
+        let _e2595 = visibility.member[(0u + _e90)];
+        if ((_e2591 & 1u) != 0u) {
+            phi_2790_ = (2u | 1u);
         } else {
-            phi_2693_ = 2u;
+            phi_2790_ = 2u;
         }
-        let _e2516 = phi_2693_;
-        if (_e2510 < 0.5f) {
-            phi_2698_ = (_e2516 | 4u);
+        let _e2601 = phi_2790_;
+        if (_e2595 < 0.5f) {
+            phi_2795_ = (_e2601 | 4u);
         } else {
-            phi_2698_ = _e2516;
+            phi_2795_ = _e2601;
         }
-        let _e2519 = phi_2698_;
+        let _e2604 = phi_2795_;
         if (_e90 < _e74) {
         } else {
             return;
         }
-        bits.member[(0u + _e90)] = _e2519;
+        bits.member[(0u + _e90)] = _e2604;
     }
     return;
 }

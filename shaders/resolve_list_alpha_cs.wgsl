@@ -623,122 +623,128 @@ fn function_() {
     var phi_1442_: u32;
     var phi_1487_: vec3<f32>;
     var phi_1488_: vec3<f32>;
-    var phi_1519_: vec3<f32>;
-    var phi_1520_: vec3<f32>;
-    var phi_1551_: vec3<f32>;
-    var phi_1552_: vec3<f32>;
-    var phi_1572_: bool;
-    var phi_1573_: bool;
-    var phi_1577_: f32;
-    var phi_1578_: f32;
-    var phi_1579_: f32;
-    var phi_1580_: f32;
-    var phi_1588_: f32;
-    var phi_1598_: bool;
-    var phi_1599_: bool;
-    var phi_1603_: f32;
-    var phi_1604_: f32;
-    var phi_1605_: f32;
-    var phi_1606_: f32;
-    var phi_1614_: f32;
-    var phi_1624_: bool;
-    var phi_1625_: bool;
-    var phi_1629_: f32;
-    var phi_1630_: f32;
-    var phi_1631_: f32;
-    var phi_1632_: f32;
-    var phi_1640_: f32;
-    var phi_1655_: f32;
-    var phi_1656_: bool;
-    var phi_1657_: f32;
-    var phi_1658_: bool;
-    var phi_1659_: f32;
-    var phi_1660_: bool;
-    var phi_1678_: f32;
-    var phi_1679_: bool;
-    var phi_1680_: bool;
-    var phi_1681_: f32;
-    var phi_1682_: bool;
+    var phi_1517_: vec3<f32>;
+    var phi_1518_: vec3<f32>;
+    var phi_1547_: vec3<f32>;
+    var phi_1548_: vec3<f32>;
+    var phi_1566_: bool;
+    var phi_1567_: bool;
+    var phi_1571_: f32;
+    var phi_1572_: f32;
+    var phi_1573_: f32;
+    var phi_1574_: f32;
+    var phi_1582_: f32;
+    var phi_1592_: bool;
+    var phi_1593_: bool;
+    var phi_1597_: f32;
+    var phi_1598_: f32;
+    var phi_1599_: f32;
+    var phi_1600_: f32;
+    var phi_1608_: f32;
+    var phi_1618_: bool;
+    var phi_1619_: bool;
+    var phi_1623_: f32;
+    var phi_1624_: f32;
+    var phi_1625_: f32;
+    var phi_1626_: f32;
+    var phi_1634_: f32;
+    var phi_1649_: f32;
+    var phi_1650_: bool;
+    var phi_1651_: f32;
+    var phi_1652_: bool;
+    var phi_1653_: f32;
+    var phi_1654_: bool;
+    var phi_1672_: f32;
+    var phi_1673_: bool;
+    var phi_1674_: bool;
+    var phi_1675_: f32;
+    var phi_1676_: bool;
+    var phi_1677_: bool;
+    var phi_1681_: bool;
+    var phi_1682_: f32;
     var phi_1683_: bool;
-    var phi_1687_: bool;
-    var phi_1688_: f32;
-    var phi_1689_: bool;
-    var phi_1723_: f32;
-    var phi_1732_: f32;
-    var phi_1741_: f32;
-    var phi_1750_: f32;
-    var phi_1757_: f32;
-    var phi_1764_: f32;
-    var phi_1777_: f32;
-    var phi_1786_: f32;
-    var phi_1795_: f32;
-    var phi_1804_: f32;
-    var phi_1811_: f32;
-    var phi_1818_: f32;
-    var phi_1835_: f32;
-    var phi_1840_: f32;
-    var phi_1845_: f32;
-    var phi_1853_: f32;
-    var phi_1858_: f32;
-    var phi_1863_: f32;
-    var phi_1875_: f32;
-    var phi_1880_: f32;
-    var phi_1885_: f32;
-    var phi_1890_: f32;
-    var phi_1895_: lt_bvh_triangle_Intersection;
-    var phi_1896_: bool;
-    var phi_1897_: lt_bvh_triangle_Intersection;
-    var phi_1898_: bool;
-    var phi_1902_: lt_bvh_triangle_Intersection;
-    var phi_1903_: bool;
-    var phi_1904_: lt_bvh_triangle_Intersection;
-    var phi_1905_: bool;
-    var phi_1906_: bool;
-    var phi_1910_: bool;
-    var phi_1914_: lt_bvh_triangle_Intersection;
-    var phi_2128_: f32;
-    var phi_2131_: bool;
-    var phi_2132_: bool;
-    var phi_2136_: bool;
-    var phi_2137_: bool;
-    var phi_2138_: bool;
-    var phi_2139_: bool;
-    var phi_2140_: bool;
-    var phi_2141_: bool;
-    var phi_2142_: bool;
-    var phi_2143_: bool;
-    var phi_2144_: bool;
-    var phi_2145_: bool;
-    var phi_2146_: bool;
-    var phi_2147_: bool;
-    var phi_2151_: bool;
-    var phi_2152_: bool;
-    var phi_1443_: u32;
-    var phi_2153_: bool;
-    var phi_2154_: bool;
-    var phi_2155_: bool;
-    var local_5: bool;
-    var phi_2197_: bool;
-    var phi_2198_: bool;
-    var phi_2229_: u32;
-    var phi_2230_: u32;
-    var phi_2231_: bool;
-    var phi_2232_: bool;
-    var phi_1113_: u32;
+    var phi_1711_: vec3<f32>;
+    var phi_1712_: vec3<f32>;
+    var phi_1737_: vec3<f32>;
+    var phi_1738_: vec3<f32>;
+    var phi_1763_: vec3<f32>;
+    var phi_1764_: vec3<f32>;
+    var phi_1820_: f32;
+    var phi_1829_: f32;
+    var phi_1838_: f32;
+    var phi_1847_: f32;
+    var phi_1854_: f32;
+    var phi_1861_: f32;
+    var phi_1874_: f32;
+    var phi_1883_: f32;
+    var phi_1892_: f32;
+    var phi_1901_: f32;
+    var phi_1908_: f32;
+    var phi_1915_: f32;
+    var phi_1932_: f32;
+    var phi_1937_: f32;
+    var phi_1942_: f32;
+    var phi_1950_: f32;
+    var phi_1955_: f32;
+    var phi_1960_: f32;
+    var phi_1972_: f32;
+    var phi_1977_: f32;
+    var phi_1982_: f32;
+    var phi_1987_: f32;
+    var phi_1992_: lt_bvh_triangle_Intersection;
+    var phi_1993_: bool;
+    var phi_1994_: lt_bvh_triangle_Intersection;
+    var phi_1995_: bool;
+    var phi_1999_: lt_bvh_triangle_Intersection;
+    var phi_2000_: bool;
+    var phi_2001_: lt_bvh_triangle_Intersection;
+    var phi_2002_: bool;
+    var phi_2003_: bool;
+    var phi_2007_: bool;
+    var phi_2011_: lt_bvh_triangle_Intersection;
+    var phi_2225_: f32;
+    var phi_2228_: bool;
+    var phi_2229_: bool;
     var phi_2233_: bool;
     var phi_2234_: bool;
     var phi_2235_: bool;
     var phi_2236_: bool;
-    var local_6: bool;
+    var phi_2237_: bool;
+    var phi_2238_: bool;
+    var phi_2239_: bool;
     var phi_2240_: bool;
     var phi_2241_: bool;
-    var phi_2245_: bool;
+    var phi_2242_: bool;
+    var phi_2243_: bool;
+    var phi_2244_: bool;
+    var phi_2248_: bool;
     var phi_2249_: bool;
+    var phi_1443_: u32;
     var phi_2250_: bool;
     var phi_2251_: bool;
     var phi_2252_: bool;
-    var phi_2256_: bool;
-    var phi_2260_: f32;
+    var local_5: bool;
+    var phi_2294_: bool;
+    var phi_2295_: bool;
+    var phi_2326_: u32;
+    var phi_2327_: u32;
+    var phi_2328_: bool;
+    var phi_2329_: bool;
+    var phi_1113_: u32;
+    var phi_2330_: bool;
+    var phi_2331_: bool;
+    var phi_2332_: bool;
+    var phi_2333_: bool;
+    var local_6: bool;
+    var phi_2337_: bool;
+    var phi_2338_: bool;
+    var phi_2342_: bool;
+    var phi_2346_: bool;
+    var phi_2347_: bool;
+    var phi_2348_: bool;
+    var phi_2349_: bool;
+    var phi_2353_: bool;
+    var phi_2357_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -894,7 +900,7 @@ fn function_() {
         if _e207 {
             let _e208 = (0u >= _e75);
             if _e208 {
-                phi_2250_ = bool();
+                phi_2347_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -1021,7 +1027,6 @@ fn function_() {
                 let _e363 = phi_941_;
                 let _e366 = (_e363.x / _e363.z);
                 let _e369 = (_e363.y / _e363.z);
-                let _e371 = (1f / _e363.z);
                 if (_e284 < 0f) {
                     phi_954_ = 0u;
                 } else {
@@ -1284,9 +1289,9 @@ fn function_() {
                             local_9 = _e957;
                             if _e957 {
                                 phi_1443_ = u32();
-                                phi_2153_ = false;
-                                phi_2154_ = false;
-                                phi_2155_ = false;
+                                phi_2250_ = false;
+                                phi_2251_ = false;
+                                phi_2252_ = false;
                             } else {
                                 let _e960 = nodes.member[(0u + _e520)].links[1u];
                                 let _e965 = ((0u + _e960) + select(firstTrailingBit(_e956), 32u, (_e956 == 0u)));
@@ -1312,708 +1317,761 @@ fn function_() {
                                 let _e988 = phi_1488_;
                                 let _e992 = (_e988.x - (_e366 * _e988.z));
                                 let _e996 = (_e988.y - (_e369 * _e988.z));
-                                let _e1000 = triangles.member[(0u + _e965)].v1_;
-                                let _e1002 = (_e1000.x - _e127);
-                                let _e1004 = (_e1000.y - _e129);
-                                let _e1006 = (_e1000.z - _e131);
+                                let _e998 = triangles.member[(0u + _e965)].v1_;
+                                let _e1000 = (_e998.x - _e127);
+                                let _e1002 = (_e998.y - _e129);
+                                let _e1004 = (_e998.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1520_ = vec3<f32>(_e1004, _e1006, _e1002);
+                                    phi_1518_ = vec3<f32>(_e1002, _e1004, _e1000);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1519_ = vec3<f32>(_e1006, _e1002, _e1004);
+                                        phi_1517_ = vec3<f32>(_e1004, _e1000, _e1002);
                                     } else {
-                                        phi_1519_ = (_e1000 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1517_ = (_e998 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1014 = phi_1519_;
-                                    phi_1520_ = _e1014;
+                                    let _e1012 = phi_1517_;
+                                    phi_1518_ = _e1012;
                                 }
-                                let _e1016 = phi_1520_;
-                                let _e1020 = (_e1016.x - (_e366 * _e1016.z));
-                                let _e1024 = (_e1016.y - (_e369 * _e1016.z));
-                                let _e1028 = triangles.member[(0u + _e965)].v2_;
-                                let _e1030 = (_e1028.x - _e127);
-                                let _e1032 = (_e1028.y - _e129);
-                                let _e1034 = (_e1028.z - _e131);
+                                let _e1014 = phi_1518_;
+                                let _e1018 = (_e1014.x - (_e366 * _e1014.z));
+                                let _e1022 = (_e1014.y - (_e369 * _e1014.z));
+                                let _e1024 = triangles.member[(0u + _e965)].v2_;
+                                let _e1026 = (_e1024.x - _e127);
+                                let _e1028 = (_e1024.y - _e129);
+                                let _e1030 = (_e1024.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1552_ = vec3<f32>(_e1032, _e1034, _e1030);
+                                    phi_1548_ = vec3<f32>(_e1028, _e1030, _e1026);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1551_ = vec3<f32>(_e1034, _e1030, _e1032);
+                                        phi_1547_ = vec3<f32>(_e1030, _e1026, _e1028);
                                     } else {
-                                        phi_1551_ = (_e1028 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1547_ = (_e1024 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1042 = phi_1551_;
-                                    phi_1552_ = _e1042;
+                                    let _e1038 = phi_1547_;
+                                    phi_1548_ = _e1038;
                                 }
-                                let _e1044 = phi_1552_;
-                                let _e1048 = (_e1044.x - (_e366 * _e1044.z));
-                                let _e1052 = (_e1044.y - (_e369 * _e1044.z));
-                                if (_e1020 < _e1048) {
-                                    phi_1573_ = true;
+                                let _e1040 = phi_1548_;
+                                let _e1044 = (_e1040.x - (_e366 * _e1040.z));
+                                let _e1048 = (_e1040.y - (_e369 * _e1040.z));
+                                if (_e1018 < _e1044) {
+                                    phi_1567_ = true;
                                 } else {
-                                    if (_e1020 == _e1048) {
-                                        phi_1572_ = (_e1024 < _e1052);
+                                    if (_e1018 == _e1044) {
+                                        phi_1566_ = (_e1022 < _e1048);
                                     } else {
-                                        phi_1572_ = false;
+                                        phi_1566_ = false;
                                     }
-                                    let _e1059 = phi_1572_;
-                                    phi_1573_ = _e1059;
+                                    let _e1053 = phi_1566_;
+                                    phi_1567_ = _e1053;
                                 }
+                                let _e1055 = phi_1567_;
+                                if _e1055 {
+                                    phi_1571_ = _e1048;
+                                    phi_1572_ = _e1044;
+                                    phi_1573_ = _e1022;
+                                    phi_1574_ = _e1018;
+                                } else {
+                                    phi_1571_ = _e1022;
+                                    phi_1572_ = _e1018;
+                                    phi_1573_ = _e1048;
+                                    phi_1574_ = _e1044;
+                                }
+                                let _e1057 = phi_1571_;
+                                let _e1059 = phi_1572_;
                                 let _e1061 = phi_1573_;
-                                if _e1061 {
-                                    phi_1577_ = _e1052;
-                                    phi_1578_ = _e1048;
-                                    phi_1579_ = _e1024;
-                                    phi_1580_ = _e1020;
+                                let _e1063 = phi_1574_;
+                                let _e1066 = ((_e1063 * _e1057) - (_e1061 * _e1059));
+                                if _e1055 {
+                                    phi_1582_ = -(_e1066);
                                 } else {
-                                    phi_1577_ = _e1024;
-                                    phi_1578_ = _e1020;
-                                    phi_1579_ = _e1052;
-                                    phi_1580_ = _e1048;
+                                    phi_1582_ = _e1066;
                                 }
-                                let _e1063 = phi_1577_;
-                                let _e1065 = phi_1578_;
-                                let _e1067 = phi_1579_;
-                                let _e1069 = phi_1580_;
-                                let _e1072 = ((_e1069 * _e1063) - (_e1067 * _e1065));
-                                if _e1061 {
-                                    phi_1588_ = -(_e1072);
+                                let _e1069 = phi_1582_;
+                                if (_e1044 < _e992) {
+                                    phi_1593_ = true;
                                 } else {
-                                    phi_1588_ = _e1072;
-                                }
-                                let _e1075 = phi_1588_;
-                                if (_e1048 < _e992) {
-                                    phi_1599_ = true;
-                                } else {
-                                    if (_e1048 == _e992) {
-                                        phi_1598_ = (_e1052 < _e996);
+                                    if (_e1044 == _e992) {
+                                        phi_1592_ = (_e1048 < _e996);
                                     } else {
-                                        phi_1598_ = false;
+                                        phi_1592_ = false;
                                     }
-                                    let _e1080 = phi_1598_;
-                                    phi_1599_ = _e1080;
+                                    let _e1074 = phi_1592_;
+                                    phi_1593_ = _e1074;
                                 }
+                                let _e1076 = phi_1593_;
+                                if _e1076 {
+                                    phi_1597_ = _e996;
+                                    phi_1598_ = _e992;
+                                    phi_1599_ = _e1048;
+                                    phi_1600_ = _e1044;
+                                } else {
+                                    phi_1597_ = _e1048;
+                                    phi_1598_ = _e1044;
+                                    phi_1599_ = _e996;
+                                    phi_1600_ = _e992;
+                                }
+                                let _e1078 = phi_1597_;
+                                let _e1080 = phi_1598_;
                                 let _e1082 = phi_1599_;
-                                if _e1082 {
-                                    phi_1603_ = _e996;
-                                    phi_1604_ = _e992;
-                                    phi_1605_ = _e1052;
-                                    phi_1606_ = _e1048;
+                                let _e1084 = phi_1600_;
+                                let _e1087 = ((_e1084 * _e1078) - (_e1082 * _e1080));
+                                if _e1076 {
+                                    phi_1608_ = -(_e1087);
                                 } else {
-                                    phi_1603_ = _e1052;
-                                    phi_1604_ = _e1048;
-                                    phi_1605_ = _e996;
-                                    phi_1606_ = _e992;
+                                    phi_1608_ = _e1087;
                                 }
-                                let _e1084 = phi_1603_;
-                                let _e1086 = phi_1604_;
-                                let _e1088 = phi_1605_;
-                                let _e1090 = phi_1606_;
-                                let _e1093 = ((_e1090 * _e1084) - (_e1088 * _e1086));
-                                if _e1082 {
-                                    phi_1614_ = -(_e1093);
+                                let _e1090 = phi_1608_;
+                                if (_e992 < _e1018) {
+                                    phi_1619_ = true;
                                 } else {
-                                    phi_1614_ = _e1093;
-                                }
-                                let _e1096 = phi_1614_;
-                                if (_e992 < _e1020) {
-                                    phi_1625_ = true;
-                                } else {
-                                    if (_e992 == _e1020) {
-                                        phi_1624_ = (_e996 < _e1024);
+                                    if (_e992 == _e1018) {
+                                        phi_1618_ = (_e996 < _e1022);
                                     } else {
-                                        phi_1624_ = false;
+                                        phi_1618_ = false;
                                     }
-                                    let _e1101 = phi_1624_;
-                                    phi_1625_ = _e1101;
+                                    let _e1095 = phi_1618_;
+                                    phi_1619_ = _e1095;
                                 }
+                                let _e1097 = phi_1619_;
+                                if _e1097 {
+                                    phi_1623_ = _e1022;
+                                    phi_1624_ = _e1018;
+                                    phi_1625_ = _e996;
+                                    phi_1626_ = _e992;
+                                } else {
+                                    phi_1623_ = _e996;
+                                    phi_1624_ = _e992;
+                                    phi_1625_ = _e1022;
+                                    phi_1626_ = _e1018;
+                                }
+                                let _e1099 = phi_1623_;
+                                let _e1101 = phi_1624_;
                                 let _e1103 = phi_1625_;
-                                if _e1103 {
-                                    phi_1629_ = _e1024;
-                                    phi_1630_ = _e1020;
-                                    phi_1631_ = _e996;
-                                    phi_1632_ = _e992;
+                                let _e1105 = phi_1626_;
+                                let _e1108 = ((_e1105 * _e1099) - (_e1103 * _e1101));
+                                if _e1097 {
+                                    phi_1634_ = -(_e1108);
                                 } else {
-                                    phi_1629_ = _e996;
-                                    phi_1630_ = _e992;
-                                    phi_1631_ = _e1024;
-                                    phi_1632_ = _e1020;
+                                    phi_1634_ = _e1108;
                                 }
-                                let _e1105 = phi_1629_;
-                                let _e1107 = phi_1630_;
-                                let _e1109 = phi_1631_;
-                                let _e1111 = phi_1632_;
-                                let _e1114 = ((_e1111 * _e1105) - (_e1109 * _e1107));
-                                if _e1103 {
-                                    phi_1640_ = -(_e1114);
-                                } else {
-                                    phi_1640_ = _e1114;
-                                }
-                                let _e1117 = phi_1640_;
-                                if (_e1075 >= 0f) {
-                                    if (_e1096 >= 0f) {
-                                        if (_e1117 >= 0f) {
-                                            phi_1655_ = ((_e1075 + _e1096) + _e1117);
-                                            phi_1656_ = false;
+                                let _e1111 = phi_1634_;
+                                if (_e1069 >= 0f) {
+                                    if (_e1090 >= 0f) {
+                                        if (_e1111 >= 0f) {
+                                            phi_1649_ = ((_e1069 + _e1090) + _e1111);
+                                            phi_1650_ = false;
                                         } else {
-                                            phi_1655_ = f32();
-                                            phi_1656_ = true;
+                                            phi_1649_ = f32();
+                                            phi_1650_ = true;
                                         }
-                                        let _e1124 = phi_1655_;
-                                        let _e1126 = phi_1656_;
-                                        phi_1657_ = _e1124;
-                                        phi_1658_ = _e1126;
+                                        let _e1118 = phi_1649_;
+                                        let _e1120 = phi_1650_;
+                                        phi_1651_ = _e1118;
+                                        phi_1652_ = _e1120;
                                     } else {
-                                        phi_1657_ = f32();
-                                        phi_1658_ = true;
+                                        phi_1651_ = f32();
+                                        phi_1652_ = true;
                                     }
-                                    let _e1128 = phi_1657_;
-                                    let _e1130 = phi_1658_;
-                                    phi_1659_ = _e1128;
-                                    phi_1660_ = _e1130;
+                                    let _e1122 = phi_1651_;
+                                    let _e1124 = phi_1652_;
+                                    phi_1653_ = _e1122;
+                                    phi_1654_ = _e1124;
                                 } else {
-                                    phi_1659_ = f32();
-                                    phi_1660_ = true;
+                                    phi_1653_ = f32();
+                                    phi_1654_ = true;
                                 }
-                                let _e1132 = phi_1659_;
-                                let _e1134 = phi_1660_;
-                                if _e1134 {
-                                    if (_e1075 <= 0f) {
-                                        if (_e1096 <= 0f) {
-                                            let _e1137 = (_e1117 <= 0f);
-                                            if _e1137 {
+                                let _e1126 = phi_1653_;
+                                let _e1128 = phi_1654_;
+                                if _e1128 {
+                                    if (_e1069 <= 0f) {
+                                        if (_e1090 <= 0f) {
+                                            let _e1131 = (_e1111 <= 0f);
+                                            if _e1131 {
                                             }
-                                            phi_1678_ = ((_e1075 + _e1096) + _e1117);
-                                            phi_1679_ = false;
-                                            phi_1680_ = _e1137;
+                                            phi_1672_ = ((_e1069 + _e1090) + _e1111);
+                                            phi_1673_ = false;
+                                            phi_1674_ = _e1131;
                                         } else {
-                                            phi_1678_ = f32();
-                                            phi_1679_ = true;
-                                            phi_1680_ = false;
+                                            phi_1672_ = f32();
+                                            phi_1673_ = true;
+                                            phi_1674_ = false;
                                         }
-                                        let _e1141 = phi_1678_;
-                                        let _e1143 = phi_1679_;
-                                        let _e1145 = phi_1680_;
-                                        phi_1681_ = _e1141;
-                                        phi_1682_ = _e1143;
-                                        phi_1683_ = _e1145;
+                                        let _e1135 = phi_1672_;
+                                        let _e1137 = phi_1673_;
+                                        let _e1139 = phi_1674_;
+                                        phi_1675_ = _e1135;
+                                        phi_1676_ = _e1137;
+                                        phi_1677_ = _e1139;
                                     } else {
-                                        phi_1681_ = f32();
-                                        phi_1682_ = true;
-                                        phi_1683_ = false;
+                                        phi_1675_ = f32();
+                                        phi_1676_ = true;
+                                        phi_1677_ = false;
+                                    }
+                                    let _e1141 = phi_1675_;
+                                    let _e1143 = phi_1676_;
+                                    let _e1145 = phi_1677_;
+                                    if _e1143 {
+                                        phi_1681_ = false;
+                                    } else {
+                                        phi_1681_ = _e1145;
                                     }
                                     let _e1147 = phi_1681_;
-                                    let _e1149 = phi_1682_;
-                                    let _e1151 = phi_1683_;
-                                    if _e1149 {
-                                        phi_1687_ = false;
-                                    } else {
-                                        phi_1687_ = _e1151;
-                                    }
-                                    let _e1153 = phi_1687_;
-                                    phi_1688_ = _e1147;
-                                    phi_1689_ = _e1153;
+                                    phi_1682_ = _e1141;
+                                    phi_1683_ = _e1147;
                                 } else {
-                                    phi_1688_ = _e1132;
-                                    phi_1689_ = true;
+                                    phi_1682_ = _e1126;
+                                    phi_1683_ = true;
                                 }
-                                let _e1155 = phi_1688_;
-                                let _e1157 = phi_1689_;
-                                if _e1157 {
-                                    let _e1158 = (_e1155 == 0f);
-                                    if _e1158 {
-                                        phi_1902_ = lt_bvh_triangle_Intersection();
-                                        phi_1903_ = false;
+                                let _e1149 = phi_1682_;
+                                let _e1151 = phi_1683_;
+                                if _e1151 {
+                                    let _e1152 = (_e1149 == 0f);
+                                    if _e1152 {
+                                        phi_1999_ = lt_bvh_triangle_Intersection();
+                                        phi_2000_ = false;
                                     } else {
-                                        let _e1164 = ((((_e1075 * (_e371 * _e988.z)) + (_e1096 * (_e371 * _e1016.z))) + (_e1117 * (_e371 * _e1044.z))) / _e1155);
-                                        if (_e1164 > 0f) {
-                                            if (_e1164 < _e135) {
-                                                let _e1168 = triangles.member[(0u + _e965)].v0_;
-                                                let _e1170 = triangles.member[(0u + _e965)].v1_;
-                                                if (_e1168.x < _e1170.x) {
-                                                    phi_1723_ = _e1168.x;
-                                                } else {
-                                                    phi_1723_ = _e1170.x;
-                                                }
-                                                let _e1177 = phi_1723_;
-                                                if (_e1168.y < _e1170.y) {
-                                                    phi_1732_ = _e1168.y;
-                                                } else {
-                                                    phi_1732_ = _e1170.y;
-                                                }
-                                                let _e1184 = phi_1732_;
-                                                if (_e1168.z < _e1170.z) {
-                                                    phi_1741_ = _e1168.z;
-                                                } else {
-                                                    phi_1741_ = _e1170.z;
-                                                }
-                                                let _e1191 = phi_1741_;
-                                                let _e1193 = triangles.member[(0u + _e965)].v2_;
-                                                if (_e1177 < _e1193.x) {
-                                                    phi_1750_ = _e1177;
-                                                } else {
-                                                    phi_1750_ = _e1193.x;
-                                                }
-                                                let _e1198 = phi_1750_;
-                                                if (_e1184 < _e1193.y) {
-                                                    phi_1757_ = _e1184;
-                                                } else {
-                                                    phi_1757_ = _e1193.y;
-                                                }
-                                                let _e1203 = phi_1757_;
-                                                if (_e1191 < _e1193.z) {
-                                                    phi_1764_ = _e1191;
-                                                } else {
-                                                    phi_1764_ = _e1193.z;
-                                                }
-                                                let _e1208 = phi_1764_;
-                                                let _e1210 = triangles.member[(0u + _e965)].v0_;
-                                                let _e1212 = triangles.member[(0u + _e965)].v1_;
-                                                if (_e1210.x > _e1212.x) {
-                                                    phi_1777_ = _e1210.x;
-                                                } else {
-                                                    phi_1777_ = _e1212.x;
-                                                }
-                                                let _e1219 = phi_1777_;
-                                                if (_e1210.y > _e1212.y) {
-                                                    phi_1786_ = _e1210.y;
-                                                } else {
-                                                    phi_1786_ = _e1212.y;
-                                                }
-                                                let _e1226 = phi_1786_;
-                                                if (_e1210.z > _e1212.z) {
-                                                    phi_1795_ = _e1210.z;
-                                                } else {
-                                                    phi_1795_ = _e1212.z;
-                                                }
-                                                let _e1233 = phi_1795_;
-                                                let _e1235 = triangles.member[(0u + _e965)].v2_;
-                                                if (_e1219 > _e1235.x) {
-                                                    phi_1804_ = _e1219;
-                                                } else {
-                                                    phi_1804_ = _e1235.x;
-                                                }
-                                                let _e1240 = phi_1804_;
-                                                if (_e1226 > _e1235.y) {
-                                                    phi_1811_ = _e1226;
-                                                } else {
-                                                    phi_1811_ = _e1235.y;
-                                                }
-                                                let _e1245 = phi_1811_;
-                                                if (_e1233 > _e1235.z) {
-                                                    phi_1818_ = _e1233;
-                                                } else {
-                                                    phi_1818_ = _e1235.z;
-                                                }
-                                                let _e1250 = phi_1818_;
-                                                let _e1254 = ((_e1198 - _e127) * _e284);
-                                                let _e1255 = ((_e1203 - _e129) * _e294);
-                                                let _e1256 = ((_e1208 - _e131) * _e304);
-                                                let _e1260 = ((_e1240 - _e127) * _e284);
-                                                let _e1261 = ((_e1245 - _e129) * _e294);
-                                                let _e1262 = ((_e1250 - _e131) * _e304);
-                                                if (_e1254 < _e1260) {
-                                                    phi_1835_ = _e1254;
-                                                } else {
-                                                    phi_1835_ = _e1260;
-                                                }
-                                                let _e1265 = phi_1835_;
-                                                if (_e1255 < _e1261) {
-                                                    phi_1840_ = _e1255;
-                                                } else {
-                                                    phi_1840_ = _e1261;
-                                                }
-                                                let _e1268 = phi_1840_;
-                                                if (_e1256 < _e1262) {
-                                                    phi_1845_ = _e1256;
-                                                } else {
-                                                    phi_1845_ = _e1262;
-                                                }
-                                                let _e1271 = phi_1845_;
-                                                if (_e1254 > _e1260) {
-                                                    phi_1853_ = _e1254;
-                                                } else {
-                                                    phi_1853_ = _e1260;
-                                                }
-                                                let _e1277 = phi_1853_;
-                                                if (_e1255 > _e1261) {
-                                                    phi_1858_ = _e1255;
-                                                } else {
-                                                    phi_1858_ = _e1261;
-                                                }
-                                                let _e1280 = phi_1858_;
-                                                if (_e1256 > _e1262) {
-                                                    phi_1863_ = _e1256;
-                                                } else {
-                                                    phi_1863_ = _e1262;
-                                                }
-                                                let _e1283 = phi_1863_;
-                                                let _e1287 = core_intrinsics_maximum_number_nsz_f32_((_e1265 - _e339), (_e1268 - _e340));
-                                                let _e1288 = core_intrinsics_maximum_number_nsz_f32_(_e1287, (_e1271 - _e341));
-                                                let _e1289 = core_intrinsics_minimum_number_nsz_f32_((_e1277 + _e339), (_e1280 + _e340));
-                                                let _e1290 = core_intrinsics_minimum_number_nsz_f32_(_e1289, (_e1283 + _e341));
-                                                if (_e1288 > -300000000000000000000000000000000000000f) {
-                                                    phi_1875_ = _e1288;
-                                                } else {
-                                                    phi_1875_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1293 = phi_1875_;
-                                                if (_e1290 < 300000000000000000000000000000000000000f) {
-                                                    phi_1880_ = _e1290;
-                                                } else {
-                                                    phi_1880_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1296 = phi_1880_;
-                                                if (_e1164 < _e1293) {
-                                                    phi_1885_ = _e1293;
-                                                } else {
-                                                    phi_1885_ = _e1164;
-                                                }
-                                                let _e1299 = phi_1885_;
-                                                if (_e1299 > _e1296) {
-                                                    phi_1890_ = _e1296;
-                                                } else {
-                                                    phi_1890_ = _e1299;
-                                                }
-                                                let _e1302 = phi_1890_;
-                                                phi_1895_ = lt_bvh_triangle_Intersection(_e1302, (_e1096 / _e1155), (_e1117 / _e1155), (_e1293 <= _e1296));
-                                                phi_1896_ = false;
-                                            } else {
-                                                phi_1895_ = lt_bvh_triangle_Intersection();
-                                                phi_1896_ = true;
-                                            }
-                                            let _e1308 = phi_1895_;
-                                            let _e1310 = phi_1896_;
-                                            phi_1897_ = _e1308;
-                                            phi_1898_ = _e1310;
+                                        let _e1154 = triangles.member[(0u + _e965)].v0_;
+                                        let _e1156 = (_e1154.x - _e127);
+                                        let _e1158 = (_e1154.y - _e129);
+                                        let _e1160 = (_e1154.z - _e131);
+                                        if (_e355 == 0u) {
+                                            phi_1712_ = vec3<f32>(_e1158, _e1160, _e1156);
                                         } else {
-                                            phi_1897_ = lt_bvh_triangle_Intersection();
-                                            phi_1898_ = true;
+                                            if (_e355 == 1u) {
+                                                phi_1711_ = vec3<f32>(_e1160, _e1156, _e1158);
+                                            } else {
+                                                phi_1711_ = (_e1154 - vec3<f32>(_e127, _e129, _e131));
+                                            }
+                                            let _e1168 = phi_1711_;
+                                            phi_1712_ = _e1168;
                                         }
-                                        let _e1312 = phi_1897_;
-                                        let _e1314 = phi_1898_;
-                                        if _e1314 {
+                                        let _e1170 = phi_1712_;
+                                        let _e1172 = triangles.member[(0u + _e965)].v1_;
+                                        let _e1174 = triangles.member[(0u + _e965)].v0_;
+                                        let _e1177 = (_e1172.x - _e1174.x);
+                                        let _e1180 = (_e1172.y - _e1174.y);
+                                        let _e1183 = (_e1172.z - _e1174.z);
+                                        if (_e355 == 0u) {
+                                            phi_1738_ = vec3<f32>(_e1180, _e1183, _e1177);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1737_ = vec3<f32>(_e1183, _e1177, _e1180);
+                                            } else {
+                                                phi_1737_ = (_e1172 - _e1174);
+                                            }
+                                            let _e1190 = phi_1737_;
+                                            phi_1738_ = _e1190;
                                         }
-                                        phi_1902_ = _e1312;
-                                        phi_1903_ = _e1314;
+                                        let _e1192 = phi_1738_;
+                                        let _e1194 = triangles.member[(0u + _e965)].v2_;
+                                        let _e1196 = triangles.member[(0u + _e965)].v0_;
+                                        let _e1199 = (_e1194.x - _e1196.x);
+                                        let _e1202 = (_e1194.y - _e1196.y);
+                                        let _e1205 = (_e1194.z - _e1196.z);
+                                        if (_e355 == 0u) {
+                                            phi_1764_ = vec3<f32>(_e1202, _e1205, _e1199);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1763_ = vec3<f32>(_e1205, _e1199, _e1202);
+                                            } else {
+                                                phi_1763_ = (_e1194 - _e1196);
+                                            }
+                                            let _e1212 = phi_1763_;
+                                            phi_1764_ = _e1212;
+                                        }
+                                        let _e1214 = phi_1764_;
+                                        let _e1221 = ((_e1192.y * _e1214.z) - (_e1192.z * _e1214.y));
+                                        let _e1228 = ((_e1192.z * _e1214.x) - (_e1192.x * _e1214.z));
+                                        let _e1235 = ((_e1192.x * _e1214.y) - (_e1192.y * _e1214.x));
+                                        let _e1249 = (((1f / _e363.z) * (((_e1221 * _e1170.x) + (_e1228 * _e1170.y)) + (_e1235 * _e1170.z))) / (((_e1221 * _e366) + (_e1228 * _e369)) + _e1235));
+                                        if (_e1249 > 0f) {
+                                            if (_e1249 < _e135) {
+                                                let _e1253 = triangles.member[(0u + _e965)].v0_;
+                                                let _e1255 = triangles.member[(0u + _e965)].v1_;
+                                                if (_e1253.x < _e1255.x) {
+                                                    phi_1820_ = _e1253.x;
+                                                } else {
+                                                    phi_1820_ = _e1255.x;
+                                                }
+                                                let _e1262 = phi_1820_;
+                                                if (_e1253.y < _e1255.y) {
+                                                    phi_1829_ = _e1253.y;
+                                                } else {
+                                                    phi_1829_ = _e1255.y;
+                                                }
+                                                let _e1269 = phi_1829_;
+                                                if (_e1253.z < _e1255.z) {
+                                                    phi_1838_ = _e1253.z;
+                                                } else {
+                                                    phi_1838_ = _e1255.z;
+                                                }
+                                                let _e1276 = phi_1838_;
+                                                let _e1278 = triangles.member[(0u + _e965)].v2_;
+                                                if (_e1262 < _e1278.x) {
+                                                    phi_1847_ = _e1262;
+                                                } else {
+                                                    phi_1847_ = _e1278.x;
+                                                }
+                                                let _e1283 = phi_1847_;
+                                                if (_e1269 < _e1278.y) {
+                                                    phi_1854_ = _e1269;
+                                                } else {
+                                                    phi_1854_ = _e1278.y;
+                                                }
+                                                let _e1288 = phi_1854_;
+                                                if (_e1276 < _e1278.z) {
+                                                    phi_1861_ = _e1276;
+                                                } else {
+                                                    phi_1861_ = _e1278.z;
+                                                }
+                                                let _e1293 = phi_1861_;
+                                                let _e1295 = triangles.member[(0u + _e965)].v0_;
+                                                let _e1297 = triangles.member[(0u + _e965)].v1_;
+                                                if (_e1295.x > _e1297.x) {
+                                                    phi_1874_ = _e1295.x;
+                                                } else {
+                                                    phi_1874_ = _e1297.x;
+                                                }
+                                                let _e1304 = phi_1874_;
+                                                if (_e1295.y > _e1297.y) {
+                                                    phi_1883_ = _e1295.y;
+                                                } else {
+                                                    phi_1883_ = _e1297.y;
+                                                }
+                                                let _e1311 = phi_1883_;
+                                                if (_e1295.z > _e1297.z) {
+                                                    phi_1892_ = _e1295.z;
+                                                } else {
+                                                    phi_1892_ = _e1297.z;
+                                                }
+                                                let _e1318 = phi_1892_;
+                                                let _e1320 = triangles.member[(0u + _e965)].v2_;
+                                                if (_e1304 > _e1320.x) {
+                                                    phi_1901_ = _e1304;
+                                                } else {
+                                                    phi_1901_ = _e1320.x;
+                                                }
+                                                let _e1325 = phi_1901_;
+                                                if (_e1311 > _e1320.y) {
+                                                    phi_1908_ = _e1311;
+                                                } else {
+                                                    phi_1908_ = _e1320.y;
+                                                }
+                                                let _e1330 = phi_1908_;
+                                                if (_e1318 > _e1320.z) {
+                                                    phi_1915_ = _e1318;
+                                                } else {
+                                                    phi_1915_ = _e1320.z;
+                                                }
+                                                let _e1335 = phi_1915_;
+                                                let _e1339 = ((_e1283 - _e127) * _e284);
+                                                let _e1340 = ((_e1288 - _e129) * _e294);
+                                                let _e1341 = ((_e1293 - _e131) * _e304);
+                                                let _e1345 = ((_e1325 - _e127) * _e284);
+                                                let _e1346 = ((_e1330 - _e129) * _e294);
+                                                let _e1347 = ((_e1335 - _e131) * _e304);
+                                                if (_e1339 < _e1345) {
+                                                    phi_1932_ = _e1339;
+                                                } else {
+                                                    phi_1932_ = _e1345;
+                                                }
+                                                let _e1350 = phi_1932_;
+                                                if (_e1340 < _e1346) {
+                                                    phi_1937_ = _e1340;
+                                                } else {
+                                                    phi_1937_ = _e1346;
+                                                }
+                                                let _e1353 = phi_1937_;
+                                                if (_e1341 < _e1347) {
+                                                    phi_1942_ = _e1341;
+                                                } else {
+                                                    phi_1942_ = _e1347;
+                                                }
+                                                let _e1356 = phi_1942_;
+                                                if (_e1339 > _e1345) {
+                                                    phi_1950_ = _e1339;
+                                                } else {
+                                                    phi_1950_ = _e1345;
+                                                }
+                                                let _e1362 = phi_1950_;
+                                                if (_e1340 > _e1346) {
+                                                    phi_1955_ = _e1340;
+                                                } else {
+                                                    phi_1955_ = _e1346;
+                                                }
+                                                let _e1365 = phi_1955_;
+                                                if (_e1341 > _e1347) {
+                                                    phi_1960_ = _e1341;
+                                                } else {
+                                                    phi_1960_ = _e1347;
+                                                }
+                                                let _e1368 = phi_1960_;
+                                                let _e1372 = core_intrinsics_maximum_number_nsz_f32_((_e1350 - _e339), (_e1353 - _e340));
+                                                let _e1373 = core_intrinsics_maximum_number_nsz_f32_(_e1372, (_e1356 - _e341));
+                                                let _e1374 = core_intrinsics_minimum_number_nsz_f32_((_e1362 + _e339), (_e1365 + _e340));
+                                                let _e1375 = core_intrinsics_minimum_number_nsz_f32_(_e1374, (_e1368 + _e341));
+                                                if (_e1373 > -300000000000000000000000000000000000000f) {
+                                                    phi_1972_ = _e1373;
+                                                } else {
+                                                    phi_1972_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1378 = phi_1972_;
+                                                if (_e1375 < 300000000000000000000000000000000000000f) {
+                                                    phi_1977_ = _e1375;
+                                                } else {
+                                                    phi_1977_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1381 = phi_1977_;
+                                                if (_e1249 < _e1378) {
+                                                    phi_1982_ = _e1378;
+                                                } else {
+                                                    phi_1982_ = _e1249;
+                                                }
+                                                let _e1384 = phi_1982_;
+                                                if (_e1384 > _e1381) {
+                                                    phi_1987_ = _e1381;
+                                                } else {
+                                                    phi_1987_ = _e1384;
+                                                }
+                                                let _e1387 = phi_1987_;
+                                                phi_1992_ = lt_bvh_triangle_Intersection(_e1387, (_e1090 / _e1149), (_e1111 / _e1149), (_e1378 <= _e1381));
+                                                phi_1993_ = false;
+                                            } else {
+                                                phi_1992_ = lt_bvh_triangle_Intersection();
+                                                phi_1993_ = true;
+                                            }
+                                            let _e1393 = phi_1992_;
+                                            let _e1395 = phi_1993_;
+                                            phi_1994_ = _e1393;
+                                            phi_1995_ = _e1395;
+                                        } else {
+                                            phi_1994_ = lt_bvh_triangle_Intersection();
+                                            phi_1995_ = true;
+                                        }
+                                        let _e1397 = phi_1994_;
+                                        let _e1399 = phi_1995_;
+                                        if _e1399 {
+                                        }
+                                        phi_1999_ = _e1397;
+                                        phi_2000_ = _e1399;
                                     }
-                                    let _e1316 = phi_1902_;
-                                    let _e1318 = phi_1903_;
-                                    phi_1904_ = _e1316;
-                                    phi_1905_ = _e1158;
-                                    phi_1906_ = _e1318;
+                                    let _e1401 = phi_1999_;
+                                    let _e1403 = phi_2000_;
+                                    phi_2001_ = _e1401;
+                                    phi_2002_ = _e1152;
+                                    phi_2003_ = _e1403;
                                 } else {
-                                    phi_1904_ = lt_bvh_triangle_Intersection();
-                                    phi_1905_ = true;
-                                    phi_1906_ = false;
+                                    phi_2001_ = lt_bvh_triangle_Intersection();
+                                    phi_2002_ = true;
+                                    phi_2003_ = false;
                                 }
-                                let _e1320 = phi_1904_;
-                                let _e1322 = phi_1905_;
-                                let _e1324 = phi_1906_;
-                                if _e1322 {
-                                    phi_1910_ = true;
+                                let _e1405 = phi_2001_;
+                                let _e1407 = phi_2002_;
+                                let _e1409 = phi_2003_;
+                                if _e1407 {
+                                    phi_2007_ = true;
                                 } else {
-                                    phi_1910_ = _e1324;
+                                    phi_2007_ = _e1409;
                                 }
-                                let _e1326 = phi_1910_;
-                                if _e1326 {
-                                    phi_1914_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1411 = phi_2007_;
+                                if _e1411 {
+                                    phi_2011_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1914_ = _e1320;
+                                    phi_2011_ = _e1405;
                                 }
-                                let _e1328 = phi_1914_;
-                                if _e1328.is_hit {
-                                    if (_e1328.t > 0f) {
-                                        if (_e1328.t < _e135) {
-                                            let _e1335 = triangles.member[(0u + _e965)].i0_;
-                                            let _e1337 = ((_e1335 & 2147483648u) == 0u);
-                                            if _e1337 {
-                                                phi_2137_ = false;
-                                                phi_2138_ = false;
+                                let _e1413 = phi_2011_;
+                                if _e1413.is_hit {
+                                    if (_e1413.t > 0f) {
+                                        if (_e1413.t < _e135) {
+                                            let _e1420 = triangles.member[(0u + _e965)].i0_;
+                                            let _e1422 = ((_e1420 & 2147483648u) == 0u);
+                                            if _e1422 {
+                                                phi_2234_ = false;
+                                                phi_2235_ = false;
                                             } else {
                                                 if (_e965 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1344 = triangles.member[(0u + _e965)].i0_;
-                                                let _e1345 = (_e1344 & 2147483647u);
-                                                let _e1347 = triangles.member[(0u + _e965)].i1_;
-                                                let _e1349 = triangles.member[(0u + _e965)].i2_;
-                                                if (_e1345 < _e87) {
+                                                let _e1429 = triangles.member[(0u + _e965)].i0_;
+                                                let _e1430 = (_e1429 & 2147483647u);
+                                                let _e1432 = triangles.member[(0u + _e965)].i1_;
+                                                let _e1434 = triangles.member[(0u + _e965)].i2_;
+                                                if (_e1430 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1353 = vertices.member[(0u + _e1345)];
-                                                if (_e1347 < _e87) {
+                                                let _e1438 = vertices.member[(0u + _e1430)];
+                                                if (_e1432 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1357 = vertices.member[(0u + _e1347)];
-                                                if (_e1349 < _e87) {
+                                                let _e1442 = vertices.member[(0u + _e1432)];
+                                                if (_e1434 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1361 = vertices.member[(0u + _e1349)];
-                                                let _e1362 = array<abi_Vertex, 3>(_e1353, _e1357, _e1361);
-                                                if (_e1362[0].material < arrayLength((&materials.member))) {
+                                                let _e1446 = vertices.member[(0u + _e1434)];
+                                                let _e1447 = array<abi_Vertex, 3>(_e1438, _e1442, _e1446);
+                                                if (_e1447[0].material < arrayLength((&materials.member))) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1368 = materials.member[(0u + _e1362[0].material)];
-                                                if ((_e1368.flags & 1u) == 1u) {
-                                                    let _e1373 = ((1f - _e1328.u) - _e1328.v);
-                                                    if (_e1368.cutoff <= 0f) {
-                                                        phi_2131_ = true;
+                                                let _e1453 = materials.member[(0u + _e1447[0].material)];
+                                                if ((_e1453.flags & 1u) == 1u) {
+                                                    let _e1458 = ((1f - _e1413.u) - _e1413.v);
+                                                    if (_e1453.cutoff <= 0f) {
+                                                        phi_2228_ = true;
                                                     } else {
-                                                        let _e1400 = (_e1368.base_color.w * ((((f32((_e1362[0].color >> bitcast<u32>(24i))) * _e1373) + (f32((_e1362[1].color >> bitcast<u32>(24i))) * _e1328.u)) + (f32((_e1362[2].color >> bitcast<u32>(24i))) * _e1328.v)) * (1f / 255f)));
-                                                        if (_e1368.alpha_size == 0u) {
-                                                            phi_2128_ = _e1400;
+                                                        let _e1485 = (_e1453.base_color.w * ((((f32((_e1447[0].color >> bitcast<u32>(24i))) * _e1458) + (f32((_e1447[1].color >> bitcast<u32>(24i))) * _e1413.u)) + (f32((_e1447[2].color >> bitcast<u32>(24i))) * _e1413.v)) * (1f / 255f)));
+                                                        if (_e1453.alpha_size == 0u) {
+                                                            phi_2225_ = _e1485;
                                                         } else {
-                                                            local.offset = _e1368.alpha_offset;
-                                                            local.size = _e1368.alpha_size;
-                                                            local.flags = _e1368.flags;
-                                                            let _e1431 = _lt_shaders_texture_TextureView_quad((&local), (((_e1362[0].u * _e1373) + (_e1362[1].u * _e1328.u)) + (_e1362[2].u * _e1328.v)), (((_e1362[0].v * _e1373) + (_e1362[1].v * _e1328.u)) + (_e1362[2].v * _e1328.v)));
-                                                            let _e1435 = (_e1431.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1435 < _e93) {
+                                                            local.offset = _e1453.alpha_offset;
+                                                            local.size = _e1453.alpha_size;
+                                                            local.flags = _e1453.flags;
+                                                            let _e1516 = _lt_shaders_texture_TextureView_quad((&local), (((_e1447[0].u * _e1458) + (_e1447[1].u * _e1413.u)) + (_e1447[2].u * _e1413.v)), (((_e1447[0].v * _e1458) + (_e1447[1].v * _e1413.u)) + (_e1447[2].v * _e1413.v)));
+                                                            let _e1520 = (_e1516.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1520 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1439 = alpha_texels.member[(0u + _e1435)];
-                                                            let _e1455 = (_e1431.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1455 < _e93) {
+                                                            let _e1524 = alpha_texels.member[(0u + _e1520)];
+                                                            let _e1540 = (_e1516.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1540 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1459 = alpha_texels.member[(0u + _e1455)];
-                                                            let _e1476 = (_e1431.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1476 < _e93) {
+                                                            let _e1544 = alpha_texels.member[(0u + _e1540)];
+                                                            let _e1561 = (_e1516.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1561 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1480 = alpha_texels.member[(0u + _e1476)];
-                                                            let _e1497 = (_e1431.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1497 < _e93) {
+                                                            let _e1565 = alpha_texels.member[(0u + _e1561)];
+                                                            let _e1582 = (_e1516.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1582 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1501 = alpha_texels.member[(0u + _e1497)];
-                                                            phi_2128_ = (_e1400 * (((((f32(((_e1439 >> bitcast<u32>((((_e1431.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.x) + ((f32(((_e1459 >> bitcast<u32>((((_e1431.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.y)) + ((f32(((_e1480 >> bitcast<u32>((((_e1431.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.z)) + ((f32(((_e1501 >> bitcast<u32>((((_e1431.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1431.weights.w)));
+                                                            let _e1586 = alpha_texels.member[(0u + _e1582)];
+                                                            phi_2225_ = (_e1485 * (((((f32(((_e1524 >> bitcast<u32>((((_e1516.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.x) + ((f32(((_e1544 >> bitcast<u32>((((_e1516.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.y)) + ((f32(((_e1565 >> bitcast<u32>((((_e1516.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.z)) + ((f32(((_e1586 >> bitcast<u32>((((_e1516.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.w)));
                                                         }
-                                                        let _e1517 = phi_2128_;
-                                                        phi_2131_ = (_e1517 >= _e1368.cutoff);
+                                                        let _e1602 = phi_2225_;
+                                                        phi_2228_ = (_e1602 >= _e1453.cutoff);
                                                     }
-                                                    let _e1521 = phi_2131_;
-                                                    phi_2132_ = _e1521;
+                                                    let _e1606 = phi_2228_;
+                                                    phi_2229_ = _e1606;
                                                 } else {
-                                                    phi_2132_ = false;
+                                                    phi_2229_ = false;
                                                 }
-                                                let _e1523 = phi_2132_;
-                                                if _e1523 {
-                                                    phi_2136_ = false;
+                                                let _e1608 = phi_2229_;
+                                                if _e1608 {
+                                                    phi_2233_ = false;
                                                 } else {
-                                                    phi_2136_ = true;
+                                                    phi_2233_ = true;
                                                 }
-                                                let _e1525 = phi_2136_;
-                                                phi_2137_ = _e1525;
-                                                phi_2138_ = _e1523;
+                                                let _e1610 = phi_2233_;
+                                                phi_2234_ = _e1610;
+                                                phi_2235_ = _e1608;
                                             }
-                                            let _e1527 = phi_2137_;
-                                            let _e1529 = phi_2138_;
-                                            phi_2139_ = _e1527;
-                                            phi_2140_ = _e1337;
-                                            phi_2141_ = _e1529;
+                                            let _e1612 = phi_2234_;
+                                            let _e1614 = phi_2235_;
+                                            phi_2236_ = _e1612;
+                                            phi_2237_ = _e1422;
+                                            phi_2238_ = _e1614;
                                         } else {
-                                            phi_2139_ = true;
-                                            phi_2140_ = false;
-                                            phi_2141_ = false;
+                                            phi_2236_ = true;
+                                            phi_2237_ = false;
+                                            phi_2238_ = false;
                                         }
-                                        let _e1531 = phi_2139_;
-                                        let _e1533 = phi_2140_;
-                                        let _e1535 = phi_2141_;
-                                        phi_2142_ = _e1531;
-                                        phi_2143_ = _e1533;
-                                        phi_2144_ = _e1535;
+                                        let _e1616 = phi_2236_;
+                                        let _e1618 = phi_2237_;
+                                        let _e1620 = phi_2238_;
+                                        phi_2239_ = _e1616;
+                                        phi_2240_ = _e1618;
+                                        phi_2241_ = _e1620;
                                     } else {
-                                        phi_2142_ = true;
-                                        phi_2143_ = false;
-                                        phi_2144_ = false;
+                                        phi_2239_ = true;
+                                        phi_2240_ = false;
+                                        phi_2241_ = false;
                                     }
-                                    let _e1537 = phi_2142_;
-                                    let _e1539 = phi_2143_;
-                                    let _e1541 = phi_2144_;
-                                    phi_2145_ = _e1537;
-                                    phi_2146_ = _e1539;
-                                    phi_2147_ = _e1541;
+                                    let _e1622 = phi_2239_;
+                                    let _e1624 = phi_2240_;
+                                    let _e1626 = phi_2241_;
+                                    phi_2242_ = _e1622;
+                                    phi_2243_ = _e1624;
+                                    phi_2244_ = _e1626;
                                 } else {
-                                    phi_2145_ = true;
-                                    phi_2146_ = false;
-                                    phi_2147_ = false;
+                                    phi_2242_ = true;
+                                    phi_2243_ = false;
+                                    phi_2244_ = false;
                                 }
-                                let _e1543 = phi_2145_;
-                                let _e1545 = phi_2146_;
-                                let _e1547 = phi_2147_;
-                                if _e1543 {
-                                    phi_2151_ = false;
-                                    phi_2152_ = false;
+                                let _e1628 = phi_2242_;
+                                let _e1630 = phi_2243_;
+                                let _e1632 = phi_2244_;
+                                if _e1628 {
+                                    phi_2248_ = false;
+                                    phi_2249_ = false;
                                 } else {
-                                    phi_2151_ = _e1545;
-                                    phi_2152_ = _e1547;
+                                    phi_2248_ = _e1630;
+                                    phi_2249_ = _e1632;
                                 }
-                                let _e1549 = phi_2151_;
-                                let _e1551 = phi_2152_;
+                                let _e1634 = phi_2248_;
+                                let _e1636 = phi_2249_;
                                 phi_1443_ = (_e956 & (_e956 - 1u));
-                                phi_2153_ = _e1543;
-                                phi_2154_ = _e1549;
-                                phi_2155_ = _e1551;
+                                phi_2250_ = _e1628;
+                                phi_2251_ = _e1634;
+                                phi_2252_ = _e1636;
                             }
-                            let _e1553 = phi_1443_;
-                            let _e1555 = phi_2153_;
-                            let _e1557 = phi_2154_;
-                            let _e1559 = phi_2155_;
-                            local_7 = _e1557;
-                            local_8 = _e1559;
+                            let _e1638 = phi_1443_;
+                            let _e1640 = phi_2250_;
+                            let _e1642 = phi_2251_;
+                            let _e1644 = phi_2252_;
+                            local_7 = _e1642;
+                            local_8 = _e1644;
                             continue;
                             continuing {
-                                phi_1442_ = _e1553;
-                                break if !(_e1555);
+                                phi_1442_ = _e1638;
+                                break if !(_e1640);
                             }
                         }
-                        let _e1562 = local_5;
-                        if _e1562 {
-                            let _e1564 = local_1.group_mask;
-                            if ((_e1564 & 4278190080u) == 0u) {
-                                let _e1568 = local_1.len;
-                                if (_e1568 == 0u) {
-                                    phi_2197_ = false;
+                        let _e1647 = local_5;
+                        if _e1647 {
+                            let _e1649 = local_1.group_mask;
+                            if ((_e1649 & 4278190080u) == 0u) {
+                                let _e1653 = local_1.len;
+                                if (_e1653 == 0u) {
+                                    phi_2294_ = false;
                                 } else {
-                                    let _e1572 = local_1.len;
-                                    local_1.len = (_e1572 - 1u);
-                                    let _e1575 = local_1.len;
-                                    if (_e1575 < 32u) {
+                                    let _e1657 = local_1.len;
+                                    local_1.len = (_e1657 - 1u);
+                                    let _e1660 = local_1.len;
+                                    if (_e1660 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1580 = local_1.first[(0u + _e1575)];
-                                    local_1.group = _e1580;
-                                    let _e1583 = local_1.len;
-                                    if (_e1583 < 32u) {
+                                    let _e1665 = local_1.first[(0u + _e1660)];
+                                    local_1.group = _e1665;
+                                    let _e1668 = local_1.len;
+                                    if (_e1668 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1588 = local_1.mask[(0u + _e1583)];
-                                    local_1.group_mask = _e1588;
-                                    phi_2197_ = true;
+                                    let _e1673 = local_1.mask[(0u + _e1668)];
+                                    local_1.group_mask = _e1673;
+                                    phi_2294_ = true;
                                 }
-                                let _e1591 = phi_2197_;
-                                phi_2198_ = _e1591;
+                                let _e1676 = phi_2294_;
+                                phi_2295_ = _e1676;
                             } else {
-                                phi_2198_ = true;
+                                phi_2295_ = true;
                             }
-                            let _e1593 = phi_2198_;
-                            if _e1593 {
-                                let _e1595 = local_1.group_mask;
-                                let _e1601 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1595)), 32u, (_e1595 == 0u)));
-                                let _e1605 = local_1.group_mask;
-                                let _e1619 = local_1.group_mask;
-                                local_1.group_mask = (_e1619 & ~((1u << bitcast<u32>((_e1601 & 31u)))));
-                                let _e1622 = local_1.group;
-                                phi_2229_ = (_e1622 + countOneBits(((_e1605 & ~((4294967295u << bitcast<u32>((((_e1601 - 24u) ^ _e382) & 31u))))) & 255u)));
+                            let _e1678 = phi_2295_;
+                            if _e1678 {
+                                let _e1680 = local_1.group_mask;
+                                let _e1686 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1680)), 32u, (_e1680 == 0u)));
+                                let _e1690 = local_1.group_mask;
+                                let _e1704 = local_1.group_mask;
+                                local_1.group_mask = (_e1704 & ~((1u << bitcast<u32>((_e1686 & 31u)))));
+                                let _e1707 = local_1.group;
+                                phi_2326_ = (_e1707 + countOneBits(((_e1690 & ~((4294967295u << bitcast<u32>((((_e1686 - 24u) ^ _e382) & 31u))))) & 255u)));
                             } else {
-                                phi_2229_ = 4294967295u;
+                                phi_2326_ = 4294967295u;
                             }
-                            let _e1625 = phi_2229_;
-                            phi_2230_ = _e1625;
-                            phi_2231_ = false;
-                            phi_2232_ = false;
+                            let _e1710 = phi_2326_;
+                            phi_2327_ = _e1710;
+                            phi_2328_ = false;
+                            phi_2329_ = false;
                         } else {
-                            phi_2230_ = u32();
-                            let _e1837 = local_7;
-                            phi_2231_ = _e1837;
-                            let _e1840 = local_8;
-                            phi_2232_ = _e1840;
+                            phi_2327_ = u32();
+                            let _e1928 = local_7;
+                            phi_2328_ = _e1928;
+                            let _e1931 = local_8;
+                            phi_2329_ = _e1931;
                         }
-                        let _e1627 = phi_2230_;
-                        let _e1629 = phi_2231_;
-                        let _e1631 = phi_2232_;
-                        phi_1113_ = _e1627;
-                        let _e1844 = local_9;
-                        phi_2233_ = _e1844;
-                        phi_2234_ = false;
-                        phi_2235_ = _e1629;
-                        phi_2236_ = _e1631;
+                        let _e1712 = phi_2327_;
+                        let _e1714 = phi_2328_;
+                        let _e1716 = phi_2329_;
+                        phi_1113_ = _e1712;
+                        let _e1935 = local_9;
+                        phi_2330_ = _e1935;
+                        phi_2331_ = false;
+                        phi_2332_ = _e1714;
+                        phi_2333_ = _e1716;
                     } else {
                         phi_1113_ = u32();
-                        phi_2233_ = false;
-                        phi_2234_ = true;
-                        phi_2235_ = false;
-                        phi_2236_ = false;
+                        phi_2330_ = false;
+                        phi_2331_ = true;
+                        phi_2332_ = false;
+                        phi_2333_ = false;
                     }
-                    let _e1633 = phi_1113_;
-                    let _e1635 = phi_2233_;
-                    let _e1637 = phi_2234_;
-                    let _e1639 = phi_2235_;
-                    let _e1641 = phi_2236_;
-                    local_6 = _e1637;
-                    local_10 = _e1639;
-                    local_11 = _e1641;
+                    let _e1718 = phi_1113_;
+                    let _e1720 = phi_2330_;
+                    let _e1722 = phi_2331_;
+                    let _e1724 = phi_2332_;
+                    let _e1726 = phi_2333_;
+                    local_6 = _e1722;
+                    local_10 = _e1724;
+                    local_11 = _e1726;
                     continue;
                     continuing {
-                        phi_1112_ = _e1633;
-                        break if !(_e1635);
+                        phi_1112_ = _e1718;
+                        break if !(_e1720);
                     }
                 }
-                let _e1644 = local_6;
-                if _e1644 {
-                    phi_2240_ = false;
-                    phi_2241_ = false;
+                let _e1729 = local_6;
+                if _e1729 {
+                    phi_2337_ = false;
+                    phi_2338_ = false;
                 } else {
-                    let _e1851 = local_10;
-                    phi_2240_ = _e1851;
-                    let _e1854 = local_11;
-                    phi_2241_ = _e1854;
+                    let _e1942 = local_10;
+                    phi_2337_ = _e1942;
+                    let _e1945 = local_11;
+                    phi_2338_ = _e1945;
                 }
-                let _e1646 = phi_2240_;
-                let _e1648 = phi_2241_;
-                if _e1646 {
-                    phi_2245_ = true;
+                let _e1731 = phi_2337_;
+                let _e1733 = phi_2338_;
+                if _e1731 {
+                    phi_2342_ = true;
                 } else {
-                    phi_2245_ = _e1648;
+                    phi_2342_ = _e1733;
                 }
-                let _e1650 = phi_2245_;
-                if _e1650 {
-                    phi_2249_ = true;
+                let _e1735 = phi_2342_;
+                if _e1735 {
+                    phi_2346_ = true;
                 } else {
-                    phi_2249_ = false;
+                    phi_2346_ = false;
                 }
-                let _e1652 = phi_2249_;
-                phi_2250_ = _e1652;
+                let _e1737 = phi_2346_;
+                phi_2347_ = _e1737;
             }
-            let _e1654 = phi_2250_;
-            phi_2251_ = _e1654;
-            phi_2252_ = _e208;
+            let _e1739 = phi_2347_;
+            phi_2348_ = _e1739;
+            phi_2349_ = _e208;
         } else {
-            phi_2251_ = bool();
-            phi_2252_ = true;
+            phi_2348_ = bool();
+            phi_2349_ = true;
         }
-        let _e1656 = phi_2251_;
-        let _e1658 = phi_2252_;
-        if _e1658 {
-            phi_2256_ = false;
+        let _e1741 = phi_2348_;
+        let _e1743 = phi_2349_;
+        if _e1743 {
+            phi_2353_ = false;
         } else {
-            phi_2256_ = _e1656;
+            phi_2353_ = _e1741;
         }
-        let _e1660 = phi_2256_;
-        if _e1660 {
-            phi_2260_ = 0f;
+        let _e1745 = phi_2353_;
+        if _e1745 {
+            phi_2357_ = 0f;
         } else {
-            phi_2260_ = 1f;
+            phi_2357_ = 1f;
         }
-        let _e1662 = phi_2260_;
+        let _e1747 = phi_2357_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1662;
+        visibility.member[(0u + _e106)] = _e1747;
     }
     return;
 }

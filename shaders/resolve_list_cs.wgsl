@@ -223,119 +223,125 @@ fn function_() {
     var phi_1008_: u32;
     var phi_1053_: vec3<f32>;
     var phi_1054_: vec3<f32>;
-    var phi_1085_: vec3<f32>;
-    var phi_1086_: vec3<f32>;
-    var phi_1117_: vec3<f32>;
-    var phi_1118_: vec3<f32>;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1143_: f32;
-    var phi_1144_: f32;
-    var phi_1145_: f32;
-    var phi_1146_: f32;
-    var phi_1154_: f32;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1169_: f32;
-    var phi_1170_: f32;
-    var phi_1171_: f32;
-    var phi_1172_: f32;
-    var phi_1180_: f32;
-    var phi_1190_: bool;
-    var phi_1191_: bool;
-    var phi_1195_: f32;
-    var phi_1196_: f32;
-    var phi_1197_: f32;
-    var phi_1198_: f32;
-    var phi_1206_: f32;
-    var phi_1221_: f32;
-    var phi_1222_: bool;
-    var phi_1223_: f32;
-    var phi_1224_: bool;
-    var phi_1225_: f32;
-    var phi_1226_: bool;
-    var phi_1244_: f32;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1247_: f32;
-    var phi_1248_: bool;
+    var phi_1083_: vec3<f32>;
+    var phi_1084_: vec3<f32>;
+    var phi_1113_: vec3<f32>;
+    var phi_1114_: vec3<f32>;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1137_: f32;
+    var phi_1138_: f32;
+    var phi_1139_: f32;
+    var phi_1140_: f32;
+    var phi_1148_: f32;
+    var phi_1158_: bool;
+    var phi_1159_: bool;
+    var phi_1163_: f32;
+    var phi_1164_: f32;
+    var phi_1165_: f32;
+    var phi_1166_: f32;
+    var phi_1174_: f32;
+    var phi_1184_: bool;
+    var phi_1185_: bool;
+    var phi_1189_: f32;
+    var phi_1190_: f32;
+    var phi_1191_: f32;
+    var phi_1192_: f32;
+    var phi_1200_: f32;
+    var phi_1215_: f32;
+    var phi_1216_: bool;
+    var phi_1217_: f32;
+    var phi_1218_: bool;
+    var phi_1219_: f32;
+    var phi_1220_: bool;
+    var phi_1238_: f32;
+    var phi_1239_: bool;
+    var phi_1240_: bool;
+    var phi_1241_: f32;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: f32;
     var phi_1249_: bool;
-    var phi_1253_: bool;
-    var phi_1254_: f32;
-    var phi_1255_: bool;
-    var phi_1289_: f32;
-    var phi_1298_: f32;
-    var phi_1307_: f32;
-    var phi_1316_: f32;
-    var phi_1323_: f32;
-    var phi_1330_: f32;
-    var phi_1343_: f32;
-    var phi_1352_: f32;
-    var phi_1361_: f32;
-    var phi_1370_: f32;
-    var phi_1377_: f32;
-    var phi_1384_: f32;
-    var phi_1401_: f32;
-    var phi_1406_: f32;
-    var phi_1411_: f32;
-    var phi_1419_: f32;
-    var phi_1424_: f32;
-    var phi_1429_: f32;
-    var phi_1441_: f32;
-    var phi_1446_: f32;
-    var phi_1451_: f32;
-    var phi_1456_: f32;
-    var phi_1461_: lt_bvh_triangle_Intersection;
-    var phi_1462_: bool;
-    var phi_1463_: lt_bvh_triangle_Intersection;
-    var phi_1464_: bool;
-    var phi_1468_: lt_bvh_triangle_Intersection;
-    var phi_1469_: bool;
-    var phi_1470_: lt_bvh_triangle_Intersection;
-    var phi_1471_: bool;
-    var phi_1472_: bool;
-    var phi_1476_: bool;
-    var phi_1480_: lt_bvh_triangle_Intersection;
-    var phi_1505_: bool;
-    var phi_1506_: bool;
-    var phi_1507_: bool;
-    var phi_1508_: bool;
-    var phi_1509_: bool;
-    var phi_1510_: bool;
-    var phi_1511_: bool;
-    var phi_1512_: bool;
-    var phi_1513_: bool;
-    var phi_1514_: bool;
-    var phi_1515_: bool;
-    var phi_1516_: bool;
-    var phi_1520_: bool;
-    var phi_1521_: bool;
-    var phi_1009_: u32;
-    var phi_1522_: bool;
-    var phi_1523_: bool;
-    var phi_1524_: bool;
-    var local_4: bool;
+    var phi_1277_: vec3<f32>;
+    var phi_1278_: vec3<f32>;
+    var phi_1303_: vec3<f32>;
+    var phi_1304_: vec3<f32>;
+    var phi_1329_: vec3<f32>;
+    var phi_1330_: vec3<f32>;
+    var phi_1386_: f32;
+    var phi_1395_: f32;
+    var phi_1404_: f32;
+    var phi_1413_: f32;
+    var phi_1420_: f32;
+    var phi_1427_: f32;
+    var phi_1440_: f32;
+    var phi_1449_: f32;
+    var phi_1458_: f32;
+    var phi_1467_: f32;
+    var phi_1474_: f32;
+    var phi_1481_: f32;
+    var phi_1498_: f32;
+    var phi_1503_: f32;
+    var phi_1508_: f32;
+    var phi_1516_: f32;
+    var phi_1521_: f32;
+    var phi_1526_: f32;
+    var phi_1538_: f32;
+    var phi_1543_: f32;
+    var phi_1548_: f32;
+    var phi_1553_: f32;
+    var phi_1558_: lt_bvh_triangle_Intersection;
+    var phi_1559_: bool;
+    var phi_1560_: lt_bvh_triangle_Intersection;
+    var phi_1561_: bool;
+    var phi_1565_: lt_bvh_triangle_Intersection;
     var phi_1566_: bool;
-    var phi_1567_: bool;
-    var phi_1598_: u32;
-    var phi_1599_: u32;
-    var phi_1600_: bool;
-    var phi_1601_: bool;
-    var phi_679_: u32;
+    var phi_1567_: lt_bvh_triangle_Intersection;
+    var phi_1568_: bool;
+    var phi_1569_: bool;
+    var phi_1573_: bool;
+    var phi_1577_: lt_bvh_triangle_Intersection;
     var phi_1602_: bool;
     var phi_1603_: bool;
     var phi_1604_: bool;
     var phi_1605_: bool;
-    var local_5: bool;
+    var phi_1606_: bool;
+    var phi_1607_: bool;
+    var phi_1608_: bool;
     var phi_1609_: bool;
     var phi_1610_: bool;
-    var phi_1614_: bool;
+    var phi_1611_: bool;
+    var phi_1612_: bool;
+    var phi_1613_: bool;
+    var phi_1617_: bool;
     var phi_1618_: bool;
+    var phi_1009_: u32;
     var phi_1619_: bool;
     var phi_1620_: bool;
     var phi_1621_: bool;
-    var phi_1625_: bool;
-    var phi_1629_: f32;
+    var local_4: bool;
+    var phi_1663_: bool;
+    var phi_1664_: bool;
+    var phi_1695_: u32;
+    var phi_1696_: u32;
+    var phi_1697_: bool;
+    var phi_1698_: bool;
+    var phi_679_: u32;
+    var phi_1699_: bool;
+    var phi_1700_: bool;
+    var phi_1701_: bool;
+    var phi_1702_: bool;
+    var local_5: bool;
+    var phi_1706_: bool;
+    var phi_1707_: bool;
+    var phi_1711_: bool;
+    var phi_1715_: bool;
+    var phi_1716_: bool;
+    var phi_1717_: bool;
+    var phi_1718_: bool;
+    var phi_1722_: bool;
+    var phi_1726_: f32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
@@ -488,7 +494,7 @@ fn function_() {
         if _e180 {
             let _e181 = (0u >= _e57);
             if _e181 {
-                phi_1619_ = bool();
+                phi_1716_ = bool();
             } else {
                 if (0u < _e57) {
                 } else {
@@ -615,7 +621,6 @@ fn function_() {
                 let _e336 = phi_507_;
                 let _e339 = (_e336.x / _e336.z);
                 let _e342 = (_e336.y / _e336.z);
-                let _e344 = (1f / _e336.z);
                 if (_e257 < 0f) {
                     phi_520_ = 0u;
                 } else {
@@ -878,9 +883,9 @@ fn function_() {
                             local_8 = _e930;
                             if _e930 {
                                 phi_1009_ = u32();
-                                phi_1522_ = false;
-                                phi_1523_ = false;
-                                phi_1524_ = false;
+                                phi_1619_ = false;
+                                phi_1620_ = false;
+                                phi_1621_ = false;
                             } else {
                                 let _e933 = nodes.member[(0u + _e493)].links[1u];
                                 let _e938 = ((0u + _e933) + select(firstTrailingBit(_e929), 32u, (_e929 == 0u)));
@@ -906,631 +911,684 @@ fn function_() {
                                 let _e961 = phi_1054_;
                                 let _e965 = (_e961.x - (_e339 * _e961.z));
                                 let _e969 = (_e961.y - (_e342 * _e961.z));
-                                let _e973 = triangles.member[(0u + _e938)].v1_;
-                                let _e975 = (_e973.x - _e100);
-                                let _e977 = (_e973.y - _e102);
-                                let _e979 = (_e973.z - _e104);
+                                let _e971 = triangles.member[(0u + _e938)].v1_;
+                                let _e973 = (_e971.x - _e100);
+                                let _e975 = (_e971.y - _e102);
+                                let _e977 = (_e971.z - _e104);
                                 if (_e328 == 0u) {
-                                    phi_1086_ = vec3<f32>(_e977, _e979, _e975);
+                                    phi_1084_ = vec3<f32>(_e975, _e977, _e973);
                                 } else {
                                     if (_e328 == 1u) {
-                                        phi_1085_ = vec3<f32>(_e979, _e975, _e977);
+                                        phi_1083_ = vec3<f32>(_e977, _e973, _e975);
                                     } else {
-                                        phi_1085_ = (_e973 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1083_ = (_e971 - vec3<f32>(_e100, _e102, _e104));
                                     }
-                                    let _e987 = phi_1085_;
-                                    phi_1086_ = _e987;
+                                    let _e985 = phi_1083_;
+                                    phi_1084_ = _e985;
                                 }
-                                let _e989 = phi_1086_;
-                                let _e993 = (_e989.x - (_e339 * _e989.z));
-                                let _e997 = (_e989.y - (_e342 * _e989.z));
-                                let _e1001 = triangles.member[(0u + _e938)].v2_;
-                                let _e1003 = (_e1001.x - _e100);
-                                let _e1005 = (_e1001.y - _e102);
-                                let _e1007 = (_e1001.z - _e104);
+                                let _e987 = phi_1084_;
+                                let _e991 = (_e987.x - (_e339 * _e987.z));
+                                let _e995 = (_e987.y - (_e342 * _e987.z));
+                                let _e997 = triangles.member[(0u + _e938)].v2_;
+                                let _e999 = (_e997.x - _e100);
+                                let _e1001 = (_e997.y - _e102);
+                                let _e1003 = (_e997.z - _e104);
                                 if (_e328 == 0u) {
-                                    phi_1118_ = vec3<f32>(_e1005, _e1007, _e1003);
+                                    phi_1114_ = vec3<f32>(_e1001, _e1003, _e999);
                                 } else {
                                     if (_e328 == 1u) {
-                                        phi_1117_ = vec3<f32>(_e1007, _e1003, _e1005);
+                                        phi_1113_ = vec3<f32>(_e1003, _e999, _e1001);
                                     } else {
-                                        phi_1117_ = (_e1001 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1113_ = (_e997 - vec3<f32>(_e100, _e102, _e104));
                                     }
-                                    let _e1015 = phi_1117_;
-                                    phi_1118_ = _e1015;
+                                    let _e1011 = phi_1113_;
+                                    phi_1114_ = _e1011;
                                 }
-                                let _e1017 = phi_1118_;
-                                let _e1021 = (_e1017.x - (_e339 * _e1017.z));
-                                let _e1025 = (_e1017.y - (_e342 * _e1017.z));
-                                if (_e993 < _e1021) {
-                                    phi_1139_ = true;
+                                let _e1013 = phi_1114_;
+                                let _e1017 = (_e1013.x - (_e339 * _e1013.z));
+                                let _e1021 = (_e1013.y - (_e342 * _e1013.z));
+                                if (_e991 < _e1017) {
+                                    phi_1133_ = true;
                                 } else {
-                                    if (_e993 == _e1021) {
-                                        phi_1138_ = (_e997 < _e1025);
+                                    if (_e991 == _e1017) {
+                                        phi_1132_ = (_e995 < _e1021);
                                     } else {
-                                        phi_1138_ = false;
+                                        phi_1132_ = false;
                                     }
-                                    let _e1032 = phi_1138_;
-                                    phi_1139_ = _e1032;
+                                    let _e1026 = phi_1132_;
+                                    phi_1133_ = _e1026;
                                 }
+                                let _e1028 = phi_1133_;
+                                if _e1028 {
+                                    phi_1137_ = _e1021;
+                                    phi_1138_ = _e1017;
+                                    phi_1139_ = _e995;
+                                    phi_1140_ = _e991;
+                                } else {
+                                    phi_1137_ = _e995;
+                                    phi_1138_ = _e991;
+                                    phi_1139_ = _e1021;
+                                    phi_1140_ = _e1017;
+                                }
+                                let _e1030 = phi_1137_;
+                                let _e1032 = phi_1138_;
                                 let _e1034 = phi_1139_;
-                                if _e1034 {
-                                    phi_1143_ = _e1025;
-                                    phi_1144_ = _e1021;
-                                    phi_1145_ = _e997;
-                                    phi_1146_ = _e993;
+                                let _e1036 = phi_1140_;
+                                let _e1039 = ((_e1036 * _e1030) - (_e1034 * _e1032));
+                                if _e1028 {
+                                    phi_1148_ = -(_e1039);
                                 } else {
-                                    phi_1143_ = _e997;
-                                    phi_1144_ = _e993;
-                                    phi_1145_ = _e1025;
-                                    phi_1146_ = _e1021;
+                                    phi_1148_ = _e1039;
                                 }
-                                let _e1036 = phi_1143_;
-                                let _e1038 = phi_1144_;
-                                let _e1040 = phi_1145_;
-                                let _e1042 = phi_1146_;
-                                let _e1045 = ((_e1042 * _e1036) - (_e1040 * _e1038));
-                                if _e1034 {
-                                    phi_1154_ = -(_e1045);
+                                let _e1042 = phi_1148_;
+                                if (_e1017 < _e965) {
+                                    phi_1159_ = true;
                                 } else {
-                                    phi_1154_ = _e1045;
-                                }
-                                let _e1048 = phi_1154_;
-                                if (_e1021 < _e965) {
-                                    phi_1165_ = true;
-                                } else {
-                                    if (_e1021 == _e965) {
-                                        phi_1164_ = (_e1025 < _e969);
+                                    if (_e1017 == _e965) {
+                                        phi_1158_ = (_e1021 < _e969);
                                     } else {
-                                        phi_1164_ = false;
+                                        phi_1158_ = false;
                                     }
-                                    let _e1053 = phi_1164_;
-                                    phi_1165_ = _e1053;
+                                    let _e1047 = phi_1158_;
+                                    phi_1159_ = _e1047;
                                 }
+                                let _e1049 = phi_1159_;
+                                if _e1049 {
+                                    phi_1163_ = _e969;
+                                    phi_1164_ = _e965;
+                                    phi_1165_ = _e1021;
+                                    phi_1166_ = _e1017;
+                                } else {
+                                    phi_1163_ = _e1021;
+                                    phi_1164_ = _e1017;
+                                    phi_1165_ = _e969;
+                                    phi_1166_ = _e965;
+                                }
+                                let _e1051 = phi_1163_;
+                                let _e1053 = phi_1164_;
                                 let _e1055 = phi_1165_;
-                                if _e1055 {
-                                    phi_1169_ = _e969;
-                                    phi_1170_ = _e965;
-                                    phi_1171_ = _e1025;
-                                    phi_1172_ = _e1021;
+                                let _e1057 = phi_1166_;
+                                let _e1060 = ((_e1057 * _e1051) - (_e1055 * _e1053));
+                                if _e1049 {
+                                    phi_1174_ = -(_e1060);
                                 } else {
-                                    phi_1169_ = _e1025;
-                                    phi_1170_ = _e1021;
-                                    phi_1171_ = _e969;
-                                    phi_1172_ = _e965;
+                                    phi_1174_ = _e1060;
                                 }
-                                let _e1057 = phi_1169_;
-                                let _e1059 = phi_1170_;
-                                let _e1061 = phi_1171_;
-                                let _e1063 = phi_1172_;
-                                let _e1066 = ((_e1063 * _e1057) - (_e1061 * _e1059));
-                                if _e1055 {
-                                    phi_1180_ = -(_e1066);
+                                let _e1063 = phi_1174_;
+                                if (_e965 < _e991) {
+                                    phi_1185_ = true;
                                 } else {
-                                    phi_1180_ = _e1066;
-                                }
-                                let _e1069 = phi_1180_;
-                                if (_e965 < _e993) {
-                                    phi_1191_ = true;
-                                } else {
-                                    if (_e965 == _e993) {
-                                        phi_1190_ = (_e969 < _e997);
+                                    if (_e965 == _e991) {
+                                        phi_1184_ = (_e969 < _e995);
                                     } else {
-                                        phi_1190_ = false;
+                                        phi_1184_ = false;
                                     }
-                                    let _e1074 = phi_1190_;
-                                    phi_1191_ = _e1074;
+                                    let _e1068 = phi_1184_;
+                                    phi_1185_ = _e1068;
                                 }
+                                let _e1070 = phi_1185_;
+                                if _e1070 {
+                                    phi_1189_ = _e995;
+                                    phi_1190_ = _e991;
+                                    phi_1191_ = _e969;
+                                    phi_1192_ = _e965;
+                                } else {
+                                    phi_1189_ = _e969;
+                                    phi_1190_ = _e965;
+                                    phi_1191_ = _e995;
+                                    phi_1192_ = _e991;
+                                }
+                                let _e1072 = phi_1189_;
+                                let _e1074 = phi_1190_;
                                 let _e1076 = phi_1191_;
-                                if _e1076 {
-                                    phi_1195_ = _e997;
-                                    phi_1196_ = _e993;
-                                    phi_1197_ = _e969;
-                                    phi_1198_ = _e965;
+                                let _e1078 = phi_1192_;
+                                let _e1081 = ((_e1078 * _e1072) - (_e1076 * _e1074));
+                                if _e1070 {
+                                    phi_1200_ = -(_e1081);
                                 } else {
-                                    phi_1195_ = _e969;
-                                    phi_1196_ = _e965;
-                                    phi_1197_ = _e997;
-                                    phi_1198_ = _e993;
+                                    phi_1200_ = _e1081;
                                 }
-                                let _e1078 = phi_1195_;
-                                let _e1080 = phi_1196_;
-                                let _e1082 = phi_1197_;
-                                let _e1084 = phi_1198_;
-                                let _e1087 = ((_e1084 * _e1078) - (_e1082 * _e1080));
-                                if _e1076 {
-                                    phi_1206_ = -(_e1087);
-                                } else {
-                                    phi_1206_ = _e1087;
-                                }
-                                let _e1090 = phi_1206_;
-                                if (_e1048 >= 0f) {
-                                    if (_e1069 >= 0f) {
-                                        if (_e1090 >= 0f) {
-                                            phi_1221_ = ((_e1048 + _e1069) + _e1090);
-                                            phi_1222_ = false;
+                                let _e1084 = phi_1200_;
+                                if (_e1042 >= 0f) {
+                                    if (_e1063 >= 0f) {
+                                        if (_e1084 >= 0f) {
+                                            phi_1215_ = ((_e1042 + _e1063) + _e1084);
+                                            phi_1216_ = false;
                                         } else {
-                                            phi_1221_ = f32();
-                                            phi_1222_ = true;
+                                            phi_1215_ = f32();
+                                            phi_1216_ = true;
                                         }
-                                        let _e1097 = phi_1221_;
-                                        let _e1099 = phi_1222_;
-                                        phi_1223_ = _e1097;
-                                        phi_1224_ = _e1099;
+                                        let _e1091 = phi_1215_;
+                                        let _e1093 = phi_1216_;
+                                        phi_1217_ = _e1091;
+                                        phi_1218_ = _e1093;
                                     } else {
-                                        phi_1223_ = f32();
-                                        phi_1224_ = true;
+                                        phi_1217_ = f32();
+                                        phi_1218_ = true;
                                     }
-                                    let _e1101 = phi_1223_;
-                                    let _e1103 = phi_1224_;
-                                    phi_1225_ = _e1101;
-                                    phi_1226_ = _e1103;
+                                    let _e1095 = phi_1217_;
+                                    let _e1097 = phi_1218_;
+                                    phi_1219_ = _e1095;
+                                    phi_1220_ = _e1097;
                                 } else {
-                                    phi_1225_ = f32();
-                                    phi_1226_ = true;
+                                    phi_1219_ = f32();
+                                    phi_1220_ = true;
                                 }
-                                let _e1105 = phi_1225_;
-                                let _e1107 = phi_1226_;
-                                if _e1107 {
-                                    if (_e1048 <= 0f) {
-                                        if (_e1069 <= 0f) {
-                                            let _e1110 = (_e1090 <= 0f);
-                                            if _e1110 {
+                                let _e1099 = phi_1219_;
+                                let _e1101 = phi_1220_;
+                                if _e1101 {
+                                    if (_e1042 <= 0f) {
+                                        if (_e1063 <= 0f) {
+                                            let _e1104 = (_e1084 <= 0f);
+                                            if _e1104 {
                                             }
-                                            phi_1244_ = ((_e1048 + _e1069) + _e1090);
-                                            phi_1245_ = false;
-                                            phi_1246_ = _e1110;
+                                            phi_1238_ = ((_e1042 + _e1063) + _e1084);
+                                            phi_1239_ = false;
+                                            phi_1240_ = _e1104;
                                         } else {
-                                            phi_1244_ = f32();
-                                            phi_1245_ = true;
-                                            phi_1246_ = false;
+                                            phi_1238_ = f32();
+                                            phi_1239_ = true;
+                                            phi_1240_ = false;
                                         }
-                                        let _e1114 = phi_1244_;
-                                        let _e1116 = phi_1245_;
-                                        let _e1118 = phi_1246_;
-                                        phi_1247_ = _e1114;
-                                        phi_1248_ = _e1116;
-                                        phi_1249_ = _e1118;
+                                        let _e1108 = phi_1238_;
+                                        let _e1110 = phi_1239_;
+                                        let _e1112 = phi_1240_;
+                                        phi_1241_ = _e1108;
+                                        phi_1242_ = _e1110;
+                                        phi_1243_ = _e1112;
                                     } else {
-                                        phi_1247_ = f32();
-                                        phi_1248_ = true;
-                                        phi_1249_ = false;
+                                        phi_1241_ = f32();
+                                        phi_1242_ = true;
+                                        phi_1243_ = false;
+                                    }
+                                    let _e1114 = phi_1241_;
+                                    let _e1116 = phi_1242_;
+                                    let _e1118 = phi_1243_;
+                                    if _e1116 {
+                                        phi_1247_ = false;
+                                    } else {
+                                        phi_1247_ = _e1118;
                                     }
                                     let _e1120 = phi_1247_;
-                                    let _e1122 = phi_1248_;
-                                    let _e1124 = phi_1249_;
-                                    if _e1122 {
-                                        phi_1253_ = false;
-                                    } else {
-                                        phi_1253_ = _e1124;
-                                    }
-                                    let _e1126 = phi_1253_;
-                                    phi_1254_ = _e1120;
-                                    phi_1255_ = _e1126;
+                                    phi_1248_ = _e1114;
+                                    phi_1249_ = _e1120;
                                 } else {
-                                    phi_1254_ = _e1105;
-                                    phi_1255_ = true;
+                                    phi_1248_ = _e1099;
+                                    phi_1249_ = true;
                                 }
-                                let _e1128 = phi_1254_;
-                                let _e1130 = phi_1255_;
-                                if _e1130 {
-                                    let _e1131 = (_e1128 == 0f);
-                                    if _e1131 {
-                                        phi_1468_ = lt_bvh_triangle_Intersection();
-                                        phi_1469_ = false;
+                                let _e1122 = phi_1248_;
+                                let _e1124 = phi_1249_;
+                                if _e1124 {
+                                    let _e1125 = (_e1122 == 0f);
+                                    if _e1125 {
+                                        phi_1565_ = lt_bvh_triangle_Intersection();
+                                        phi_1566_ = false;
                                     } else {
-                                        let _e1137 = ((((_e1048 * (_e344 * _e961.z)) + (_e1069 * (_e344 * _e989.z))) + (_e1090 * (_e344 * _e1017.z))) / _e1128);
-                                        if (_e1137 > 0f) {
-                                            if (_e1137 < _e108) {
-                                                let _e1141 = triangles.member[(0u + _e938)].v0_;
-                                                let _e1143 = triangles.member[(0u + _e938)].v1_;
-                                                if (_e1141.x < _e1143.x) {
-                                                    phi_1289_ = _e1141.x;
-                                                } else {
-                                                    phi_1289_ = _e1143.x;
-                                                }
-                                                let _e1150 = phi_1289_;
-                                                if (_e1141.y < _e1143.y) {
-                                                    phi_1298_ = _e1141.y;
-                                                } else {
-                                                    phi_1298_ = _e1143.y;
-                                                }
-                                                let _e1157 = phi_1298_;
-                                                if (_e1141.z < _e1143.z) {
-                                                    phi_1307_ = _e1141.z;
-                                                } else {
-                                                    phi_1307_ = _e1143.z;
-                                                }
-                                                let _e1164 = phi_1307_;
-                                                let _e1166 = triangles.member[(0u + _e938)].v2_;
-                                                if (_e1150 < _e1166.x) {
-                                                    phi_1316_ = _e1150;
-                                                } else {
-                                                    phi_1316_ = _e1166.x;
-                                                }
-                                                let _e1171 = phi_1316_;
-                                                if (_e1157 < _e1166.y) {
-                                                    phi_1323_ = _e1157;
-                                                } else {
-                                                    phi_1323_ = _e1166.y;
-                                                }
-                                                let _e1176 = phi_1323_;
-                                                if (_e1164 < _e1166.z) {
-                                                    phi_1330_ = _e1164;
-                                                } else {
-                                                    phi_1330_ = _e1166.z;
-                                                }
-                                                let _e1181 = phi_1330_;
-                                                let _e1183 = triangles.member[(0u + _e938)].v0_;
-                                                let _e1185 = triangles.member[(0u + _e938)].v1_;
-                                                if (_e1183.x > _e1185.x) {
-                                                    phi_1343_ = _e1183.x;
-                                                } else {
-                                                    phi_1343_ = _e1185.x;
-                                                }
-                                                let _e1192 = phi_1343_;
-                                                if (_e1183.y > _e1185.y) {
-                                                    phi_1352_ = _e1183.y;
-                                                } else {
-                                                    phi_1352_ = _e1185.y;
-                                                }
-                                                let _e1199 = phi_1352_;
-                                                if (_e1183.z > _e1185.z) {
-                                                    phi_1361_ = _e1183.z;
-                                                } else {
-                                                    phi_1361_ = _e1185.z;
-                                                }
-                                                let _e1206 = phi_1361_;
-                                                let _e1208 = triangles.member[(0u + _e938)].v2_;
-                                                if (_e1192 > _e1208.x) {
-                                                    phi_1370_ = _e1192;
-                                                } else {
-                                                    phi_1370_ = _e1208.x;
-                                                }
-                                                let _e1213 = phi_1370_;
-                                                if (_e1199 > _e1208.y) {
-                                                    phi_1377_ = _e1199;
-                                                } else {
-                                                    phi_1377_ = _e1208.y;
-                                                }
-                                                let _e1218 = phi_1377_;
-                                                if (_e1206 > _e1208.z) {
-                                                    phi_1384_ = _e1206;
-                                                } else {
-                                                    phi_1384_ = _e1208.z;
-                                                }
-                                                let _e1223 = phi_1384_;
-                                                let _e1227 = ((_e1171 - _e100) * _e257);
-                                                let _e1228 = ((_e1176 - _e102) * _e267);
-                                                let _e1229 = ((_e1181 - _e104) * _e277);
-                                                let _e1233 = ((_e1213 - _e100) * _e257);
-                                                let _e1234 = ((_e1218 - _e102) * _e267);
-                                                let _e1235 = ((_e1223 - _e104) * _e277);
-                                                if (_e1227 < _e1233) {
-                                                    phi_1401_ = _e1227;
-                                                } else {
-                                                    phi_1401_ = _e1233;
-                                                }
-                                                let _e1238 = phi_1401_;
-                                                if (_e1228 < _e1234) {
-                                                    phi_1406_ = _e1228;
-                                                } else {
-                                                    phi_1406_ = _e1234;
-                                                }
-                                                let _e1241 = phi_1406_;
-                                                if (_e1229 < _e1235) {
-                                                    phi_1411_ = _e1229;
-                                                } else {
-                                                    phi_1411_ = _e1235;
-                                                }
-                                                let _e1244 = phi_1411_;
-                                                if (_e1227 > _e1233) {
-                                                    phi_1419_ = _e1227;
-                                                } else {
-                                                    phi_1419_ = _e1233;
-                                                }
-                                                let _e1250 = phi_1419_;
-                                                if (_e1228 > _e1234) {
-                                                    phi_1424_ = _e1228;
-                                                } else {
-                                                    phi_1424_ = _e1234;
-                                                }
-                                                let _e1253 = phi_1424_;
-                                                if (_e1229 > _e1235) {
-                                                    phi_1429_ = _e1229;
-                                                } else {
-                                                    phi_1429_ = _e1235;
-                                                }
-                                                let _e1256 = phi_1429_;
-                                                let _e1260 = core_intrinsics_maximum_number_nsz_f32_((_e1238 - _e312), (_e1241 - _e313));
-                                                let _e1261 = core_intrinsics_maximum_number_nsz_f32_(_e1260, (_e1244 - _e314));
-                                                let _e1262 = core_intrinsics_minimum_number_nsz_f32_((_e1250 + _e312), (_e1253 + _e313));
-                                                let _e1263 = core_intrinsics_minimum_number_nsz_f32_(_e1262, (_e1256 + _e314));
-                                                if (_e1261 > -300000000000000000000000000000000000000f) {
-                                                    phi_1441_ = _e1261;
-                                                } else {
-                                                    phi_1441_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1266 = phi_1441_;
-                                                if (_e1263 < 300000000000000000000000000000000000000f) {
-                                                    phi_1446_ = _e1263;
-                                                } else {
-                                                    phi_1446_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1269 = phi_1446_;
-                                                if (_e1137 < _e1266) {
-                                                    phi_1451_ = _e1266;
-                                                } else {
-                                                    phi_1451_ = _e1137;
-                                                }
-                                                let _e1272 = phi_1451_;
-                                                if (_e1272 > _e1269) {
-                                                    phi_1456_ = _e1269;
-                                                } else {
-                                                    phi_1456_ = _e1272;
-                                                }
-                                                let _e1275 = phi_1456_;
-                                                phi_1461_ = lt_bvh_triangle_Intersection(_e1275, (_e1069 / _e1128), (_e1090 / _e1128), (_e1266 <= _e1269));
-                                                phi_1462_ = false;
-                                            } else {
-                                                phi_1461_ = lt_bvh_triangle_Intersection();
-                                                phi_1462_ = true;
-                                            }
-                                            let _e1281 = phi_1461_;
-                                            let _e1283 = phi_1462_;
-                                            phi_1463_ = _e1281;
-                                            phi_1464_ = _e1283;
+                                        let _e1127 = triangles.member[(0u + _e938)].v0_;
+                                        let _e1129 = (_e1127.x - _e100);
+                                        let _e1131 = (_e1127.y - _e102);
+                                        let _e1133 = (_e1127.z - _e104);
+                                        if (_e328 == 0u) {
+                                            phi_1278_ = vec3<f32>(_e1131, _e1133, _e1129);
                                         } else {
-                                            phi_1463_ = lt_bvh_triangle_Intersection();
-                                            phi_1464_ = true;
+                                            if (_e328 == 1u) {
+                                                phi_1277_ = vec3<f32>(_e1133, _e1129, _e1131);
+                                            } else {
+                                                phi_1277_ = (_e1127 - vec3<f32>(_e100, _e102, _e104));
+                                            }
+                                            let _e1141 = phi_1277_;
+                                            phi_1278_ = _e1141;
                                         }
-                                        let _e1285 = phi_1463_;
-                                        let _e1287 = phi_1464_;
-                                        if _e1287 {
+                                        let _e1143 = phi_1278_;
+                                        let _e1145 = triangles.member[(0u + _e938)].v1_;
+                                        let _e1147 = triangles.member[(0u + _e938)].v0_;
+                                        let _e1150 = (_e1145.x - _e1147.x);
+                                        let _e1153 = (_e1145.y - _e1147.y);
+                                        let _e1156 = (_e1145.z - _e1147.z);
+                                        if (_e328 == 0u) {
+                                            phi_1304_ = vec3<f32>(_e1153, _e1156, _e1150);
+                                        } else {
+                                            if (_e328 == 1u) {
+                                                phi_1303_ = vec3<f32>(_e1156, _e1150, _e1153);
+                                            } else {
+                                                phi_1303_ = (_e1145 - _e1147);
+                                            }
+                                            let _e1163 = phi_1303_;
+                                            phi_1304_ = _e1163;
                                         }
-                                        phi_1468_ = _e1285;
-                                        phi_1469_ = _e1287;
+                                        let _e1165 = phi_1304_;
+                                        let _e1167 = triangles.member[(0u + _e938)].v2_;
+                                        let _e1169 = triangles.member[(0u + _e938)].v0_;
+                                        let _e1172 = (_e1167.x - _e1169.x);
+                                        let _e1175 = (_e1167.y - _e1169.y);
+                                        let _e1178 = (_e1167.z - _e1169.z);
+                                        if (_e328 == 0u) {
+                                            phi_1330_ = vec3<f32>(_e1175, _e1178, _e1172);
+                                        } else {
+                                            if (_e328 == 1u) {
+                                                phi_1329_ = vec3<f32>(_e1178, _e1172, _e1175);
+                                            } else {
+                                                phi_1329_ = (_e1167 - _e1169);
+                                            }
+                                            let _e1185 = phi_1329_;
+                                            phi_1330_ = _e1185;
+                                        }
+                                        let _e1187 = phi_1330_;
+                                        let _e1194 = ((_e1165.y * _e1187.z) - (_e1165.z * _e1187.y));
+                                        let _e1201 = ((_e1165.z * _e1187.x) - (_e1165.x * _e1187.z));
+                                        let _e1208 = ((_e1165.x * _e1187.y) - (_e1165.y * _e1187.x));
+                                        let _e1222 = (((1f / _e336.z) * (((_e1194 * _e1143.x) + (_e1201 * _e1143.y)) + (_e1208 * _e1143.z))) / (((_e1194 * _e339) + (_e1201 * _e342)) + _e1208));
+                                        if (_e1222 > 0f) {
+                                            if (_e1222 < _e108) {
+                                                let _e1226 = triangles.member[(0u + _e938)].v0_;
+                                                let _e1228 = triangles.member[(0u + _e938)].v1_;
+                                                if (_e1226.x < _e1228.x) {
+                                                    phi_1386_ = _e1226.x;
+                                                } else {
+                                                    phi_1386_ = _e1228.x;
+                                                }
+                                                let _e1235 = phi_1386_;
+                                                if (_e1226.y < _e1228.y) {
+                                                    phi_1395_ = _e1226.y;
+                                                } else {
+                                                    phi_1395_ = _e1228.y;
+                                                }
+                                                let _e1242 = phi_1395_;
+                                                if (_e1226.z < _e1228.z) {
+                                                    phi_1404_ = _e1226.z;
+                                                } else {
+                                                    phi_1404_ = _e1228.z;
+                                                }
+                                                let _e1249 = phi_1404_;
+                                                let _e1251 = triangles.member[(0u + _e938)].v2_;
+                                                if (_e1235 < _e1251.x) {
+                                                    phi_1413_ = _e1235;
+                                                } else {
+                                                    phi_1413_ = _e1251.x;
+                                                }
+                                                let _e1256 = phi_1413_;
+                                                if (_e1242 < _e1251.y) {
+                                                    phi_1420_ = _e1242;
+                                                } else {
+                                                    phi_1420_ = _e1251.y;
+                                                }
+                                                let _e1261 = phi_1420_;
+                                                if (_e1249 < _e1251.z) {
+                                                    phi_1427_ = _e1249;
+                                                } else {
+                                                    phi_1427_ = _e1251.z;
+                                                }
+                                                let _e1266 = phi_1427_;
+                                                let _e1268 = triangles.member[(0u + _e938)].v0_;
+                                                let _e1270 = triangles.member[(0u + _e938)].v1_;
+                                                if (_e1268.x > _e1270.x) {
+                                                    phi_1440_ = _e1268.x;
+                                                } else {
+                                                    phi_1440_ = _e1270.x;
+                                                }
+                                                let _e1277 = phi_1440_;
+                                                if (_e1268.y > _e1270.y) {
+                                                    phi_1449_ = _e1268.y;
+                                                } else {
+                                                    phi_1449_ = _e1270.y;
+                                                }
+                                                let _e1284 = phi_1449_;
+                                                if (_e1268.z > _e1270.z) {
+                                                    phi_1458_ = _e1268.z;
+                                                } else {
+                                                    phi_1458_ = _e1270.z;
+                                                }
+                                                let _e1291 = phi_1458_;
+                                                let _e1293 = triangles.member[(0u + _e938)].v2_;
+                                                if (_e1277 > _e1293.x) {
+                                                    phi_1467_ = _e1277;
+                                                } else {
+                                                    phi_1467_ = _e1293.x;
+                                                }
+                                                let _e1298 = phi_1467_;
+                                                if (_e1284 > _e1293.y) {
+                                                    phi_1474_ = _e1284;
+                                                } else {
+                                                    phi_1474_ = _e1293.y;
+                                                }
+                                                let _e1303 = phi_1474_;
+                                                if (_e1291 > _e1293.z) {
+                                                    phi_1481_ = _e1291;
+                                                } else {
+                                                    phi_1481_ = _e1293.z;
+                                                }
+                                                let _e1308 = phi_1481_;
+                                                let _e1312 = ((_e1256 - _e100) * _e257);
+                                                let _e1313 = ((_e1261 - _e102) * _e267);
+                                                let _e1314 = ((_e1266 - _e104) * _e277);
+                                                let _e1318 = ((_e1298 - _e100) * _e257);
+                                                let _e1319 = ((_e1303 - _e102) * _e267);
+                                                let _e1320 = ((_e1308 - _e104) * _e277);
+                                                if (_e1312 < _e1318) {
+                                                    phi_1498_ = _e1312;
+                                                } else {
+                                                    phi_1498_ = _e1318;
+                                                }
+                                                let _e1323 = phi_1498_;
+                                                if (_e1313 < _e1319) {
+                                                    phi_1503_ = _e1313;
+                                                } else {
+                                                    phi_1503_ = _e1319;
+                                                }
+                                                let _e1326 = phi_1503_;
+                                                if (_e1314 < _e1320) {
+                                                    phi_1508_ = _e1314;
+                                                } else {
+                                                    phi_1508_ = _e1320;
+                                                }
+                                                let _e1329 = phi_1508_;
+                                                if (_e1312 > _e1318) {
+                                                    phi_1516_ = _e1312;
+                                                } else {
+                                                    phi_1516_ = _e1318;
+                                                }
+                                                let _e1335 = phi_1516_;
+                                                if (_e1313 > _e1319) {
+                                                    phi_1521_ = _e1313;
+                                                } else {
+                                                    phi_1521_ = _e1319;
+                                                }
+                                                let _e1338 = phi_1521_;
+                                                if (_e1314 > _e1320) {
+                                                    phi_1526_ = _e1314;
+                                                } else {
+                                                    phi_1526_ = _e1320;
+                                                }
+                                                let _e1341 = phi_1526_;
+                                                let _e1345 = core_intrinsics_maximum_number_nsz_f32_((_e1323 - _e312), (_e1326 - _e313));
+                                                let _e1346 = core_intrinsics_maximum_number_nsz_f32_(_e1345, (_e1329 - _e314));
+                                                let _e1347 = core_intrinsics_minimum_number_nsz_f32_((_e1335 + _e312), (_e1338 + _e313));
+                                                let _e1348 = core_intrinsics_minimum_number_nsz_f32_(_e1347, (_e1341 + _e314));
+                                                if (_e1346 > -300000000000000000000000000000000000000f) {
+                                                    phi_1538_ = _e1346;
+                                                } else {
+                                                    phi_1538_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1351 = phi_1538_;
+                                                if (_e1348 < 300000000000000000000000000000000000000f) {
+                                                    phi_1543_ = _e1348;
+                                                } else {
+                                                    phi_1543_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1354 = phi_1543_;
+                                                if (_e1222 < _e1351) {
+                                                    phi_1548_ = _e1351;
+                                                } else {
+                                                    phi_1548_ = _e1222;
+                                                }
+                                                let _e1357 = phi_1548_;
+                                                if (_e1357 > _e1354) {
+                                                    phi_1553_ = _e1354;
+                                                } else {
+                                                    phi_1553_ = _e1357;
+                                                }
+                                                let _e1360 = phi_1553_;
+                                                phi_1558_ = lt_bvh_triangle_Intersection(_e1360, (_e1063 / _e1122), (_e1084 / _e1122), (_e1351 <= _e1354));
+                                                phi_1559_ = false;
+                                            } else {
+                                                phi_1558_ = lt_bvh_triangle_Intersection();
+                                                phi_1559_ = true;
+                                            }
+                                            let _e1366 = phi_1558_;
+                                            let _e1368 = phi_1559_;
+                                            phi_1560_ = _e1366;
+                                            phi_1561_ = _e1368;
+                                        } else {
+                                            phi_1560_ = lt_bvh_triangle_Intersection();
+                                            phi_1561_ = true;
+                                        }
+                                        let _e1370 = phi_1560_;
+                                        let _e1372 = phi_1561_;
+                                        if _e1372 {
+                                        }
+                                        phi_1565_ = _e1370;
+                                        phi_1566_ = _e1372;
                                     }
-                                    let _e1289 = phi_1468_;
-                                    let _e1291 = phi_1469_;
-                                    phi_1470_ = _e1289;
-                                    phi_1471_ = _e1131;
-                                    phi_1472_ = _e1291;
+                                    let _e1374 = phi_1565_;
+                                    let _e1376 = phi_1566_;
+                                    phi_1567_ = _e1374;
+                                    phi_1568_ = _e1125;
+                                    phi_1569_ = _e1376;
                                 } else {
-                                    phi_1470_ = lt_bvh_triangle_Intersection();
-                                    phi_1471_ = true;
-                                    phi_1472_ = false;
+                                    phi_1567_ = lt_bvh_triangle_Intersection();
+                                    phi_1568_ = true;
+                                    phi_1569_ = false;
                                 }
-                                let _e1293 = phi_1470_;
-                                let _e1295 = phi_1471_;
-                                let _e1297 = phi_1472_;
-                                if _e1295 {
-                                    phi_1476_ = true;
+                                let _e1378 = phi_1567_;
+                                let _e1380 = phi_1568_;
+                                let _e1382 = phi_1569_;
+                                if _e1380 {
+                                    phi_1573_ = true;
                                 } else {
-                                    phi_1476_ = _e1297;
+                                    phi_1573_ = _e1382;
                                 }
-                                let _e1299 = phi_1476_;
-                                if _e1299 {
-                                    phi_1480_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1384 = phi_1573_;
+                                if _e1384 {
+                                    phi_1577_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1480_ = _e1293;
+                                    phi_1577_ = _e1378;
                                 }
-                                let _e1301 = phi_1480_;
-                                if _e1301.is_hit {
-                                    if (_e1301.t > 0f) {
-                                        if (_e1301.t < _e108) {
-                                            let _e1308 = triangles.member[(0u + _e938)].i0_;
-                                            let _e1310 = ((_e1308 & 2147483648u) == 0u);
-                                            if _e1310 {
-                                                phi_1506_ = false;
-                                                phi_1507_ = false;
+                                let _e1386 = phi_1577_;
+                                if _e1386.is_hit {
+                                    if (_e1386.t > 0f) {
+                                        if (_e1386.t < _e108) {
+                                            let _e1393 = triangles.member[(0u + _e938)].i0_;
+                                            let _e1395 = ((_e1393 & 2147483648u) == 0u);
+                                            if _e1395 {
+                                                phi_1603_ = false;
+                                                phi_1604_ = false;
                                             } else {
                                                 if true {
-                                                    phi_1505_ = false;
+                                                    phi_1602_ = false;
                                                 } else {
-                                                    phi_1505_ = true;
+                                                    phi_1602_ = true;
                                                 }
-                                                let _e1312 = phi_1505_;
-                                                phi_1506_ = _e1312;
-                                                phi_1507_ = true;
+                                                let _e1397 = phi_1602_;
+                                                phi_1603_ = _e1397;
+                                                phi_1604_ = true;
                                             }
-                                            let _e1314 = phi_1506_;
-                                            let _e1316 = phi_1507_;
-                                            phi_1508_ = _e1314;
-                                            phi_1509_ = _e1310;
-                                            phi_1510_ = _e1316;
+                                            let _e1399 = phi_1603_;
+                                            let _e1401 = phi_1604_;
+                                            phi_1605_ = _e1399;
+                                            phi_1606_ = _e1395;
+                                            phi_1607_ = _e1401;
                                         } else {
-                                            phi_1508_ = true;
-                                            phi_1509_ = false;
-                                            phi_1510_ = false;
+                                            phi_1605_ = true;
+                                            phi_1606_ = false;
+                                            phi_1607_ = false;
                                         }
-                                        let _e1318 = phi_1508_;
-                                        let _e1320 = phi_1509_;
-                                        let _e1322 = phi_1510_;
-                                        phi_1511_ = _e1318;
-                                        phi_1512_ = _e1320;
-                                        phi_1513_ = _e1322;
+                                        let _e1403 = phi_1605_;
+                                        let _e1405 = phi_1606_;
+                                        let _e1407 = phi_1607_;
+                                        phi_1608_ = _e1403;
+                                        phi_1609_ = _e1405;
+                                        phi_1610_ = _e1407;
                                     } else {
-                                        phi_1511_ = true;
-                                        phi_1512_ = false;
-                                        phi_1513_ = false;
+                                        phi_1608_ = true;
+                                        phi_1609_ = false;
+                                        phi_1610_ = false;
                                     }
-                                    let _e1324 = phi_1511_;
-                                    let _e1326 = phi_1512_;
-                                    let _e1328 = phi_1513_;
-                                    phi_1514_ = _e1324;
-                                    phi_1515_ = _e1326;
-                                    phi_1516_ = _e1328;
+                                    let _e1409 = phi_1608_;
+                                    let _e1411 = phi_1609_;
+                                    let _e1413 = phi_1610_;
+                                    phi_1611_ = _e1409;
+                                    phi_1612_ = _e1411;
+                                    phi_1613_ = _e1413;
                                 } else {
-                                    phi_1514_ = true;
-                                    phi_1515_ = false;
-                                    phi_1516_ = false;
+                                    phi_1611_ = true;
+                                    phi_1612_ = false;
+                                    phi_1613_ = false;
                                 }
-                                let _e1330 = phi_1514_;
-                                let _e1332 = phi_1515_;
-                                let _e1334 = phi_1516_;
-                                if _e1330 {
-                                    phi_1520_ = false;
-                                    phi_1521_ = false;
+                                let _e1415 = phi_1611_;
+                                let _e1417 = phi_1612_;
+                                let _e1419 = phi_1613_;
+                                if _e1415 {
+                                    phi_1617_ = false;
+                                    phi_1618_ = false;
                                 } else {
-                                    phi_1520_ = _e1332;
-                                    phi_1521_ = _e1334;
+                                    phi_1617_ = _e1417;
+                                    phi_1618_ = _e1419;
                                 }
-                                let _e1336 = phi_1520_;
-                                let _e1338 = phi_1521_;
+                                let _e1421 = phi_1617_;
+                                let _e1423 = phi_1618_;
                                 phi_1009_ = (_e929 & (_e929 - 1u));
-                                phi_1522_ = _e1330;
-                                phi_1523_ = _e1336;
-                                phi_1524_ = _e1338;
+                                phi_1619_ = _e1415;
+                                phi_1620_ = _e1421;
+                                phi_1621_ = _e1423;
                             }
-                            let _e1340 = phi_1009_;
-                            let _e1342 = phi_1522_;
-                            let _e1344 = phi_1523_;
-                            let _e1346 = phi_1524_;
-                            local_6 = _e1344;
-                            local_7 = _e1346;
+                            let _e1425 = phi_1009_;
+                            let _e1427 = phi_1619_;
+                            let _e1429 = phi_1620_;
+                            let _e1431 = phi_1621_;
+                            local_6 = _e1429;
+                            local_7 = _e1431;
                             continue;
                             continuing {
-                                phi_1008_ = _e1340;
-                                break if !(_e1342);
+                                phi_1008_ = _e1425;
+                                break if !(_e1427);
                             }
                         }
-                        let _e1349 = local_4;
-                        if _e1349 {
-                            let _e1351 = local.group_mask;
-                            if ((_e1351 & 4278190080u) == 0u) {
-                                let _e1355 = local.len;
-                                if (_e1355 == 0u) {
-                                    phi_1566_ = false;
+                        let _e1434 = local_4;
+                        if _e1434 {
+                            let _e1436 = local.group_mask;
+                            if ((_e1436 & 4278190080u) == 0u) {
+                                let _e1440 = local.len;
+                                if (_e1440 == 0u) {
+                                    phi_1663_ = false;
                                 } else {
-                                    let _e1359 = local.len;
-                                    local.len = (_e1359 - 1u);
-                                    let _e1362 = local.len;
-                                    if (_e1362 < 32u) {
+                                    let _e1444 = local.len;
+                                    local.len = (_e1444 - 1u);
+                                    let _e1447 = local.len;
+                                    if (_e1447 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1367 = local.first[(0u + _e1362)];
-                                    local.group = _e1367;
-                                    let _e1370 = local.len;
-                                    if (_e1370 < 32u) {
+                                    let _e1452 = local.first[(0u + _e1447)];
+                                    local.group = _e1452;
+                                    let _e1455 = local.len;
+                                    if (_e1455 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1375 = local.mask[(0u + _e1370)];
-                                    local.group_mask = _e1375;
-                                    phi_1566_ = true;
+                                    let _e1460 = local.mask[(0u + _e1455)];
+                                    local.group_mask = _e1460;
+                                    phi_1663_ = true;
                                 }
-                                let _e1378 = phi_1566_;
-                                phi_1567_ = _e1378;
+                                let _e1463 = phi_1663_;
+                                phi_1664_ = _e1463;
                             } else {
-                                phi_1567_ = true;
+                                phi_1664_ = true;
                             }
-                            let _e1380 = phi_1567_;
-                            if _e1380 {
-                                let _e1382 = local.group_mask;
-                                let _e1388 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1382)), 32u, (_e1382 == 0u)));
-                                let _e1392 = local.group_mask;
-                                let _e1406 = local.group_mask;
-                                local.group_mask = (_e1406 & ~((1u << bitcast<u32>((_e1388 & 31u)))));
-                                let _e1409 = local.group;
-                                phi_1598_ = (_e1409 + countOneBits(((_e1392 & ~((4294967295u << bitcast<u32>((((_e1388 - 24u) ^ _e355) & 31u))))) & 255u)));
+                            let _e1465 = phi_1664_;
+                            if _e1465 {
+                                let _e1467 = local.group_mask;
+                                let _e1473 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1467)), 32u, (_e1467 == 0u)));
+                                let _e1477 = local.group_mask;
+                                let _e1491 = local.group_mask;
+                                local.group_mask = (_e1491 & ~((1u << bitcast<u32>((_e1473 & 31u)))));
+                                let _e1494 = local.group;
+                                phi_1695_ = (_e1494 + countOneBits(((_e1477 & ~((4294967295u << bitcast<u32>((((_e1473 - 24u) ^ _e355) & 31u))))) & 255u)));
                             } else {
-                                phi_1598_ = 4294967295u;
+                                phi_1695_ = 4294967295u;
                             }
-                            let _e1412 = phi_1598_;
-                            phi_1599_ = _e1412;
-                            phi_1600_ = false;
-                            phi_1601_ = false;
+                            let _e1497 = phi_1695_;
+                            phi_1696_ = _e1497;
+                            phi_1697_ = false;
+                            phi_1698_ = false;
                         } else {
-                            phi_1599_ = u32();
-                            let _e1621 = local_6;
-                            phi_1600_ = _e1621;
-                            let _e1624 = local_7;
-                            phi_1601_ = _e1624;
+                            phi_1696_ = u32();
+                            let _e1712 = local_6;
+                            phi_1697_ = _e1712;
+                            let _e1715 = local_7;
+                            phi_1698_ = _e1715;
                         }
-                        let _e1414 = phi_1599_;
-                        let _e1416 = phi_1600_;
-                        let _e1418 = phi_1601_;
-                        phi_679_ = _e1414;
-                        let _e1628 = local_8;
-                        phi_1602_ = _e1628;
-                        phi_1603_ = false;
-                        phi_1604_ = _e1416;
-                        phi_1605_ = _e1418;
+                        let _e1499 = phi_1696_;
+                        let _e1501 = phi_1697_;
+                        let _e1503 = phi_1698_;
+                        phi_679_ = _e1499;
+                        let _e1719 = local_8;
+                        phi_1699_ = _e1719;
+                        phi_1700_ = false;
+                        phi_1701_ = _e1501;
+                        phi_1702_ = _e1503;
                     } else {
                         phi_679_ = u32();
-                        phi_1602_ = false;
-                        phi_1603_ = true;
-                        phi_1604_ = false;
-                        phi_1605_ = false;
+                        phi_1699_ = false;
+                        phi_1700_ = true;
+                        phi_1701_ = false;
+                        phi_1702_ = false;
                     }
-                    let _e1420 = phi_679_;
-                    let _e1422 = phi_1602_;
-                    let _e1424 = phi_1603_;
-                    let _e1426 = phi_1604_;
-                    let _e1428 = phi_1605_;
-                    local_5 = _e1424;
-                    local_9 = _e1426;
-                    local_10 = _e1428;
+                    let _e1505 = phi_679_;
+                    let _e1507 = phi_1699_;
+                    let _e1509 = phi_1700_;
+                    let _e1511 = phi_1701_;
+                    let _e1513 = phi_1702_;
+                    local_5 = _e1509;
+                    local_9 = _e1511;
+                    local_10 = _e1513;
                     continue;
                     continuing {
-                        phi_678_ = _e1420;
-                        break if !(_e1422);
+                        phi_678_ = _e1505;
+                        break if !(_e1507);
                     }
                 }
-                let _e1431 = local_5;
-                if _e1431 {
-                    phi_1609_ = false;
-                    phi_1610_ = false;
+                let _e1516 = local_5;
+                if _e1516 {
+                    phi_1706_ = false;
+                    phi_1707_ = false;
                 } else {
-                    let _e1635 = local_9;
-                    phi_1609_ = _e1635;
-                    let _e1638 = local_10;
-                    phi_1610_ = _e1638;
+                    let _e1726 = local_9;
+                    phi_1706_ = _e1726;
+                    let _e1729 = local_10;
+                    phi_1707_ = _e1729;
                 }
-                let _e1433 = phi_1609_;
-                let _e1435 = phi_1610_;
-                if _e1433 {
-                    phi_1614_ = true;
+                let _e1518 = phi_1706_;
+                let _e1520 = phi_1707_;
+                if _e1518 {
+                    phi_1711_ = true;
                 } else {
-                    phi_1614_ = _e1435;
+                    phi_1711_ = _e1520;
                 }
-                let _e1437 = phi_1614_;
-                if _e1437 {
-                    phi_1618_ = true;
+                let _e1522 = phi_1711_;
+                if _e1522 {
+                    phi_1715_ = true;
                 } else {
-                    phi_1618_ = false;
+                    phi_1715_ = false;
                 }
-                let _e1439 = phi_1618_;
-                phi_1619_ = _e1439;
+                let _e1524 = phi_1715_;
+                phi_1716_ = _e1524;
             }
-            let _e1441 = phi_1619_;
-            phi_1620_ = _e1441;
-            phi_1621_ = _e181;
+            let _e1526 = phi_1716_;
+            phi_1717_ = _e1526;
+            phi_1718_ = _e181;
         } else {
-            phi_1620_ = bool();
-            phi_1621_ = true;
+            phi_1717_ = bool();
+            phi_1718_ = true;
         }
-        let _e1443 = phi_1620_;
-        let _e1445 = phi_1621_;
-        if _e1445 {
-            phi_1625_ = false;
+        let _e1528 = phi_1717_;
+        let _e1530 = phi_1718_;
+        if _e1530 {
+            phi_1722_ = false;
         } else {
-            phi_1625_ = _e1443;
+            phi_1722_ = _e1528;
         }
-        let _e1447 = phi_1625_;
-        if _e1447 {
-            phi_1629_ = 0f;
+        let _e1532 = phi_1722_;
+        if _e1532 {
+            phi_1726_ = 0f;
         } else {
-            phi_1629_ = 1f;
+            phi_1726_ = 1f;
         }
-        let _e1449 = phi_1629_;
+        let _e1534 = phi_1726_;
         if (_e79 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79)] = _e1449;
+        visibility.member[(0u + _e79)] = _e1534;
     }
     return;
 }

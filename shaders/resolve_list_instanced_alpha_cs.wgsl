@@ -708,143 +708,149 @@ fn function_() {
     var phi_2358_: u32;
     var phi_2403_: vec3<f32>;
     var phi_2404_: vec3<f32>;
-    var phi_2435_: vec3<f32>;
-    var phi_2436_: vec3<f32>;
-    var phi_2467_: vec3<f32>;
-    var phi_2468_: vec3<f32>;
-    var phi_2488_: bool;
-    var phi_2489_: bool;
-    var phi_2493_: f32;
-    var phi_2494_: f32;
-    var phi_2495_: f32;
-    var phi_2496_: f32;
-    var phi_2504_: f32;
-    var phi_2514_: bool;
-    var phi_2515_: bool;
-    var phi_2519_: f32;
-    var phi_2520_: f32;
-    var phi_2521_: f32;
-    var phi_2522_: f32;
-    var phi_2530_: f32;
-    var phi_2540_: bool;
-    var phi_2541_: bool;
-    var phi_2545_: f32;
-    var phi_2546_: f32;
-    var phi_2547_: f32;
-    var phi_2548_: f32;
-    var phi_2556_: f32;
-    var phi_2571_: f32;
-    var phi_2572_: bool;
-    var phi_2573_: f32;
-    var phi_2574_: bool;
-    var phi_2575_: f32;
-    var phi_2576_: bool;
-    var phi_2594_: f32;
-    var phi_2595_: bool;
-    var phi_2596_: bool;
-    var phi_2597_: f32;
-    var phi_2598_: bool;
+    var phi_2433_: vec3<f32>;
+    var phi_2434_: vec3<f32>;
+    var phi_2463_: vec3<f32>;
+    var phi_2464_: vec3<f32>;
+    var phi_2482_: bool;
+    var phi_2483_: bool;
+    var phi_2487_: f32;
+    var phi_2488_: f32;
+    var phi_2489_: f32;
+    var phi_2490_: f32;
+    var phi_2498_: f32;
+    var phi_2508_: bool;
+    var phi_2509_: bool;
+    var phi_2513_: f32;
+    var phi_2514_: f32;
+    var phi_2515_: f32;
+    var phi_2516_: f32;
+    var phi_2524_: f32;
+    var phi_2534_: bool;
+    var phi_2535_: bool;
+    var phi_2539_: f32;
+    var phi_2540_: f32;
+    var phi_2541_: f32;
+    var phi_2542_: f32;
+    var phi_2550_: f32;
+    var phi_2565_: f32;
+    var phi_2566_: bool;
+    var phi_2567_: f32;
+    var phi_2568_: bool;
+    var phi_2569_: f32;
+    var phi_2570_: bool;
+    var phi_2588_: f32;
+    var phi_2589_: bool;
+    var phi_2590_: bool;
+    var phi_2591_: f32;
+    var phi_2592_: bool;
+    var phi_2593_: bool;
+    var phi_2597_: bool;
+    var phi_2598_: f32;
     var phi_2599_: bool;
-    var phi_2603_: bool;
-    var phi_2604_: f32;
-    var phi_2605_: bool;
-    var phi_2639_: f32;
-    var phi_2648_: f32;
-    var phi_2657_: f32;
-    var phi_2666_: f32;
-    var phi_2673_: f32;
-    var phi_2680_: f32;
-    var phi_2693_: f32;
-    var phi_2702_: f32;
-    var phi_2711_: f32;
-    var phi_2720_: f32;
-    var phi_2727_: f32;
-    var phi_2734_: f32;
-    var phi_2751_: f32;
-    var phi_2756_: f32;
-    var phi_2761_: f32;
-    var phi_2769_: f32;
-    var phi_2774_: f32;
-    var phi_2779_: f32;
-    var phi_2791_: f32;
-    var phi_2796_: f32;
-    var phi_2801_: f32;
-    var phi_2806_: f32;
-    var phi_2811_: lt_bvh_triangle_Intersection;
-    var phi_2812_: bool;
-    var phi_2813_: lt_bvh_triangle_Intersection;
-    var phi_2814_: bool;
-    var phi_2818_: lt_bvh_triangle_Intersection;
-    var phi_2819_: bool;
-    var phi_2820_: lt_bvh_triangle_Intersection;
-    var phi_2821_: bool;
-    var phi_2822_: bool;
-    var phi_2826_: bool;
-    var phi_2830_: lt_bvh_triangle_Intersection;
-    var phi_3044_: f32;
-    var phi_3047_: bool;
-    var phi_3048_: bool;
-    var phi_3052_: bool;
-    var phi_3053_: bool;
-    var phi_3054_: bool;
-    var phi_3055_: bool;
-    var phi_3056_: bool;
-    var phi_3057_: bool;
-    var phi_3058_: bool;
-    var phi_3059_: bool;
-    var phi_3060_: bool;
-    var phi_3061_: bool;
-    var phi_3062_: bool;
-    var phi_3063_: bool;
-    var phi_3067_: bool;
-    var phi_3068_: bool;
-    var phi_2359_: u32;
-    var phi_3069_: bool;
-    var phi_3070_: bool;
-    var phi_3071_: bool;
-    var local_9: bool;
-    var phi_3113_: bool;
-    var phi_3114_: bool;
-    var phi_3145_: u32;
-    var phi_3146_: u32;
-    var phi_3147_: bool;
-    var phi_3148_: bool;
-    var phi_2029_: u32;
+    var phi_2627_: vec3<f32>;
+    var phi_2628_: vec3<f32>;
+    var phi_2653_: vec3<f32>;
+    var phi_2654_: vec3<f32>;
+    var phi_2679_: vec3<f32>;
+    var phi_2680_: vec3<f32>;
+    var phi_2736_: f32;
+    var phi_2745_: f32;
+    var phi_2754_: f32;
+    var phi_2763_: f32;
+    var phi_2770_: f32;
+    var phi_2777_: f32;
+    var phi_2790_: f32;
+    var phi_2799_: f32;
+    var phi_2808_: f32;
+    var phi_2817_: f32;
+    var phi_2824_: f32;
+    var phi_2831_: f32;
+    var phi_2848_: f32;
+    var phi_2853_: f32;
+    var phi_2858_: f32;
+    var phi_2866_: f32;
+    var phi_2871_: f32;
+    var phi_2876_: f32;
+    var phi_2888_: f32;
+    var phi_2893_: f32;
+    var phi_2898_: f32;
+    var phi_2903_: f32;
+    var phi_2908_: lt_bvh_triangle_Intersection;
+    var phi_2909_: bool;
+    var phi_2910_: lt_bvh_triangle_Intersection;
+    var phi_2911_: bool;
+    var phi_2915_: lt_bvh_triangle_Intersection;
+    var phi_2916_: bool;
+    var phi_2917_: lt_bvh_triangle_Intersection;
+    var phi_2918_: bool;
+    var phi_2919_: bool;
+    var phi_2923_: bool;
+    var phi_2927_: lt_bvh_triangle_Intersection;
+    var phi_3141_: f32;
+    var phi_3144_: bool;
+    var phi_3145_: bool;
     var phi_3149_: bool;
     var phi_3150_: bool;
     var phi_3151_: bool;
     var phi_3152_: bool;
-    var local_10: bool;
+    var phi_3153_: bool;
+    var phi_3154_: bool;
+    var phi_3155_: bool;
     var phi_3156_: bool;
     var phi_3157_: bool;
-    var phi_3161_: bool;
+    var phi_3158_: bool;
+    var phi_3159_: bool;
+    var phi_3160_: bool;
+    var phi_3164_: bool;
     var phi_3165_: bool;
+    var phi_2359_: u32;
     var phi_3166_: bool;
     var phi_3167_: bool;
     var phi_3168_: bool;
-    var phi_3172_: bool;
-    var phi_3176_: bool;
-    var phi_3177_: bool;
-    var phi_3178_: bool;
-    var phi_3179_: bool;
-    var phi_1423_: u32;
-    var phi_3183_: bool;
-    var local_11: bool;
-    var phi_3225_: bool;
-    var phi_3226_: bool;
-    var phi_3257_: u32;
-    var phi_3258_: u32;
-    var phi_1093_: u32;
-    var phi_3259_: bool;
-    var phi_3260_: bool;
-    var local_12: bool;
+    var local_9: bool;
+    var phi_3210_: bool;
+    var phi_3211_: bool;
+    var phi_3242_: u32;
+    var phi_3243_: u32;
+    var phi_3244_: bool;
+    var phi_3245_: bool;
+    var phi_2029_: u32;
+    var phi_3246_: bool;
+    var phi_3247_: bool;
+    var phi_3248_: bool;
+    var phi_3249_: bool;
+    var local_10: bool;
+    var phi_3253_: bool;
+    var phi_3254_: bool;
+    var phi_3258_: bool;
+    var phi_3262_: bool;
+    var phi_3263_: bool;
     var phi_3264_: bool;
-    var phi_3268_: bool;
+    var phi_3265_: bool;
     var phi_3269_: bool;
-    var phi_3270_: bool;
-    var phi_3271_: bool;
+    var phi_3273_: bool;
+    var phi_3274_: bool;
     var phi_3275_: bool;
-    var phi_3279_: f32;
+    var phi_3276_: bool;
+    var phi_1423_: u32;
+    var phi_3280_: bool;
+    var local_11: bool;
+    var phi_3322_: bool;
+    var phi_3323_: bool;
+    var phi_3354_: u32;
+    var phi_3355_: u32;
+    var phi_1093_: u32;
+    var phi_3356_: bool;
+    var phi_3357_: bool;
+    var local_12: bool;
+    var phi_3361_: bool;
+    var phi_3365_: bool;
+    var phi_3366_: bool;
+    var phi_3367_: bool;
+    var phi_3368_: bool;
+    var phi_3372_: bool;
+    var phi_3376_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -1002,7 +1008,7 @@ fn function_() {
         if _e212 {
             let _e213 = (_e112 >= _e76);
             if _e213 {
-                phi_3269_ = bool();
+                phi_3366_ = bool();
             } else {
                 if (_e112 < _e76) {
                 } else {
@@ -1350,7 +1356,7 @@ fn function_() {
                             local_18 = _e932;
                             if _e932 {
                                 phi_1423_ = u32();
-                                phi_3183_ = false;
+                                phi_3280_ = false;
                             } else {
                                 let _e935 = nodes.member[(0u + _e495)].links[1u];
                                 let _e939 = (_e935 + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
@@ -1532,7 +1538,7 @@ fn function_() {
                                             if _e1143 {
                                                 let _e1144 = (_e1080 >= _e76);
                                                 if _e1144 {
-                                                    phi_3166_ = bool();
+                                                    phi_3263_ = bool();
                                                 } else {
                                                     if (_e1080 < _e76) {
                                                     } else {
@@ -1659,7 +1665,6 @@ fn function_() {
                                                     let _e1299 = phi_1857_;
                                                     let _e1302 = (_e1299.x / _e1299.z);
                                                     let _e1305 = (_e1299.y / _e1299.z);
-                                                    let _e1307 = (1f / _e1299.z);
                                                     if (_e1220 < 0f) {
                                                         phi_1870_ = 0u;
                                                     } else {
@@ -1922,9 +1927,9 @@ fn function_() {
                                                                 local_15 = _e1893;
                                                                 if _e1893 {
                                                                     phi_2359_ = u32();
-                                                                    phi_3069_ = false;
-                                                                    phi_3070_ = false;
-                                                                    phi_3071_ = false;
+                                                                    phi_3166_ = false;
+                                                                    phi_3167_ = false;
+                                                                    phi_3168_ = false;
                                                                 } else {
                                                                     let _e1896 = nodes.member[(0u + _e1456)].links[1u];
                                                                     let _e1901 = ((_e1082 + _e1896) + select(firstTrailingBit(_e1892), 32u, (_e1892 == 0u)));
@@ -1950,840 +1955,893 @@ fn function_() {
                                                                     let _e1924 = phi_2404_;
                                                                     let _e1928 = (_e1924.x - (_e1302 * _e1924.z));
                                                                     let _e1932 = (_e1924.y - (_e1305 * _e1924.z));
-                                                                    let _e1936 = triangles.member[(0u + _e1901)].v1_;
-                                                                    let _e1938 = (_e1936.x - _e1011);
-                                                                    let _e1940 = (_e1936.y - _e1024);
-                                                                    let _e1942 = (_e1936.z - _e1037);
+                                                                    let _e1934 = triangles.member[(0u + _e1901)].v1_;
+                                                                    let _e1936 = (_e1934.x - _e1011);
+                                                                    let _e1938 = (_e1934.y - _e1024);
+                                                                    let _e1940 = (_e1934.z - _e1037);
                                                                     if (_e1291 == 0u) {
-                                                                        phi_2436_ = vec3<f32>(_e1940, _e1942, _e1938);
+                                                                        phi_2434_ = vec3<f32>(_e1938, _e1940, _e1936);
                                                                     } else {
                                                                         if (_e1291 == 1u) {
-                                                                            phi_2435_ = vec3<f32>(_e1942, _e1938, _e1940);
+                                                                            phi_2433_ = vec3<f32>(_e1940, _e1936, _e1938);
                                                                         } else {
-                                                                            phi_2435_ = (_e1936 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2433_ = (_e1934 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1950 = phi_2435_;
-                                                                        phi_2436_ = _e1950;
+                                                                        let _e1948 = phi_2433_;
+                                                                        phi_2434_ = _e1948;
                                                                     }
-                                                                    let _e1952 = phi_2436_;
-                                                                    let _e1956 = (_e1952.x - (_e1302 * _e1952.z));
-                                                                    let _e1960 = (_e1952.y - (_e1305 * _e1952.z));
-                                                                    let _e1964 = triangles.member[(0u + _e1901)].v2_;
-                                                                    let _e1966 = (_e1964.x - _e1011);
-                                                                    let _e1968 = (_e1964.y - _e1024);
-                                                                    let _e1970 = (_e1964.z - _e1037);
+                                                                    let _e1950 = phi_2434_;
+                                                                    let _e1954 = (_e1950.x - (_e1302 * _e1950.z));
+                                                                    let _e1958 = (_e1950.y - (_e1305 * _e1950.z));
+                                                                    let _e1960 = triangles.member[(0u + _e1901)].v2_;
+                                                                    let _e1962 = (_e1960.x - _e1011);
+                                                                    let _e1964 = (_e1960.y - _e1024);
+                                                                    let _e1966 = (_e1960.z - _e1037);
                                                                     if (_e1291 == 0u) {
-                                                                        phi_2468_ = vec3<f32>(_e1968, _e1970, _e1966);
+                                                                        phi_2464_ = vec3<f32>(_e1964, _e1966, _e1962);
                                                                     } else {
                                                                         if (_e1291 == 1u) {
-                                                                            phi_2467_ = vec3<f32>(_e1970, _e1966, _e1968);
+                                                                            phi_2463_ = vec3<f32>(_e1966, _e1962, _e1964);
                                                                         } else {
-                                                                            phi_2467_ = (_e1964 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2463_ = (_e1960 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1978 = phi_2467_;
-                                                                        phi_2468_ = _e1978;
+                                                                        let _e1974 = phi_2463_;
+                                                                        phi_2464_ = _e1974;
                                                                     }
-                                                                    let _e1980 = phi_2468_;
-                                                                    let _e1984 = (_e1980.x - (_e1302 * _e1980.z));
-                                                                    let _e1988 = (_e1980.y - (_e1305 * _e1980.z));
-                                                                    if (_e1956 < _e1984) {
-                                                                        phi_2489_ = true;
+                                                                    let _e1976 = phi_2464_;
+                                                                    let _e1980 = (_e1976.x - (_e1302 * _e1976.z));
+                                                                    let _e1984 = (_e1976.y - (_e1305 * _e1976.z));
+                                                                    if (_e1954 < _e1980) {
+                                                                        phi_2483_ = true;
                                                                     } else {
-                                                                        if (_e1956 == _e1984) {
-                                                                            phi_2488_ = (_e1960 < _e1988);
+                                                                        if (_e1954 == _e1980) {
+                                                                            phi_2482_ = (_e1958 < _e1984);
                                                                         } else {
-                                                                            phi_2488_ = false;
+                                                                            phi_2482_ = false;
                                                                         }
-                                                                        let _e1995 = phi_2488_;
-                                                                        phi_2489_ = _e1995;
+                                                                        let _e1989 = phi_2482_;
+                                                                        phi_2483_ = _e1989;
                                                                     }
+                                                                    let _e1991 = phi_2483_;
+                                                                    if _e1991 {
+                                                                        phi_2487_ = _e1984;
+                                                                        phi_2488_ = _e1980;
+                                                                        phi_2489_ = _e1958;
+                                                                        phi_2490_ = _e1954;
+                                                                    } else {
+                                                                        phi_2487_ = _e1958;
+                                                                        phi_2488_ = _e1954;
+                                                                        phi_2489_ = _e1984;
+                                                                        phi_2490_ = _e1980;
+                                                                    }
+                                                                    let _e1993 = phi_2487_;
+                                                                    let _e1995 = phi_2488_;
                                                                     let _e1997 = phi_2489_;
-                                                                    if _e1997 {
-                                                                        phi_2493_ = _e1988;
-                                                                        phi_2494_ = _e1984;
-                                                                        phi_2495_ = _e1960;
-                                                                        phi_2496_ = _e1956;
+                                                                    let _e1999 = phi_2490_;
+                                                                    let _e2002 = ((_e1999 * _e1993) - (_e1997 * _e1995));
+                                                                    if _e1991 {
+                                                                        phi_2498_ = -(_e2002);
                                                                     } else {
-                                                                        phi_2493_ = _e1960;
-                                                                        phi_2494_ = _e1956;
-                                                                        phi_2495_ = _e1988;
-                                                                        phi_2496_ = _e1984;
+                                                                        phi_2498_ = _e2002;
                                                                     }
-                                                                    let _e1999 = phi_2493_;
-                                                                    let _e2001 = phi_2494_;
-                                                                    let _e2003 = phi_2495_;
-                                                                    let _e2005 = phi_2496_;
-                                                                    let _e2008 = ((_e2005 * _e1999) - (_e2003 * _e2001));
-                                                                    if _e1997 {
-                                                                        phi_2504_ = -(_e2008);
+                                                                    let _e2005 = phi_2498_;
+                                                                    if (_e1980 < _e1928) {
+                                                                        phi_2509_ = true;
                                                                     } else {
-                                                                        phi_2504_ = _e2008;
-                                                                    }
-                                                                    let _e2011 = phi_2504_;
-                                                                    if (_e1984 < _e1928) {
-                                                                        phi_2515_ = true;
-                                                                    } else {
-                                                                        if (_e1984 == _e1928) {
-                                                                            phi_2514_ = (_e1988 < _e1932);
+                                                                        if (_e1980 == _e1928) {
+                                                                            phi_2508_ = (_e1984 < _e1932);
                                                                         } else {
-                                                                            phi_2514_ = false;
+                                                                            phi_2508_ = false;
                                                                         }
-                                                                        let _e2016 = phi_2514_;
-                                                                        phi_2515_ = _e2016;
+                                                                        let _e2010 = phi_2508_;
+                                                                        phi_2509_ = _e2010;
                                                                     }
+                                                                    let _e2012 = phi_2509_;
+                                                                    if _e2012 {
+                                                                        phi_2513_ = _e1932;
+                                                                        phi_2514_ = _e1928;
+                                                                        phi_2515_ = _e1984;
+                                                                        phi_2516_ = _e1980;
+                                                                    } else {
+                                                                        phi_2513_ = _e1984;
+                                                                        phi_2514_ = _e1980;
+                                                                        phi_2515_ = _e1932;
+                                                                        phi_2516_ = _e1928;
+                                                                    }
+                                                                    let _e2014 = phi_2513_;
+                                                                    let _e2016 = phi_2514_;
                                                                     let _e2018 = phi_2515_;
-                                                                    if _e2018 {
-                                                                        phi_2519_ = _e1932;
-                                                                        phi_2520_ = _e1928;
-                                                                        phi_2521_ = _e1988;
-                                                                        phi_2522_ = _e1984;
+                                                                    let _e2020 = phi_2516_;
+                                                                    let _e2023 = ((_e2020 * _e2014) - (_e2018 * _e2016));
+                                                                    if _e2012 {
+                                                                        phi_2524_ = -(_e2023);
                                                                     } else {
-                                                                        phi_2519_ = _e1988;
-                                                                        phi_2520_ = _e1984;
-                                                                        phi_2521_ = _e1932;
-                                                                        phi_2522_ = _e1928;
+                                                                        phi_2524_ = _e2023;
                                                                     }
-                                                                    let _e2020 = phi_2519_;
-                                                                    let _e2022 = phi_2520_;
-                                                                    let _e2024 = phi_2521_;
-                                                                    let _e2026 = phi_2522_;
-                                                                    let _e2029 = ((_e2026 * _e2020) - (_e2024 * _e2022));
-                                                                    if _e2018 {
-                                                                        phi_2530_ = -(_e2029);
+                                                                    let _e2026 = phi_2524_;
+                                                                    if (_e1928 < _e1954) {
+                                                                        phi_2535_ = true;
                                                                     } else {
-                                                                        phi_2530_ = _e2029;
-                                                                    }
-                                                                    let _e2032 = phi_2530_;
-                                                                    if (_e1928 < _e1956) {
-                                                                        phi_2541_ = true;
-                                                                    } else {
-                                                                        if (_e1928 == _e1956) {
-                                                                            phi_2540_ = (_e1932 < _e1960);
+                                                                        if (_e1928 == _e1954) {
+                                                                            phi_2534_ = (_e1932 < _e1958);
                                                                         } else {
-                                                                            phi_2540_ = false;
+                                                                            phi_2534_ = false;
                                                                         }
-                                                                        let _e2037 = phi_2540_;
-                                                                        phi_2541_ = _e2037;
+                                                                        let _e2031 = phi_2534_;
+                                                                        phi_2535_ = _e2031;
                                                                     }
+                                                                    let _e2033 = phi_2535_;
+                                                                    if _e2033 {
+                                                                        phi_2539_ = _e1958;
+                                                                        phi_2540_ = _e1954;
+                                                                        phi_2541_ = _e1932;
+                                                                        phi_2542_ = _e1928;
+                                                                    } else {
+                                                                        phi_2539_ = _e1932;
+                                                                        phi_2540_ = _e1928;
+                                                                        phi_2541_ = _e1958;
+                                                                        phi_2542_ = _e1954;
+                                                                    }
+                                                                    let _e2035 = phi_2539_;
+                                                                    let _e2037 = phi_2540_;
                                                                     let _e2039 = phi_2541_;
-                                                                    if _e2039 {
-                                                                        phi_2545_ = _e1960;
-                                                                        phi_2546_ = _e1956;
-                                                                        phi_2547_ = _e1932;
-                                                                        phi_2548_ = _e1928;
+                                                                    let _e2041 = phi_2542_;
+                                                                    let _e2044 = ((_e2041 * _e2035) - (_e2039 * _e2037));
+                                                                    if _e2033 {
+                                                                        phi_2550_ = -(_e2044);
                                                                     } else {
-                                                                        phi_2545_ = _e1932;
-                                                                        phi_2546_ = _e1928;
-                                                                        phi_2547_ = _e1960;
-                                                                        phi_2548_ = _e1956;
+                                                                        phi_2550_ = _e2044;
                                                                     }
-                                                                    let _e2041 = phi_2545_;
-                                                                    let _e2043 = phi_2546_;
-                                                                    let _e2045 = phi_2547_;
-                                                                    let _e2047 = phi_2548_;
-                                                                    let _e2050 = ((_e2047 * _e2041) - (_e2045 * _e2043));
-                                                                    if _e2039 {
-                                                                        phi_2556_ = -(_e2050);
-                                                                    } else {
-                                                                        phi_2556_ = _e2050;
-                                                                    }
-                                                                    let _e2053 = phi_2556_;
-                                                                    if (_e2011 >= 0f) {
-                                                                        if (_e2032 >= 0f) {
-                                                                            if (_e2053 >= 0f) {
-                                                                                phi_2571_ = ((_e2011 + _e2032) + _e2053);
-                                                                                phi_2572_ = false;
+                                                                    let _e2047 = phi_2550_;
+                                                                    if (_e2005 >= 0f) {
+                                                                        if (_e2026 >= 0f) {
+                                                                            if (_e2047 >= 0f) {
+                                                                                phi_2565_ = ((_e2005 + _e2026) + _e2047);
+                                                                                phi_2566_ = false;
                                                                             } else {
-                                                                                phi_2571_ = f32();
-                                                                                phi_2572_ = true;
+                                                                                phi_2565_ = f32();
+                                                                                phi_2566_ = true;
                                                                             }
-                                                                            let _e2060 = phi_2571_;
-                                                                            let _e2062 = phi_2572_;
-                                                                            phi_2573_ = _e2060;
-                                                                            phi_2574_ = _e2062;
+                                                                            let _e2054 = phi_2565_;
+                                                                            let _e2056 = phi_2566_;
+                                                                            phi_2567_ = _e2054;
+                                                                            phi_2568_ = _e2056;
                                                                         } else {
-                                                                            phi_2573_ = f32();
-                                                                            phi_2574_ = true;
+                                                                            phi_2567_ = f32();
+                                                                            phi_2568_ = true;
                                                                         }
-                                                                        let _e2064 = phi_2573_;
-                                                                        let _e2066 = phi_2574_;
-                                                                        phi_2575_ = _e2064;
-                                                                        phi_2576_ = _e2066;
+                                                                        let _e2058 = phi_2567_;
+                                                                        let _e2060 = phi_2568_;
+                                                                        phi_2569_ = _e2058;
+                                                                        phi_2570_ = _e2060;
                                                                     } else {
-                                                                        phi_2575_ = f32();
-                                                                        phi_2576_ = true;
+                                                                        phi_2569_ = f32();
+                                                                        phi_2570_ = true;
                                                                     }
-                                                                    let _e2068 = phi_2575_;
-                                                                    let _e2070 = phi_2576_;
-                                                                    if _e2070 {
-                                                                        if (_e2011 <= 0f) {
-                                                                            if (_e2032 <= 0f) {
-                                                                                let _e2073 = (_e2053 <= 0f);
-                                                                                if _e2073 {
+                                                                    let _e2062 = phi_2569_;
+                                                                    let _e2064 = phi_2570_;
+                                                                    if _e2064 {
+                                                                        if (_e2005 <= 0f) {
+                                                                            if (_e2026 <= 0f) {
+                                                                                let _e2067 = (_e2047 <= 0f);
+                                                                                if _e2067 {
                                                                                 }
-                                                                                phi_2594_ = ((_e2011 + _e2032) + _e2053);
-                                                                                phi_2595_ = false;
-                                                                                phi_2596_ = _e2073;
+                                                                                phi_2588_ = ((_e2005 + _e2026) + _e2047);
+                                                                                phi_2589_ = false;
+                                                                                phi_2590_ = _e2067;
                                                                             } else {
-                                                                                phi_2594_ = f32();
-                                                                                phi_2595_ = true;
-                                                                                phi_2596_ = false;
+                                                                                phi_2588_ = f32();
+                                                                                phi_2589_ = true;
+                                                                                phi_2590_ = false;
                                                                             }
-                                                                            let _e2077 = phi_2594_;
-                                                                            let _e2079 = phi_2595_;
-                                                                            let _e2081 = phi_2596_;
-                                                                            phi_2597_ = _e2077;
-                                                                            phi_2598_ = _e2079;
-                                                                            phi_2599_ = _e2081;
+                                                                            let _e2071 = phi_2588_;
+                                                                            let _e2073 = phi_2589_;
+                                                                            let _e2075 = phi_2590_;
+                                                                            phi_2591_ = _e2071;
+                                                                            phi_2592_ = _e2073;
+                                                                            phi_2593_ = _e2075;
                                                                         } else {
-                                                                            phi_2597_ = f32();
-                                                                            phi_2598_ = true;
-                                                                            phi_2599_ = false;
+                                                                            phi_2591_ = f32();
+                                                                            phi_2592_ = true;
+                                                                            phi_2593_ = false;
+                                                                        }
+                                                                        let _e2077 = phi_2591_;
+                                                                        let _e2079 = phi_2592_;
+                                                                        let _e2081 = phi_2593_;
+                                                                        if _e2079 {
+                                                                            phi_2597_ = false;
+                                                                        } else {
+                                                                            phi_2597_ = _e2081;
                                                                         }
                                                                         let _e2083 = phi_2597_;
-                                                                        let _e2085 = phi_2598_;
-                                                                        let _e2087 = phi_2599_;
-                                                                        if _e2085 {
-                                                                            phi_2603_ = false;
-                                                                        } else {
-                                                                            phi_2603_ = _e2087;
-                                                                        }
-                                                                        let _e2089 = phi_2603_;
-                                                                        phi_2604_ = _e2083;
-                                                                        phi_2605_ = _e2089;
+                                                                        phi_2598_ = _e2077;
+                                                                        phi_2599_ = _e2083;
                                                                     } else {
-                                                                        phi_2604_ = _e2068;
-                                                                        phi_2605_ = true;
+                                                                        phi_2598_ = _e2062;
+                                                                        phi_2599_ = true;
                                                                     }
-                                                                    let _e2091 = phi_2604_;
-                                                                    let _e2093 = phi_2605_;
-                                                                    if _e2093 {
-                                                                        let _e2094 = (_e2091 == 0f);
-                                                                        if _e2094 {
-                                                                            phi_2818_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2819_ = false;
+                                                                    let _e2085 = phi_2598_;
+                                                                    let _e2087 = phi_2599_;
+                                                                    if _e2087 {
+                                                                        let _e2088 = (_e2085 == 0f);
+                                                                        if _e2088 {
+                                                                            phi_2915_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2916_ = false;
                                                                         } else {
-                                                                            let _e2100 = ((((_e2011 * (_e1307 * _e1924.z)) + (_e2032 * (_e1307 * _e1952.z))) + (_e2053 * (_e1307 * _e1980.z))) / _e2091);
-                                                                            if (_e2100 > 0f) {
-                                                                                if (_e2100 < _e141) {
-                                                                                    let _e2104 = triangles.member[(0u + _e1901)].v0_;
-                                                                                    let _e2106 = triangles.member[(0u + _e1901)].v1_;
-                                                                                    if (_e2104.x < _e2106.x) {
-                                                                                        phi_2639_ = _e2104.x;
-                                                                                    } else {
-                                                                                        phi_2639_ = _e2106.x;
-                                                                                    }
-                                                                                    let _e2113 = phi_2639_;
-                                                                                    if (_e2104.y < _e2106.y) {
-                                                                                        phi_2648_ = _e2104.y;
-                                                                                    } else {
-                                                                                        phi_2648_ = _e2106.y;
-                                                                                    }
-                                                                                    let _e2120 = phi_2648_;
-                                                                                    if (_e2104.z < _e2106.z) {
-                                                                                        phi_2657_ = _e2104.z;
-                                                                                    } else {
-                                                                                        phi_2657_ = _e2106.z;
-                                                                                    }
-                                                                                    let _e2127 = phi_2657_;
-                                                                                    let _e2129 = triangles.member[(0u + _e1901)].v2_;
-                                                                                    if (_e2113 < _e2129.x) {
-                                                                                        phi_2666_ = _e2113;
-                                                                                    } else {
-                                                                                        phi_2666_ = _e2129.x;
-                                                                                    }
-                                                                                    let _e2134 = phi_2666_;
-                                                                                    if (_e2120 < _e2129.y) {
-                                                                                        phi_2673_ = _e2120;
-                                                                                    } else {
-                                                                                        phi_2673_ = _e2129.y;
-                                                                                    }
-                                                                                    let _e2139 = phi_2673_;
-                                                                                    if (_e2127 < _e2129.z) {
-                                                                                        phi_2680_ = _e2127;
-                                                                                    } else {
-                                                                                        phi_2680_ = _e2129.z;
-                                                                                    }
-                                                                                    let _e2144 = phi_2680_;
-                                                                                    let _e2146 = triangles.member[(0u + _e1901)].v0_;
-                                                                                    let _e2148 = triangles.member[(0u + _e1901)].v1_;
-                                                                                    if (_e2146.x > _e2148.x) {
-                                                                                        phi_2693_ = _e2146.x;
-                                                                                    } else {
-                                                                                        phi_2693_ = _e2148.x;
-                                                                                    }
-                                                                                    let _e2155 = phi_2693_;
-                                                                                    if (_e2146.y > _e2148.y) {
-                                                                                        phi_2702_ = _e2146.y;
-                                                                                    } else {
-                                                                                        phi_2702_ = _e2148.y;
-                                                                                    }
-                                                                                    let _e2162 = phi_2702_;
-                                                                                    if (_e2146.z > _e2148.z) {
-                                                                                        phi_2711_ = _e2146.z;
-                                                                                    } else {
-                                                                                        phi_2711_ = _e2148.z;
-                                                                                    }
-                                                                                    let _e2169 = phi_2711_;
-                                                                                    let _e2171 = triangles.member[(0u + _e1901)].v2_;
-                                                                                    if (_e2155 > _e2171.x) {
-                                                                                        phi_2720_ = _e2155;
-                                                                                    } else {
-                                                                                        phi_2720_ = _e2171.x;
-                                                                                    }
-                                                                                    let _e2176 = phi_2720_;
-                                                                                    if (_e2162 > _e2171.y) {
-                                                                                        phi_2727_ = _e2162;
-                                                                                    } else {
-                                                                                        phi_2727_ = _e2171.y;
-                                                                                    }
-                                                                                    let _e2181 = phi_2727_;
-                                                                                    if (_e2169 > _e2171.z) {
-                                                                                        phi_2734_ = _e2169;
-                                                                                    } else {
-                                                                                        phi_2734_ = _e2171.z;
-                                                                                    }
-                                                                                    let _e2186 = phi_2734_;
-                                                                                    let _e2190 = ((_e2134 - _e1011) * _e1220);
-                                                                                    let _e2191 = ((_e2139 - _e1024) * _e1230);
-                                                                                    let _e2192 = ((_e2144 - _e1037) * _e1240);
-                                                                                    let _e2196 = ((_e2176 - _e1011) * _e1220);
-                                                                                    let _e2197 = ((_e2181 - _e1024) * _e1230);
-                                                                                    let _e2198 = ((_e2186 - _e1037) * _e1240);
-                                                                                    if (_e2190 < _e2196) {
-                                                                                        phi_2751_ = _e2190;
-                                                                                    } else {
-                                                                                        phi_2751_ = _e2196;
-                                                                                    }
-                                                                                    let _e2201 = phi_2751_;
-                                                                                    if (_e2191 < _e2197) {
-                                                                                        phi_2756_ = _e2191;
-                                                                                    } else {
-                                                                                        phi_2756_ = _e2197;
-                                                                                    }
-                                                                                    let _e2204 = phi_2756_;
-                                                                                    if (_e2192 < _e2198) {
-                                                                                        phi_2761_ = _e2192;
-                                                                                    } else {
-                                                                                        phi_2761_ = _e2198;
-                                                                                    }
-                                                                                    let _e2207 = phi_2761_;
-                                                                                    if (_e2190 > _e2196) {
-                                                                                        phi_2769_ = _e2190;
-                                                                                    } else {
-                                                                                        phi_2769_ = _e2196;
-                                                                                    }
-                                                                                    let _e2213 = phi_2769_;
-                                                                                    if (_e2191 > _e2197) {
-                                                                                        phi_2774_ = _e2191;
-                                                                                    } else {
-                                                                                        phi_2774_ = _e2197;
-                                                                                    }
-                                                                                    let _e2216 = phi_2774_;
-                                                                                    if (_e2192 > _e2198) {
-                                                                                        phi_2779_ = _e2192;
-                                                                                    } else {
-                                                                                        phi_2779_ = _e2198;
-                                                                                    }
-                                                                                    let _e2219 = phi_2779_;
-                                                                                    let _e2223 = core_intrinsics_maximum_number_nsz_f32_((_e2201 - _e1275), (_e2204 - _e1276));
-                                                                                    let _e2224 = core_intrinsics_maximum_number_nsz_f32_(_e2223, (_e2207 - _e1277));
-                                                                                    let _e2225 = core_intrinsics_minimum_number_nsz_f32_((_e2213 + _e1275), (_e2216 + _e1276));
-                                                                                    let _e2226 = core_intrinsics_minimum_number_nsz_f32_(_e2225, (_e2219 + _e1277));
-                                                                                    if (_e2224 > _e992) {
-                                                                                        phi_2791_ = _e2224;
-                                                                                    } else {
-                                                                                        phi_2791_ = _e992;
-                                                                                    }
-                                                                                    let _e2229 = phi_2791_;
-                                                                                    if (_e2226 < _e994) {
-                                                                                        phi_2796_ = _e2226;
-                                                                                    } else {
-                                                                                        phi_2796_ = _e994;
-                                                                                    }
-                                                                                    let _e2232 = phi_2796_;
-                                                                                    if (_e2100 < _e2229) {
-                                                                                        phi_2801_ = _e2229;
-                                                                                    } else {
-                                                                                        phi_2801_ = _e2100;
-                                                                                    }
-                                                                                    let _e2235 = phi_2801_;
-                                                                                    if (_e2235 > _e2232) {
-                                                                                        phi_2806_ = _e2232;
-                                                                                    } else {
-                                                                                        phi_2806_ = _e2235;
-                                                                                    }
-                                                                                    let _e2238 = phi_2806_;
-                                                                                    phi_2811_ = lt_bvh_triangle_Intersection(_e2238, (_e2032 / _e2091), (_e2053 / _e2091), (_e2229 <= _e2232));
-                                                                                    phi_2812_ = false;
-                                                                                } else {
-                                                                                    phi_2811_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2812_ = true;
-                                                                                }
-                                                                                let _e2244 = phi_2811_;
-                                                                                let _e2246 = phi_2812_;
-                                                                                phi_2813_ = _e2244;
-                                                                                phi_2814_ = _e2246;
+                                                                            let _e2090 = triangles.member[(0u + _e1901)].v0_;
+                                                                            let _e2092 = (_e2090.x - _e1011);
+                                                                            let _e2094 = (_e2090.y - _e1024);
+                                                                            let _e2096 = (_e2090.z - _e1037);
+                                                                            if (_e1291 == 0u) {
+                                                                                phi_2628_ = vec3<f32>(_e2094, _e2096, _e2092);
                                                                             } else {
-                                                                                phi_2813_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2814_ = true;
+                                                                                if (_e1291 == 1u) {
+                                                                                    phi_2627_ = vec3<f32>(_e2096, _e2092, _e2094);
+                                                                                } else {
+                                                                                    phi_2627_ = (_e2090 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                                }
+                                                                                let _e2104 = phi_2627_;
+                                                                                phi_2628_ = _e2104;
                                                                             }
-                                                                            let _e2248 = phi_2813_;
-                                                                            let _e2250 = phi_2814_;
-                                                                            if _e2250 {
+                                                                            let _e2106 = phi_2628_;
+                                                                            let _e2108 = triangles.member[(0u + _e1901)].v1_;
+                                                                            let _e2110 = triangles.member[(0u + _e1901)].v0_;
+                                                                            let _e2113 = (_e2108.x - _e2110.x);
+                                                                            let _e2116 = (_e2108.y - _e2110.y);
+                                                                            let _e2119 = (_e2108.z - _e2110.z);
+                                                                            if (_e1291 == 0u) {
+                                                                                phi_2654_ = vec3<f32>(_e2116, _e2119, _e2113);
+                                                                            } else {
+                                                                                if (_e1291 == 1u) {
+                                                                                    phi_2653_ = vec3<f32>(_e2119, _e2113, _e2116);
+                                                                                } else {
+                                                                                    phi_2653_ = (_e2108 - _e2110);
+                                                                                }
+                                                                                let _e2126 = phi_2653_;
+                                                                                phi_2654_ = _e2126;
                                                                             }
-                                                                            phi_2818_ = _e2248;
-                                                                            phi_2819_ = _e2250;
+                                                                            let _e2128 = phi_2654_;
+                                                                            let _e2130 = triangles.member[(0u + _e1901)].v2_;
+                                                                            let _e2132 = triangles.member[(0u + _e1901)].v0_;
+                                                                            let _e2135 = (_e2130.x - _e2132.x);
+                                                                            let _e2138 = (_e2130.y - _e2132.y);
+                                                                            let _e2141 = (_e2130.z - _e2132.z);
+                                                                            if (_e1291 == 0u) {
+                                                                                phi_2680_ = vec3<f32>(_e2138, _e2141, _e2135);
+                                                                            } else {
+                                                                                if (_e1291 == 1u) {
+                                                                                    phi_2679_ = vec3<f32>(_e2141, _e2135, _e2138);
+                                                                                } else {
+                                                                                    phi_2679_ = (_e2130 - _e2132);
+                                                                                }
+                                                                                let _e2148 = phi_2679_;
+                                                                                phi_2680_ = _e2148;
+                                                                            }
+                                                                            let _e2150 = phi_2680_;
+                                                                            let _e2157 = ((_e2128.y * _e2150.z) - (_e2128.z * _e2150.y));
+                                                                            let _e2164 = ((_e2128.z * _e2150.x) - (_e2128.x * _e2150.z));
+                                                                            let _e2171 = ((_e2128.x * _e2150.y) - (_e2128.y * _e2150.x));
+                                                                            let _e2185 = (((1f / _e1299.z) * (((_e2157 * _e2106.x) + (_e2164 * _e2106.y)) + (_e2171 * _e2106.z))) / (((_e2157 * _e1302) + (_e2164 * _e1305)) + _e2171));
+                                                                            if (_e2185 > 0f) {
+                                                                                if (_e2185 < _e141) {
+                                                                                    let _e2189 = triangles.member[(0u + _e1901)].v0_;
+                                                                                    let _e2191 = triangles.member[(0u + _e1901)].v1_;
+                                                                                    if (_e2189.x < _e2191.x) {
+                                                                                        phi_2736_ = _e2189.x;
+                                                                                    } else {
+                                                                                        phi_2736_ = _e2191.x;
+                                                                                    }
+                                                                                    let _e2198 = phi_2736_;
+                                                                                    if (_e2189.y < _e2191.y) {
+                                                                                        phi_2745_ = _e2189.y;
+                                                                                    } else {
+                                                                                        phi_2745_ = _e2191.y;
+                                                                                    }
+                                                                                    let _e2205 = phi_2745_;
+                                                                                    if (_e2189.z < _e2191.z) {
+                                                                                        phi_2754_ = _e2189.z;
+                                                                                    } else {
+                                                                                        phi_2754_ = _e2191.z;
+                                                                                    }
+                                                                                    let _e2212 = phi_2754_;
+                                                                                    let _e2214 = triangles.member[(0u + _e1901)].v2_;
+                                                                                    if (_e2198 < _e2214.x) {
+                                                                                        phi_2763_ = _e2198;
+                                                                                    } else {
+                                                                                        phi_2763_ = _e2214.x;
+                                                                                    }
+                                                                                    let _e2219 = phi_2763_;
+                                                                                    if (_e2205 < _e2214.y) {
+                                                                                        phi_2770_ = _e2205;
+                                                                                    } else {
+                                                                                        phi_2770_ = _e2214.y;
+                                                                                    }
+                                                                                    let _e2224 = phi_2770_;
+                                                                                    if (_e2212 < _e2214.z) {
+                                                                                        phi_2777_ = _e2212;
+                                                                                    } else {
+                                                                                        phi_2777_ = _e2214.z;
+                                                                                    }
+                                                                                    let _e2229 = phi_2777_;
+                                                                                    let _e2231 = triangles.member[(0u + _e1901)].v0_;
+                                                                                    let _e2233 = triangles.member[(0u + _e1901)].v1_;
+                                                                                    if (_e2231.x > _e2233.x) {
+                                                                                        phi_2790_ = _e2231.x;
+                                                                                    } else {
+                                                                                        phi_2790_ = _e2233.x;
+                                                                                    }
+                                                                                    let _e2240 = phi_2790_;
+                                                                                    if (_e2231.y > _e2233.y) {
+                                                                                        phi_2799_ = _e2231.y;
+                                                                                    } else {
+                                                                                        phi_2799_ = _e2233.y;
+                                                                                    }
+                                                                                    let _e2247 = phi_2799_;
+                                                                                    if (_e2231.z > _e2233.z) {
+                                                                                        phi_2808_ = _e2231.z;
+                                                                                    } else {
+                                                                                        phi_2808_ = _e2233.z;
+                                                                                    }
+                                                                                    let _e2254 = phi_2808_;
+                                                                                    let _e2256 = triangles.member[(0u + _e1901)].v2_;
+                                                                                    if (_e2240 > _e2256.x) {
+                                                                                        phi_2817_ = _e2240;
+                                                                                    } else {
+                                                                                        phi_2817_ = _e2256.x;
+                                                                                    }
+                                                                                    let _e2261 = phi_2817_;
+                                                                                    if (_e2247 > _e2256.y) {
+                                                                                        phi_2824_ = _e2247;
+                                                                                    } else {
+                                                                                        phi_2824_ = _e2256.y;
+                                                                                    }
+                                                                                    let _e2266 = phi_2824_;
+                                                                                    if (_e2254 > _e2256.z) {
+                                                                                        phi_2831_ = _e2254;
+                                                                                    } else {
+                                                                                        phi_2831_ = _e2256.z;
+                                                                                    }
+                                                                                    let _e2271 = phi_2831_;
+                                                                                    let _e2275 = ((_e2219 - _e1011) * _e1220);
+                                                                                    let _e2276 = ((_e2224 - _e1024) * _e1230);
+                                                                                    let _e2277 = ((_e2229 - _e1037) * _e1240);
+                                                                                    let _e2281 = ((_e2261 - _e1011) * _e1220);
+                                                                                    let _e2282 = ((_e2266 - _e1024) * _e1230);
+                                                                                    let _e2283 = ((_e2271 - _e1037) * _e1240);
+                                                                                    if (_e2275 < _e2281) {
+                                                                                        phi_2848_ = _e2275;
+                                                                                    } else {
+                                                                                        phi_2848_ = _e2281;
+                                                                                    }
+                                                                                    let _e2286 = phi_2848_;
+                                                                                    if (_e2276 < _e2282) {
+                                                                                        phi_2853_ = _e2276;
+                                                                                    } else {
+                                                                                        phi_2853_ = _e2282;
+                                                                                    }
+                                                                                    let _e2289 = phi_2853_;
+                                                                                    if (_e2277 < _e2283) {
+                                                                                        phi_2858_ = _e2277;
+                                                                                    } else {
+                                                                                        phi_2858_ = _e2283;
+                                                                                    }
+                                                                                    let _e2292 = phi_2858_;
+                                                                                    if (_e2275 > _e2281) {
+                                                                                        phi_2866_ = _e2275;
+                                                                                    } else {
+                                                                                        phi_2866_ = _e2281;
+                                                                                    }
+                                                                                    let _e2298 = phi_2866_;
+                                                                                    if (_e2276 > _e2282) {
+                                                                                        phi_2871_ = _e2276;
+                                                                                    } else {
+                                                                                        phi_2871_ = _e2282;
+                                                                                    }
+                                                                                    let _e2301 = phi_2871_;
+                                                                                    if (_e2277 > _e2283) {
+                                                                                        phi_2876_ = _e2277;
+                                                                                    } else {
+                                                                                        phi_2876_ = _e2283;
+                                                                                    }
+                                                                                    let _e2304 = phi_2876_;
+                                                                                    let _e2308 = core_intrinsics_maximum_number_nsz_f32_((_e2286 - _e1275), (_e2289 - _e1276));
+                                                                                    let _e2309 = core_intrinsics_maximum_number_nsz_f32_(_e2308, (_e2292 - _e1277));
+                                                                                    let _e2310 = core_intrinsics_minimum_number_nsz_f32_((_e2298 + _e1275), (_e2301 + _e1276));
+                                                                                    let _e2311 = core_intrinsics_minimum_number_nsz_f32_(_e2310, (_e2304 + _e1277));
+                                                                                    if (_e2309 > _e992) {
+                                                                                        phi_2888_ = _e2309;
+                                                                                    } else {
+                                                                                        phi_2888_ = _e992;
+                                                                                    }
+                                                                                    let _e2314 = phi_2888_;
+                                                                                    if (_e2311 < _e994) {
+                                                                                        phi_2893_ = _e2311;
+                                                                                    } else {
+                                                                                        phi_2893_ = _e994;
+                                                                                    }
+                                                                                    let _e2317 = phi_2893_;
+                                                                                    if (_e2185 < _e2314) {
+                                                                                        phi_2898_ = _e2314;
+                                                                                    } else {
+                                                                                        phi_2898_ = _e2185;
+                                                                                    }
+                                                                                    let _e2320 = phi_2898_;
+                                                                                    if (_e2320 > _e2317) {
+                                                                                        phi_2903_ = _e2317;
+                                                                                    } else {
+                                                                                        phi_2903_ = _e2320;
+                                                                                    }
+                                                                                    let _e2323 = phi_2903_;
+                                                                                    phi_2908_ = lt_bvh_triangle_Intersection(_e2323, (_e2026 / _e2085), (_e2047 / _e2085), (_e2314 <= _e2317));
+                                                                                    phi_2909_ = false;
+                                                                                } else {
+                                                                                    phi_2908_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2909_ = true;
+                                                                                }
+                                                                                let _e2329 = phi_2908_;
+                                                                                let _e2331 = phi_2909_;
+                                                                                phi_2910_ = _e2329;
+                                                                                phi_2911_ = _e2331;
+                                                                            } else {
+                                                                                phi_2910_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2911_ = true;
+                                                                            }
+                                                                            let _e2333 = phi_2910_;
+                                                                            let _e2335 = phi_2911_;
+                                                                            if _e2335 {
+                                                                            }
+                                                                            phi_2915_ = _e2333;
+                                                                            phi_2916_ = _e2335;
                                                                         }
-                                                                        let _e2252 = phi_2818_;
-                                                                        let _e2254 = phi_2819_;
-                                                                        phi_2820_ = _e2252;
-                                                                        phi_2821_ = _e2094;
-                                                                        phi_2822_ = _e2254;
+                                                                        let _e2337 = phi_2915_;
+                                                                        let _e2339 = phi_2916_;
+                                                                        phi_2917_ = _e2337;
+                                                                        phi_2918_ = _e2088;
+                                                                        phi_2919_ = _e2339;
                                                                     } else {
-                                                                        phi_2820_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2821_ = true;
-                                                                        phi_2822_ = false;
+                                                                        phi_2917_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2918_ = true;
+                                                                        phi_2919_ = false;
                                                                     }
-                                                                    let _e2256 = phi_2820_;
-                                                                    let _e2258 = phi_2821_;
-                                                                    let _e2260 = phi_2822_;
-                                                                    if _e2258 {
-                                                                        phi_2826_ = true;
+                                                                    let _e2341 = phi_2917_;
+                                                                    let _e2343 = phi_2918_;
+                                                                    let _e2345 = phi_2919_;
+                                                                    if _e2343 {
+                                                                        phi_2923_ = true;
                                                                     } else {
-                                                                        phi_2826_ = _e2260;
+                                                                        phi_2923_ = _e2345;
                                                                     }
-                                                                    let _e2262 = phi_2826_;
-                                                                    if _e2262 {
-                                                                        phi_2830_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2347 = phi_2923_;
+                                                                    if _e2347 {
+                                                                        phi_2927_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2830_ = _e2256;
+                                                                        phi_2927_ = _e2341;
                                                                     }
-                                                                    let _e2264 = phi_2830_;
-                                                                    if _e2264.is_hit {
-                                                                        if (_e2264.t > 0f) {
-                                                                            if (_e2264.t < _e141) {
-                                                                                let _e2271 = triangles.member[(0u + _e1901)].i0_;
-                                                                                let _e2273 = ((_e2271 & 2147483648u) == 0u);
-                                                                                if _e2273 {
-                                                                                    phi_3053_ = false;
-                                                                                    phi_3054_ = false;
+                                                                    let _e2349 = phi_2927_;
+                                                                    if _e2349.is_hit {
+                                                                        if (_e2349.t > 0f) {
+                                                                            if (_e2349.t < _e141) {
+                                                                                let _e2356 = triangles.member[(0u + _e1901)].i0_;
+                                                                                let _e2358 = ((_e2356 & 2147483648u) == 0u);
+                                                                                if _e2358 {
+                                                                                    phi_3150_ = false;
+                                                                                    phi_3151_ = false;
                                                                                 } else {
                                                                                     if (_e1901 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2280 = triangles.member[(0u + _e1901)].i0_;
-                                                                                    let _e2281 = (_e2280 & 2147483647u);
-                                                                                    let _e2283 = triangles.member[(0u + _e1901)].i1_;
-                                                                                    let _e2285 = triangles.member[(0u + _e1901)].i2_;
-                                                                                    if (_e2281 < _e91) {
+                                                                                    let _e2365 = triangles.member[(0u + _e1901)].i0_;
+                                                                                    let _e2366 = (_e2365 & 2147483647u);
+                                                                                    let _e2368 = triangles.member[(0u + _e1901)].i1_;
+                                                                                    let _e2370 = triangles.member[(0u + _e1901)].i2_;
+                                                                                    if (_e2366 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2289 = vertices.member[(0u + _e2281)];
-                                                                                    if (_e2283 < _e91) {
+                                                                                    let _e2374 = vertices.member[(0u + _e2366)];
+                                                                                    if (_e2368 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2293 = vertices.member[(0u + _e2283)];
-                                                                                    if (_e2285 < _e91) {
+                                                                                    let _e2378 = vertices.member[(0u + _e2368)];
+                                                                                    if (_e2370 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2297 = vertices.member[(0u + _e2285)];
-                                                                                    let _e2298 = array<abi_Vertex, 3>(_e2289, _e2293, _e2297);
-                                                                                    if (_e2298[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2382 = vertices.member[(0u + _e2370)];
+                                                                                    let _e2383 = array<abi_Vertex, 3>(_e2374, _e2378, _e2382);
+                                                                                    if (_e2383[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2304 = materials.member[(0u + _e2298[0].material)];
-                                                                                    if ((_e2304.flags & 1u) == 1u) {
-                                                                                        let _e2309 = ((1f - _e2264.u) - _e2264.v);
-                                                                                        if (_e2304.cutoff <= 0f) {
-                                                                                            phi_3047_ = true;
+                                                                                    let _e2389 = materials.member[(0u + _e2383[0].material)];
+                                                                                    if ((_e2389.flags & 1u) == 1u) {
+                                                                                        let _e2394 = ((1f - _e2349.u) - _e2349.v);
+                                                                                        if (_e2389.cutoff <= 0f) {
+                                                                                            phi_3144_ = true;
                                                                                         } else {
-                                                                                            let _e2336 = (_e2304.base_color.w * ((((f32((_e2298[0].color >> bitcast<u32>(24i))) * _e2309) + (f32((_e2298[1].color >> bitcast<u32>(24i))) * _e2264.u)) + (f32((_e2298[2].color >> bitcast<u32>(24i))) * _e2264.v)) * (1f / 255f)));
-                                                                                            if (_e2304.alpha_size == 0u) {
-                                                                                                phi_3044_ = _e2336;
+                                                                                            let _e2421 = (_e2389.base_color.w * ((((f32((_e2383[0].color >> bitcast<u32>(24i))) * _e2394) + (f32((_e2383[1].color >> bitcast<u32>(24i))) * _e2349.u)) + (f32((_e2383[2].color >> bitcast<u32>(24i))) * _e2349.v)) * (1f / 255f)));
+                                                                                            if (_e2389.alpha_size == 0u) {
+                                                                                                phi_3141_ = _e2421;
                                                                                             } else {
-                                                                                                local.offset = _e2304.alpha_offset;
-                                                                                                local.size = _e2304.alpha_size;
-                                                                                                local.flags = _e2304.flags;
-                                                                                                let _e2367 = _lt_shaders_texture_TextureView_quad((&local), (((_e2298[0].u * _e2309) + (_e2298[1].u * _e2264.u)) + (_e2298[2].u * _e2264.v)), (((_e2298[0].v * _e2309) + (_e2298[1].v * _e2264.u)) + (_e2298[2].v * _e2264.v)));
-                                                                                                let _e2371 = (_e2367.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2371 < _e97) {
+                                                                                                local.offset = _e2389.alpha_offset;
+                                                                                                local.size = _e2389.alpha_size;
+                                                                                                local.flags = _e2389.flags;
+                                                                                                let _e2452 = _lt_shaders_texture_TextureView_quad((&local), (((_e2383[0].u * _e2394) + (_e2383[1].u * _e2349.u)) + (_e2383[2].u * _e2349.v)), (((_e2383[0].v * _e2394) + (_e2383[1].v * _e2349.u)) + (_e2383[2].v * _e2349.v)));
+                                                                                                let _e2456 = (_e2452.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2456 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2375 = alpha_texels.member[(0u + _e2371)];
-                                                                                                let _e2391 = (_e2367.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2391 < _e97) {
+                                                                                                let _e2460 = alpha_texels.member[(0u + _e2456)];
+                                                                                                let _e2476 = (_e2452.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2476 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2395 = alpha_texels.member[(0u + _e2391)];
-                                                                                                let _e2412 = (_e2367.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2412 < _e97) {
+                                                                                                let _e2480 = alpha_texels.member[(0u + _e2476)];
+                                                                                                let _e2497 = (_e2452.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2497 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2416 = alpha_texels.member[(0u + _e2412)];
-                                                                                                let _e2433 = (_e2367.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2433 < _e97) {
+                                                                                                let _e2501 = alpha_texels.member[(0u + _e2497)];
+                                                                                                let _e2518 = (_e2452.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2518 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2437 = alpha_texels.member[(0u + _e2433)];
-                                                                                                phi_3044_ = (_e2336 * (((((f32(((_e2375 >> bitcast<u32>((((_e2367.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.x) + ((f32(((_e2395 >> bitcast<u32>((((_e2367.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.y)) + ((f32(((_e2416 >> bitcast<u32>((((_e2367.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.z)) + ((f32(((_e2437 >> bitcast<u32>((((_e2367.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2367.weights.w)));
+                                                                                                let _e2522 = alpha_texels.member[(0u + _e2518)];
+                                                                                                phi_3141_ = (_e2421 * (((((f32(((_e2460 >> bitcast<u32>((((_e2452.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.x) + ((f32(((_e2480 >> bitcast<u32>((((_e2452.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.y)) + ((f32(((_e2501 >> bitcast<u32>((((_e2452.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.z)) + ((f32(((_e2522 >> bitcast<u32>((((_e2452.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.w)));
                                                                                             }
-                                                                                            let _e2453 = phi_3044_;
-                                                                                            phi_3047_ = (_e2453 >= _e2304.cutoff);
+                                                                                            let _e2538 = phi_3141_;
+                                                                                            phi_3144_ = (_e2538 >= _e2389.cutoff);
                                                                                         }
-                                                                                        let _e2457 = phi_3047_;
-                                                                                        phi_3048_ = _e2457;
+                                                                                        let _e2542 = phi_3144_;
+                                                                                        phi_3145_ = _e2542;
                                                                                     } else {
-                                                                                        phi_3048_ = false;
+                                                                                        phi_3145_ = false;
                                                                                     }
-                                                                                    let _e2459 = phi_3048_;
-                                                                                    if _e2459 {
-                                                                                        phi_3052_ = false;
+                                                                                    let _e2544 = phi_3145_;
+                                                                                    if _e2544 {
+                                                                                        phi_3149_ = false;
                                                                                     } else {
-                                                                                        phi_3052_ = true;
+                                                                                        phi_3149_ = true;
                                                                                     }
-                                                                                    let _e2461 = phi_3052_;
-                                                                                    phi_3053_ = _e2461;
-                                                                                    phi_3054_ = _e2459;
+                                                                                    let _e2546 = phi_3149_;
+                                                                                    phi_3150_ = _e2546;
+                                                                                    phi_3151_ = _e2544;
                                                                                 }
-                                                                                let _e2463 = phi_3053_;
-                                                                                let _e2465 = phi_3054_;
-                                                                                phi_3055_ = _e2463;
-                                                                                phi_3056_ = _e2273;
-                                                                                phi_3057_ = _e2465;
+                                                                                let _e2548 = phi_3150_;
+                                                                                let _e2550 = phi_3151_;
+                                                                                phi_3152_ = _e2548;
+                                                                                phi_3153_ = _e2358;
+                                                                                phi_3154_ = _e2550;
                                                                             } else {
-                                                                                phi_3055_ = true;
-                                                                                phi_3056_ = false;
-                                                                                phi_3057_ = false;
+                                                                                phi_3152_ = true;
+                                                                                phi_3153_ = false;
+                                                                                phi_3154_ = false;
                                                                             }
-                                                                            let _e2467 = phi_3055_;
-                                                                            let _e2469 = phi_3056_;
-                                                                            let _e2471 = phi_3057_;
-                                                                            phi_3058_ = _e2467;
-                                                                            phi_3059_ = _e2469;
-                                                                            phi_3060_ = _e2471;
+                                                                            let _e2552 = phi_3152_;
+                                                                            let _e2554 = phi_3153_;
+                                                                            let _e2556 = phi_3154_;
+                                                                            phi_3155_ = _e2552;
+                                                                            phi_3156_ = _e2554;
+                                                                            phi_3157_ = _e2556;
                                                                         } else {
-                                                                            phi_3058_ = true;
-                                                                            phi_3059_ = false;
-                                                                            phi_3060_ = false;
+                                                                            phi_3155_ = true;
+                                                                            phi_3156_ = false;
+                                                                            phi_3157_ = false;
                                                                         }
-                                                                        let _e2473 = phi_3058_;
-                                                                        let _e2475 = phi_3059_;
-                                                                        let _e2477 = phi_3060_;
-                                                                        phi_3061_ = _e2473;
-                                                                        phi_3062_ = _e2475;
-                                                                        phi_3063_ = _e2477;
+                                                                        let _e2558 = phi_3155_;
+                                                                        let _e2560 = phi_3156_;
+                                                                        let _e2562 = phi_3157_;
+                                                                        phi_3158_ = _e2558;
+                                                                        phi_3159_ = _e2560;
+                                                                        phi_3160_ = _e2562;
                                                                     } else {
-                                                                        phi_3061_ = true;
-                                                                        phi_3062_ = false;
-                                                                        phi_3063_ = false;
+                                                                        phi_3158_ = true;
+                                                                        phi_3159_ = false;
+                                                                        phi_3160_ = false;
                                                                     }
-                                                                    let _e2479 = phi_3061_;
-                                                                    let _e2481 = phi_3062_;
-                                                                    let _e2483 = phi_3063_;
-                                                                    if _e2479 {
-                                                                        phi_3067_ = false;
-                                                                        phi_3068_ = false;
+                                                                    let _e2564 = phi_3158_;
+                                                                    let _e2566 = phi_3159_;
+                                                                    let _e2568 = phi_3160_;
+                                                                    if _e2564 {
+                                                                        phi_3164_ = false;
+                                                                        phi_3165_ = false;
                                                                     } else {
-                                                                        phi_3067_ = _e2481;
-                                                                        phi_3068_ = _e2483;
+                                                                        phi_3164_ = _e2566;
+                                                                        phi_3165_ = _e2568;
                                                                     }
-                                                                    let _e2485 = phi_3067_;
-                                                                    let _e2487 = phi_3068_;
+                                                                    let _e2570 = phi_3164_;
+                                                                    let _e2572 = phi_3165_;
                                                                     phi_2359_ = (_e1892 & (_e1892 - 1u));
-                                                                    phi_3069_ = _e2479;
-                                                                    phi_3070_ = _e2485;
-                                                                    phi_3071_ = _e2487;
+                                                                    phi_3166_ = _e2564;
+                                                                    phi_3167_ = _e2570;
+                                                                    phi_3168_ = _e2572;
                                                                 }
-                                                                let _e2489 = phi_2359_;
-                                                                let _e2491 = phi_3069_;
-                                                                let _e2493 = phi_3070_;
-                                                                let _e2495 = phi_3071_;
-                                                                local_13 = _e2493;
-                                                                local_14 = _e2495;
+                                                                let _e2574 = phi_2359_;
+                                                                let _e2576 = phi_3166_;
+                                                                let _e2578 = phi_3167_;
+                                                                let _e2580 = phi_3168_;
+                                                                local_13 = _e2578;
+                                                                local_14 = _e2580;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2358_ = _e2489;
-                                                                    break if !(_e2491);
+                                                                    phi_2358_ = _e2574;
+                                                                    break if !(_e2576);
                                                                 }
                                                             }
-                                                            let _e2498 = local_9;
-                                                            if _e2498 {
-                                                                let _e2500 = local_1.group_mask;
-                                                                if ((_e2500 & 4278190080u) == 0u) {
-                                                                    let _e2504 = local_1.len;
-                                                                    if (_e2504 == 0u) {
-                                                                        phi_3113_ = false;
+                                                            let _e2583 = local_9;
+                                                            if _e2583 {
+                                                                let _e2585 = local_1.group_mask;
+                                                                if ((_e2585 & 4278190080u) == 0u) {
+                                                                    let _e2589 = local_1.len;
+                                                                    if (_e2589 == 0u) {
+                                                                        phi_3210_ = false;
                                                                     } else {
-                                                                        let _e2508 = local_1.len;
-                                                                        local_1.len = (_e2508 - 1u);
-                                                                        let _e2511 = local_1.len;
-                                                                        if (_e2511 < 32u) {
+                                                                        let _e2593 = local_1.len;
+                                                                        local_1.len = (_e2593 - 1u);
+                                                                        let _e2596 = local_1.len;
+                                                                        if (_e2596 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2516 = local_1.first[(0u + _e2511)];
-                                                                        local_1.group = _e2516;
-                                                                        let _e2519 = local_1.len;
-                                                                        if (_e2519 < 32u) {
+                                                                        let _e2601 = local_1.first[(0u + _e2596)];
+                                                                        local_1.group = _e2601;
+                                                                        let _e2604 = local_1.len;
+                                                                        if (_e2604 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2524 = local_1.mask[(0u + _e2519)];
-                                                                        local_1.group_mask = _e2524;
-                                                                        phi_3113_ = true;
+                                                                        let _e2609 = local_1.mask[(0u + _e2604)];
+                                                                        local_1.group_mask = _e2609;
+                                                                        phi_3210_ = true;
                                                                     }
-                                                                    let _e2527 = phi_3113_;
-                                                                    phi_3114_ = _e2527;
+                                                                    let _e2612 = phi_3210_;
+                                                                    phi_3211_ = _e2612;
                                                                 } else {
-                                                                    phi_3114_ = true;
+                                                                    phi_3211_ = true;
                                                                 }
-                                                                let _e2529 = phi_3114_;
-                                                                if _e2529 {
-                                                                    let _e2531 = local_1.group_mask;
-                                                                    let _e2537 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2531)), 32u, (_e2531 == 0u)));
-                                                                    let _e2541 = local_1.group_mask;
-                                                                    let _e2555 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2555 & ~((1u << bitcast<u32>((_e2537 & 31u)))));
-                                                                    let _e2558 = local_1.group;
-                                                                    phi_3145_ = (_e2558 + countOneBits(((_e2541 & ~((4294967295u << bitcast<u32>((((_e2537 - 24u) ^ _e1318) & 31u))))) & 255u)));
+                                                                let _e2614 = phi_3211_;
+                                                                if _e2614 {
+                                                                    let _e2616 = local_1.group_mask;
+                                                                    let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
+                                                                    let _e2626 = local_1.group_mask;
+                                                                    let _e2640 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
+                                                                    let _e2643 = local_1.group;
+                                                                    phi_3242_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1318) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3145_ = 4294967295u;
+                                                                    phi_3242_ = 4294967295u;
                                                                 }
-                                                                let _e2561 = phi_3145_;
-                                                                phi_3146_ = _e2561;
-                                                                phi_3147_ = false;
-                                                                phi_3148_ = false;
+                                                                let _e2646 = phi_3242_;
+                                                                phi_3243_ = _e2646;
+                                                                phi_3244_ = false;
+                                                                phi_3245_ = false;
                                                             } else {
-                                                                phi_3146_ = u32();
-                                                                let _e2941 = local_13;
-                                                                phi_3147_ = _e2941;
-                                                                let _e2944 = local_14;
-                                                                phi_3148_ = _e2944;
+                                                                phi_3243_ = u32();
+                                                                let _e3032 = local_13;
+                                                                phi_3244_ = _e3032;
+                                                                let _e3035 = local_14;
+                                                                phi_3245_ = _e3035;
                                                             }
-                                                            let _e2563 = phi_3146_;
-                                                            let _e2565 = phi_3147_;
-                                                            let _e2567 = phi_3148_;
-                                                            phi_2029_ = _e2563;
-                                                            let _e2948 = local_15;
-                                                            phi_3149_ = _e2948;
-                                                            phi_3150_ = false;
-                                                            phi_3151_ = _e2565;
-                                                            phi_3152_ = _e2567;
+                                                            let _e2648 = phi_3243_;
+                                                            let _e2650 = phi_3244_;
+                                                            let _e2652 = phi_3245_;
+                                                            phi_2029_ = _e2648;
+                                                            let _e3039 = local_15;
+                                                            phi_3246_ = _e3039;
+                                                            phi_3247_ = false;
+                                                            phi_3248_ = _e2650;
+                                                            phi_3249_ = _e2652;
                                                         } else {
                                                             phi_2029_ = u32();
-                                                            phi_3149_ = false;
-                                                            phi_3150_ = true;
-                                                            phi_3151_ = false;
-                                                            phi_3152_ = false;
+                                                            phi_3246_ = false;
+                                                            phi_3247_ = true;
+                                                            phi_3248_ = false;
+                                                            phi_3249_ = false;
                                                         }
-                                                        let _e2569 = phi_2029_;
-                                                        let _e2571 = phi_3149_;
-                                                        let _e2573 = phi_3150_;
-                                                        let _e2575 = phi_3151_;
-                                                        let _e2577 = phi_3152_;
-                                                        local_10 = _e2573;
-                                                        local_16 = _e2575;
-                                                        local_17 = _e2577;
+                                                        let _e2654 = phi_2029_;
+                                                        let _e2656 = phi_3246_;
+                                                        let _e2658 = phi_3247_;
+                                                        let _e2660 = phi_3248_;
+                                                        let _e2662 = phi_3249_;
+                                                        local_10 = _e2658;
+                                                        local_16 = _e2660;
+                                                        local_17 = _e2662;
                                                         continue;
                                                         continuing {
-                                                            phi_2028_ = _e2569;
-                                                            break if !(_e2571);
+                                                            phi_2028_ = _e2654;
+                                                            break if !(_e2656);
                                                         }
                                                     }
-                                                    let _e2580 = local_10;
-                                                    if _e2580 {
-                                                        phi_3156_ = false;
-                                                        phi_3157_ = false;
+                                                    let _e2665 = local_10;
+                                                    if _e2665 {
+                                                        phi_3253_ = false;
+                                                        phi_3254_ = false;
                                                     } else {
-                                                        let _e2955 = local_16;
-                                                        phi_3156_ = _e2955;
-                                                        let _e2958 = local_17;
-                                                        phi_3157_ = _e2958;
+                                                        let _e3046 = local_16;
+                                                        phi_3253_ = _e3046;
+                                                        let _e3049 = local_17;
+                                                        phi_3254_ = _e3049;
                                                     }
-                                                    let _e2582 = phi_3156_;
-                                                    let _e2584 = phi_3157_;
-                                                    if _e2582 {
-                                                        phi_3161_ = true;
+                                                    let _e2667 = phi_3253_;
+                                                    let _e2669 = phi_3254_;
+                                                    if _e2667 {
+                                                        phi_3258_ = true;
                                                     } else {
-                                                        phi_3161_ = _e2584;
+                                                        phi_3258_ = _e2669;
                                                     }
-                                                    let _e2586 = phi_3161_;
-                                                    if _e2586 {
-                                                        phi_3165_ = true;
+                                                    let _e2671 = phi_3258_;
+                                                    if _e2671 {
+                                                        phi_3262_ = true;
                                                     } else {
-                                                        phi_3165_ = false;
+                                                        phi_3262_ = false;
                                                     }
-                                                    let _e2588 = phi_3165_;
-                                                    phi_3166_ = _e2588;
+                                                    let _e2673 = phi_3262_;
+                                                    phi_3263_ = _e2673;
                                                 }
-                                                let _e2590 = phi_3166_;
-                                                phi_3167_ = _e2590;
-                                                phi_3168_ = _e1144;
+                                                let _e2675 = phi_3263_;
+                                                phi_3264_ = _e2675;
+                                                phi_3265_ = _e1144;
                                             } else {
-                                                phi_3167_ = bool();
-                                                phi_3168_ = true;
+                                                phi_3264_ = bool();
+                                                phi_3265_ = true;
                                             }
-                                            let _e2592 = phi_3167_;
-                                            let _e2594 = phi_3168_;
-                                            if _e2594 {
-                                                phi_3172_ = false;
+                                            let _e2677 = phi_3264_;
+                                            let _e2679 = phi_3265_;
+                                            if _e2679 {
+                                                phi_3269_ = false;
                                             } else {
-                                                phi_3172_ = _e2592;
+                                                phi_3269_ = _e2677;
                                             }
-                                            let _e2596 = phi_3172_;
-                                            if _e2596 {
-                                                phi_3176_ = false;
+                                            let _e2681 = phi_3269_;
+                                            if _e2681 {
+                                                phi_3273_ = false;
                                             } else {
-                                                phi_3176_ = true;
+                                                phi_3273_ = true;
                                             }
-                                            let _e2598 = phi_3176_;
-                                            phi_3177_ = _e2598;
+                                            let _e2683 = phi_3273_;
+                                            phi_3274_ = _e2683;
                                         } else {
-                                            phi_3177_ = true;
+                                            phi_3274_ = true;
                                         }
-                                        let _e2600 = phi_3177_;
-                                        phi_3178_ = _e2600;
+                                        let _e2685 = phi_3274_;
+                                        phi_3275_ = _e2685;
                                     } else {
-                                        phi_3178_ = true;
+                                        phi_3275_ = true;
                                     }
-                                    let _e2602 = phi_3178_;
-                                    phi_3179_ = _e2602;
+                                    let _e2687 = phi_3275_;
+                                    phi_3276_ = _e2687;
                                 } else {
-                                    phi_3179_ = true;
+                                    phi_3276_ = true;
                                 }
-                                let _e2604 = phi_3179_;
-                                if _e2604 {
+                                let _e2689 = phi_3276_;
+                                if _e2689 {
                                 }
                                 phi_1423_ = (_e931 & (_e931 - 1u));
-                                phi_3183_ = _e2604;
+                                phi_3280_ = _e2689;
                             }
-                            let _e2606 = phi_1423_;
-                            let _e2608 = phi_3183_;
+                            let _e2691 = phi_1423_;
+                            let _e2693 = phi_3280_;
                             continue;
                             continuing {
-                                phi_1422_ = _e2606;
-                                break if !(_e2608);
+                                phi_1422_ = _e2691;
+                                break if !(_e2693);
                             }
                         }
-                        let _e2611 = local_11;
-                        if _e2611 {
-                            let _e2613 = local_2.group_mask;
-                            if ((_e2613 & 4278190080u) == 0u) {
-                                let _e2617 = local_2.len;
-                                if (_e2617 == 0u) {
-                                    phi_3225_ = false;
+                        let _e2696 = local_11;
+                        if _e2696 {
+                            let _e2698 = local_2.group_mask;
+                            if ((_e2698 & 4278190080u) == 0u) {
+                                let _e2702 = local_2.len;
+                                if (_e2702 == 0u) {
+                                    phi_3322_ = false;
                                 } else {
-                                    let _e2621 = local_2.len;
-                                    local_2.len = (_e2621 - 1u);
-                                    let _e2624 = local_2.len;
-                                    if (_e2624 < 32u) {
+                                    let _e2706 = local_2.len;
+                                    local_2.len = (_e2706 - 1u);
+                                    let _e2709 = local_2.len;
+                                    if (_e2709 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2629 = local_2.first[(0u + _e2624)];
-                                    local_2.group = _e2629;
-                                    let _e2632 = local_2.len;
-                                    if (_e2632 < 32u) {
+                                    let _e2714 = local_2.first[(0u + _e2709)];
+                                    local_2.group = _e2714;
+                                    let _e2717 = local_2.len;
+                                    if (_e2717 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2637 = local_2.mask[(0u + _e2632)];
-                                    local_2.group_mask = _e2637;
-                                    phi_3225_ = true;
+                                    let _e2722 = local_2.mask[(0u + _e2717)];
+                                    local_2.group_mask = _e2722;
+                                    phi_3322_ = true;
                                 }
-                                let _e2640 = phi_3225_;
-                                phi_3226_ = _e2640;
+                                let _e2725 = phi_3322_;
+                                phi_3323_ = _e2725;
                             } else {
-                                phi_3226_ = true;
+                                phi_3323_ = true;
                             }
-                            let _e2642 = phi_3226_;
-                            if _e2642 {
-                                let _e2644 = local_2.group_mask;
-                                let _e2650 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2644)), 32u, (_e2644 == 0u)));
-                                let _e2654 = local_2.group_mask;
-                                let _e2668 = local_2.group_mask;
-                                local_2.group_mask = (_e2668 & ~((1u << bitcast<u32>((_e2650 & 31u)))));
-                                let _e2671 = local_2.group;
-                                phi_3257_ = (_e2671 + countOneBits(((_e2654 & ~((4294967295u << bitcast<u32>((((_e2650 - 24u) ^ _e357) & 31u))))) & 255u)));
+                            let _e2727 = phi_3323_;
+                            if _e2727 {
+                                let _e2729 = local_2.group_mask;
+                                let _e2735 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2729)), 32u, (_e2729 == 0u)));
+                                let _e2739 = local_2.group_mask;
+                                let _e2753 = local_2.group_mask;
+                                local_2.group_mask = (_e2753 & ~((1u << bitcast<u32>((_e2735 & 31u)))));
+                                let _e2756 = local_2.group;
+                                phi_3354_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e357) & 31u))))) & 255u)));
                             } else {
-                                phi_3257_ = 4294967295u;
+                                phi_3354_ = 4294967295u;
                             }
-                            let _e2674 = phi_3257_;
-                            phi_3258_ = _e2674;
+                            let _e2759 = phi_3354_;
+                            phi_3355_ = _e2759;
                         } else {
-                            phi_3258_ = u32();
+                            phi_3355_ = u32();
                         }
-                        let _e2676 = phi_3258_;
-                        phi_1093_ = _e2676;
-                        let _e2979 = local_18;
-                        phi_3259_ = _e2979;
-                        phi_3260_ = false;
+                        let _e2761 = phi_3355_;
+                        phi_1093_ = _e2761;
+                        let _e3070 = local_18;
+                        phi_3356_ = _e3070;
+                        phi_3357_ = false;
                     } else {
                         phi_1093_ = u32();
-                        phi_3259_ = false;
-                        phi_3260_ = true;
+                        phi_3356_ = false;
+                        phi_3357_ = true;
                     }
-                    let _e2678 = phi_1093_;
-                    let _e2680 = phi_3259_;
-                    let _e2682 = phi_3260_;
-                    local_12 = _e2682;
+                    let _e2763 = phi_1093_;
+                    let _e2765 = phi_3356_;
+                    let _e2767 = phi_3357_;
+                    local_12 = _e2767;
                     continue;
                     continuing {
-                        phi_1092_ = _e2678;
-                        break if !(_e2680);
+                        phi_1092_ = _e2763;
+                        break if !(_e2765);
                     }
                 }
-                let _e2685 = local_12;
-                if _e2685 {
-                    phi_3264_ = false;
+                let _e2770 = local_12;
+                if _e2770 {
+                    phi_3361_ = false;
                 } else {
-                    phi_3264_ = true;
+                    phi_3361_ = true;
                 }
-                let _e2687 = phi_3264_;
-                if _e2687 {
-                    phi_3268_ = true;
+                let _e2772 = phi_3361_;
+                if _e2772 {
+                    phi_3365_ = true;
                 } else {
-                    phi_3268_ = false;
+                    phi_3365_ = false;
                 }
-                let _e2689 = phi_3268_;
-                phi_3269_ = _e2689;
+                let _e2774 = phi_3365_;
+                phi_3366_ = _e2774;
             }
-            let _e2691 = phi_3269_;
-            phi_3270_ = _e2691;
-            phi_3271_ = _e213;
+            let _e2776 = phi_3366_;
+            phi_3367_ = _e2776;
+            phi_3368_ = _e213;
         } else {
-            phi_3270_ = bool();
-            phi_3271_ = true;
+            phi_3367_ = bool();
+            phi_3368_ = true;
         }
-        let _e2693 = phi_3270_;
-        let _e2695 = phi_3271_;
-        if _e2695 {
-            phi_3275_ = false;
+        let _e2778 = phi_3367_;
+        let _e2780 = phi_3368_;
+        if _e2780 {
+            phi_3372_ = false;
         } else {
-            phi_3275_ = _e2693;
+            phi_3372_ = _e2778;
         }
-        let _e2697 = phi_3275_;
-        if _e2697 {
-            phi_3279_ = 0f;
+        let _e2782 = phi_3372_;
+        if _e2782 {
+            phi_3376_ = 0f;
         } else {
-            phi_3279_ = 1f;
+            phi_3376_ = 1f;
         }
-        let _e2699 = phi_3279_;
+        let _e2784 = phi_3376_;
         if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e2699;
+        visibility.member[(0u + _e110)] = _e2784;
     }
     return;
 }

@@ -308,140 +308,146 @@ fn function_() {
     var phi_1927_: u32;
     var phi_1972_: vec3<f32>;
     var phi_1973_: vec3<f32>;
-    var phi_2004_: vec3<f32>;
-    var phi_2005_: vec3<f32>;
-    var phi_2036_: vec3<f32>;
-    var phi_2037_: vec3<f32>;
-    var phi_2057_: bool;
-    var phi_2058_: bool;
-    var phi_2062_: f32;
-    var phi_2063_: f32;
-    var phi_2064_: f32;
-    var phi_2065_: f32;
-    var phi_2073_: f32;
-    var phi_2083_: bool;
-    var phi_2084_: bool;
-    var phi_2088_: f32;
-    var phi_2089_: f32;
-    var phi_2090_: f32;
-    var phi_2091_: f32;
-    var phi_2099_: f32;
-    var phi_2109_: bool;
-    var phi_2110_: bool;
-    var phi_2114_: f32;
-    var phi_2115_: f32;
-    var phi_2116_: f32;
-    var phi_2117_: f32;
-    var phi_2125_: f32;
-    var phi_2140_: f32;
-    var phi_2141_: bool;
-    var phi_2142_: f32;
-    var phi_2143_: bool;
-    var phi_2144_: f32;
-    var phi_2145_: bool;
-    var phi_2163_: f32;
-    var phi_2164_: bool;
-    var phi_2165_: bool;
-    var phi_2166_: f32;
-    var phi_2167_: bool;
+    var phi_2002_: vec3<f32>;
+    var phi_2003_: vec3<f32>;
+    var phi_2032_: vec3<f32>;
+    var phi_2033_: vec3<f32>;
+    var phi_2051_: bool;
+    var phi_2052_: bool;
+    var phi_2056_: f32;
+    var phi_2057_: f32;
+    var phi_2058_: f32;
+    var phi_2059_: f32;
+    var phi_2067_: f32;
+    var phi_2077_: bool;
+    var phi_2078_: bool;
+    var phi_2082_: f32;
+    var phi_2083_: f32;
+    var phi_2084_: f32;
+    var phi_2085_: f32;
+    var phi_2093_: f32;
+    var phi_2103_: bool;
+    var phi_2104_: bool;
+    var phi_2108_: f32;
+    var phi_2109_: f32;
+    var phi_2110_: f32;
+    var phi_2111_: f32;
+    var phi_2119_: f32;
+    var phi_2134_: f32;
+    var phi_2135_: bool;
+    var phi_2136_: f32;
+    var phi_2137_: bool;
+    var phi_2138_: f32;
+    var phi_2139_: bool;
+    var phi_2157_: f32;
+    var phi_2158_: bool;
+    var phi_2159_: bool;
+    var phi_2160_: f32;
+    var phi_2161_: bool;
+    var phi_2162_: bool;
+    var phi_2166_: bool;
+    var phi_2167_: f32;
     var phi_2168_: bool;
-    var phi_2172_: bool;
-    var phi_2173_: f32;
-    var phi_2174_: bool;
-    var phi_2208_: f32;
-    var phi_2217_: f32;
-    var phi_2226_: f32;
-    var phi_2235_: f32;
-    var phi_2242_: f32;
-    var phi_2249_: f32;
-    var phi_2262_: f32;
-    var phi_2271_: f32;
-    var phi_2280_: f32;
-    var phi_2289_: f32;
-    var phi_2296_: f32;
-    var phi_2303_: f32;
-    var phi_2320_: f32;
-    var phi_2325_: f32;
-    var phi_2330_: f32;
-    var phi_2338_: f32;
-    var phi_2343_: f32;
-    var phi_2348_: f32;
-    var phi_2360_: f32;
-    var phi_2365_: f32;
-    var phi_2370_: f32;
-    var phi_2375_: f32;
-    var phi_2380_: lt_bvh_triangle_Intersection;
-    var phi_2381_: bool;
-    var phi_2382_: lt_bvh_triangle_Intersection;
-    var phi_2383_: bool;
-    var phi_2387_: lt_bvh_triangle_Intersection;
-    var phi_2388_: bool;
-    var phi_2389_: lt_bvh_triangle_Intersection;
-    var phi_2390_: bool;
-    var phi_2391_: bool;
-    var phi_2395_: bool;
-    var phi_2399_: lt_bvh_triangle_Intersection;
-    var phi_2424_: bool;
-    var phi_2425_: bool;
-    var phi_2426_: bool;
-    var phi_2427_: bool;
-    var phi_2428_: bool;
-    var phi_2429_: bool;
-    var phi_2430_: bool;
-    var phi_2431_: bool;
-    var phi_2432_: bool;
-    var phi_2433_: bool;
-    var phi_2434_: bool;
-    var phi_2435_: bool;
-    var phi_2439_: bool;
-    var phi_2440_: bool;
-    var phi_1928_: u32;
-    var phi_2441_: bool;
-    var phi_2442_: bool;
-    var phi_2443_: bool;
-    var local_8: bool;
+    var phi_2196_: vec3<f32>;
+    var phi_2197_: vec3<f32>;
+    var phi_2222_: vec3<f32>;
+    var phi_2223_: vec3<f32>;
+    var phi_2248_: vec3<f32>;
+    var phi_2249_: vec3<f32>;
+    var phi_2305_: f32;
+    var phi_2314_: f32;
+    var phi_2323_: f32;
+    var phi_2332_: f32;
+    var phi_2339_: f32;
+    var phi_2346_: f32;
+    var phi_2359_: f32;
+    var phi_2368_: f32;
+    var phi_2377_: f32;
+    var phi_2386_: f32;
+    var phi_2393_: f32;
+    var phi_2400_: f32;
+    var phi_2417_: f32;
+    var phi_2422_: f32;
+    var phi_2427_: f32;
+    var phi_2435_: f32;
+    var phi_2440_: f32;
+    var phi_2445_: f32;
+    var phi_2457_: f32;
+    var phi_2462_: f32;
+    var phi_2467_: f32;
+    var phi_2472_: f32;
+    var phi_2477_: lt_bvh_triangle_Intersection;
+    var phi_2478_: bool;
+    var phi_2479_: lt_bvh_triangle_Intersection;
+    var phi_2480_: bool;
+    var phi_2484_: lt_bvh_triangle_Intersection;
     var phi_2485_: bool;
-    var phi_2486_: bool;
-    var phi_2517_: u32;
-    var phi_2518_: u32;
-    var phi_2519_: bool;
-    var phi_2520_: bool;
-    var phi_1598_: u32;
+    var phi_2486_: lt_bvh_triangle_Intersection;
+    var phi_2487_: bool;
+    var phi_2488_: bool;
+    var phi_2492_: bool;
+    var phi_2496_: lt_bvh_triangle_Intersection;
     var phi_2521_: bool;
     var phi_2522_: bool;
     var phi_2523_: bool;
     var phi_2524_: bool;
-    var local_9: bool;
+    var phi_2525_: bool;
+    var phi_2526_: bool;
+    var phi_2527_: bool;
     var phi_2528_: bool;
     var phi_2529_: bool;
-    var phi_2533_: bool;
+    var phi_2530_: bool;
+    var phi_2531_: bool;
+    var phi_2532_: bool;
+    var phi_2536_: bool;
     var phi_2537_: bool;
+    var phi_1928_: u32;
     var phi_2538_: bool;
     var phi_2539_: bool;
     var phi_2540_: bool;
-    var phi_2544_: bool;
-    var phi_2548_: bool;
-    var phi_2549_: bool;
-    var phi_2550_: bool;
-    var phi_2551_: bool;
-    var phi_992_: u32;
-    var phi_2555_: bool;
-    var local_10: bool;
-    var phi_2597_: bool;
-    var phi_2598_: bool;
-    var phi_2629_: u32;
-    var phi_2630_: u32;
-    var phi_662_: u32;
-    var phi_2631_: bool;
-    var phi_2632_: bool;
-    var local_11: bool;
+    var local_8: bool;
+    var phi_2582_: bool;
+    var phi_2583_: bool;
+    var phi_2614_: u32;
+    var phi_2615_: u32;
+    var phi_2616_: bool;
+    var phi_2617_: bool;
+    var phi_1598_: u32;
+    var phi_2618_: bool;
+    var phi_2619_: bool;
+    var phi_2620_: bool;
+    var phi_2621_: bool;
+    var local_9: bool;
+    var phi_2625_: bool;
+    var phi_2626_: bool;
+    var phi_2630_: bool;
+    var phi_2634_: bool;
+    var phi_2635_: bool;
     var phi_2636_: bool;
-    var phi_2640_: bool;
+    var phi_2637_: bool;
     var phi_2641_: bool;
-    var phi_2642_: bool;
-    var phi_2643_: bool;
+    var phi_2645_: bool;
+    var phi_2646_: bool;
     var phi_2647_: bool;
-    var phi_2651_: f32;
+    var phi_2648_: bool;
+    var phi_992_: u32;
+    var phi_2652_: bool;
+    var local_10: bool;
+    var phi_2694_: bool;
+    var phi_2695_: bool;
+    var phi_2726_: u32;
+    var phi_2727_: u32;
+    var phi_662_: u32;
+    var phi_2728_: bool;
+    var phi_2729_: bool;
+    var local_11: bool;
+    var phi_2733_: bool;
+    var phi_2737_: bool;
+    var phi_2738_: bool;
+    var phi_2739_: bool;
+    var phi_2740_: bool;
+    var phi_2744_: bool;
+    var phi_2748_: f32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
@@ -596,7 +602,7 @@ fn function_() {
         if _e187 {
             let _e188 = (_e87 >= _e60);
             if _e188 {
-                phi_2641_ = bool();
+                phi_2738_ = bool();
             } else {
                 if (_e87 < _e60) {
                 } else {
@@ -944,7 +950,7 @@ fn function_() {
                             local_17 = _e907;
                             if _e907 {
                                 phi_992_ = u32();
-                                phi_2555_ = false;
+                                phi_2652_ = false;
                             } else {
                                 let _e910 = nodes.member[(0u + _e470)].links[1u];
                                 let _e914 = (_e910 + select(firstTrailingBit(_e906), 32u, (_e906 == 0u)));
@@ -1126,7 +1132,7 @@ fn function_() {
                                             if _e1118 {
                                                 let _e1119 = (_e1055 >= _e60);
                                                 if _e1119 {
-                                                    phi_2538_ = bool();
+                                                    phi_2635_ = bool();
                                                 } else {
                                                     if (_e1055 < _e60) {
                                                     } else {
@@ -1253,7 +1259,6 @@ fn function_() {
                                                     let _e1274 = phi_1426_;
                                                     let _e1277 = (_e1274.x / _e1274.z);
                                                     let _e1280 = (_e1274.y / _e1274.z);
-                                                    let _e1282 = (1f / _e1274.z);
                                                     if (_e1195 < 0f) {
                                                         phi_1439_ = 0u;
                                                     } else {
@@ -1516,9 +1521,9 @@ fn function_() {
                                                                 local_14 = _e1868;
                                                                 if _e1868 {
                                                                     phi_1928_ = u32();
-                                                                    phi_2441_ = false;
-                                                                    phi_2442_ = false;
-                                                                    phi_2443_ = false;
+                                                                    phi_2538_ = false;
+                                                                    phi_2539_ = false;
+                                                                    phi_2540_ = false;
                                                                 } else {
                                                                     let _e1871 = nodes.member[(0u + _e1431)].links[1u];
                                                                     let _e1876 = ((_e1057 + _e1871) + select(firstTrailingBit(_e1867), 32u, (_e1867 == 0u)));
@@ -1544,763 +1549,816 @@ fn function_() {
                                                                     let _e1899 = phi_1973_;
                                                                     let _e1903 = (_e1899.x - (_e1277 * _e1899.z));
                                                                     let _e1907 = (_e1899.y - (_e1280 * _e1899.z));
-                                                                    let _e1911 = triangles.member[(0u + _e1876)].v1_;
-                                                                    let _e1913 = (_e1911.x - _e986);
-                                                                    let _e1915 = (_e1911.y - _e999);
-                                                                    let _e1917 = (_e1911.z - _e1012);
+                                                                    let _e1909 = triangles.member[(0u + _e1876)].v1_;
+                                                                    let _e1911 = (_e1909.x - _e986);
+                                                                    let _e1913 = (_e1909.y - _e999);
+                                                                    let _e1915 = (_e1909.z - _e1012);
                                                                     if (_e1266 == 0u) {
-                                                                        phi_2005_ = vec3<f32>(_e1915, _e1917, _e1913);
+                                                                        phi_2003_ = vec3<f32>(_e1913, _e1915, _e1911);
                                                                     } else {
                                                                         if (_e1266 == 1u) {
-                                                                            phi_2004_ = vec3<f32>(_e1917, _e1913, _e1915);
+                                                                            phi_2002_ = vec3<f32>(_e1915, _e1911, _e1913);
                                                                         } else {
-                                                                            phi_2004_ = (_e1911 - vec3<f32>(_e986, _e999, _e1012));
+                                                                            phi_2002_ = (_e1909 - vec3<f32>(_e986, _e999, _e1012));
                                                                         }
-                                                                        let _e1925 = phi_2004_;
-                                                                        phi_2005_ = _e1925;
+                                                                        let _e1923 = phi_2002_;
+                                                                        phi_2003_ = _e1923;
                                                                     }
-                                                                    let _e1927 = phi_2005_;
-                                                                    let _e1931 = (_e1927.x - (_e1277 * _e1927.z));
-                                                                    let _e1935 = (_e1927.y - (_e1280 * _e1927.z));
-                                                                    let _e1939 = triangles.member[(0u + _e1876)].v2_;
-                                                                    let _e1941 = (_e1939.x - _e986);
-                                                                    let _e1943 = (_e1939.y - _e999);
-                                                                    let _e1945 = (_e1939.z - _e1012);
+                                                                    let _e1925 = phi_2003_;
+                                                                    let _e1929 = (_e1925.x - (_e1277 * _e1925.z));
+                                                                    let _e1933 = (_e1925.y - (_e1280 * _e1925.z));
+                                                                    let _e1935 = triangles.member[(0u + _e1876)].v2_;
+                                                                    let _e1937 = (_e1935.x - _e986);
+                                                                    let _e1939 = (_e1935.y - _e999);
+                                                                    let _e1941 = (_e1935.z - _e1012);
                                                                     if (_e1266 == 0u) {
-                                                                        phi_2037_ = vec3<f32>(_e1943, _e1945, _e1941);
+                                                                        phi_2033_ = vec3<f32>(_e1939, _e1941, _e1937);
                                                                     } else {
                                                                         if (_e1266 == 1u) {
-                                                                            phi_2036_ = vec3<f32>(_e1945, _e1941, _e1943);
+                                                                            phi_2032_ = vec3<f32>(_e1941, _e1937, _e1939);
                                                                         } else {
-                                                                            phi_2036_ = (_e1939 - vec3<f32>(_e986, _e999, _e1012));
+                                                                            phi_2032_ = (_e1935 - vec3<f32>(_e986, _e999, _e1012));
                                                                         }
-                                                                        let _e1953 = phi_2036_;
-                                                                        phi_2037_ = _e1953;
+                                                                        let _e1949 = phi_2032_;
+                                                                        phi_2033_ = _e1949;
                                                                     }
-                                                                    let _e1955 = phi_2037_;
-                                                                    let _e1959 = (_e1955.x - (_e1277 * _e1955.z));
-                                                                    let _e1963 = (_e1955.y - (_e1280 * _e1955.z));
-                                                                    if (_e1931 < _e1959) {
-                                                                        phi_2058_ = true;
+                                                                    let _e1951 = phi_2033_;
+                                                                    let _e1955 = (_e1951.x - (_e1277 * _e1951.z));
+                                                                    let _e1959 = (_e1951.y - (_e1280 * _e1951.z));
+                                                                    if (_e1929 < _e1955) {
+                                                                        phi_2052_ = true;
                                                                     } else {
-                                                                        if (_e1931 == _e1959) {
-                                                                            phi_2057_ = (_e1935 < _e1963);
+                                                                        if (_e1929 == _e1955) {
+                                                                            phi_2051_ = (_e1933 < _e1959);
                                                                         } else {
-                                                                            phi_2057_ = false;
+                                                                            phi_2051_ = false;
                                                                         }
-                                                                        let _e1970 = phi_2057_;
-                                                                        phi_2058_ = _e1970;
+                                                                        let _e1964 = phi_2051_;
+                                                                        phi_2052_ = _e1964;
                                                                     }
+                                                                    let _e1966 = phi_2052_;
+                                                                    if _e1966 {
+                                                                        phi_2056_ = _e1959;
+                                                                        phi_2057_ = _e1955;
+                                                                        phi_2058_ = _e1933;
+                                                                        phi_2059_ = _e1929;
+                                                                    } else {
+                                                                        phi_2056_ = _e1933;
+                                                                        phi_2057_ = _e1929;
+                                                                        phi_2058_ = _e1959;
+                                                                        phi_2059_ = _e1955;
+                                                                    }
+                                                                    let _e1968 = phi_2056_;
+                                                                    let _e1970 = phi_2057_;
                                                                     let _e1972 = phi_2058_;
-                                                                    if _e1972 {
-                                                                        phi_2062_ = _e1963;
-                                                                        phi_2063_ = _e1959;
-                                                                        phi_2064_ = _e1935;
-                                                                        phi_2065_ = _e1931;
+                                                                    let _e1974 = phi_2059_;
+                                                                    let _e1977 = ((_e1974 * _e1968) - (_e1972 * _e1970));
+                                                                    if _e1966 {
+                                                                        phi_2067_ = -(_e1977);
                                                                     } else {
-                                                                        phi_2062_ = _e1935;
-                                                                        phi_2063_ = _e1931;
-                                                                        phi_2064_ = _e1963;
-                                                                        phi_2065_ = _e1959;
+                                                                        phi_2067_ = _e1977;
                                                                     }
-                                                                    let _e1974 = phi_2062_;
-                                                                    let _e1976 = phi_2063_;
-                                                                    let _e1978 = phi_2064_;
-                                                                    let _e1980 = phi_2065_;
-                                                                    let _e1983 = ((_e1980 * _e1974) - (_e1978 * _e1976));
-                                                                    if _e1972 {
-                                                                        phi_2073_ = -(_e1983);
+                                                                    let _e1980 = phi_2067_;
+                                                                    if (_e1955 < _e1903) {
+                                                                        phi_2078_ = true;
                                                                     } else {
-                                                                        phi_2073_ = _e1983;
-                                                                    }
-                                                                    let _e1986 = phi_2073_;
-                                                                    if (_e1959 < _e1903) {
-                                                                        phi_2084_ = true;
-                                                                    } else {
-                                                                        if (_e1959 == _e1903) {
-                                                                            phi_2083_ = (_e1963 < _e1907);
+                                                                        if (_e1955 == _e1903) {
+                                                                            phi_2077_ = (_e1959 < _e1907);
                                                                         } else {
-                                                                            phi_2083_ = false;
+                                                                            phi_2077_ = false;
                                                                         }
-                                                                        let _e1991 = phi_2083_;
-                                                                        phi_2084_ = _e1991;
+                                                                        let _e1985 = phi_2077_;
+                                                                        phi_2078_ = _e1985;
                                                                     }
+                                                                    let _e1987 = phi_2078_;
+                                                                    if _e1987 {
+                                                                        phi_2082_ = _e1907;
+                                                                        phi_2083_ = _e1903;
+                                                                        phi_2084_ = _e1959;
+                                                                        phi_2085_ = _e1955;
+                                                                    } else {
+                                                                        phi_2082_ = _e1959;
+                                                                        phi_2083_ = _e1955;
+                                                                        phi_2084_ = _e1907;
+                                                                        phi_2085_ = _e1903;
+                                                                    }
+                                                                    let _e1989 = phi_2082_;
+                                                                    let _e1991 = phi_2083_;
                                                                     let _e1993 = phi_2084_;
-                                                                    if _e1993 {
-                                                                        phi_2088_ = _e1907;
-                                                                        phi_2089_ = _e1903;
-                                                                        phi_2090_ = _e1963;
-                                                                        phi_2091_ = _e1959;
+                                                                    let _e1995 = phi_2085_;
+                                                                    let _e1998 = ((_e1995 * _e1989) - (_e1993 * _e1991));
+                                                                    if _e1987 {
+                                                                        phi_2093_ = -(_e1998);
                                                                     } else {
-                                                                        phi_2088_ = _e1963;
-                                                                        phi_2089_ = _e1959;
-                                                                        phi_2090_ = _e1907;
-                                                                        phi_2091_ = _e1903;
+                                                                        phi_2093_ = _e1998;
                                                                     }
-                                                                    let _e1995 = phi_2088_;
-                                                                    let _e1997 = phi_2089_;
-                                                                    let _e1999 = phi_2090_;
-                                                                    let _e2001 = phi_2091_;
-                                                                    let _e2004 = ((_e2001 * _e1995) - (_e1999 * _e1997));
-                                                                    if _e1993 {
-                                                                        phi_2099_ = -(_e2004);
+                                                                    let _e2001 = phi_2093_;
+                                                                    if (_e1903 < _e1929) {
+                                                                        phi_2104_ = true;
                                                                     } else {
-                                                                        phi_2099_ = _e2004;
-                                                                    }
-                                                                    let _e2007 = phi_2099_;
-                                                                    if (_e1903 < _e1931) {
-                                                                        phi_2110_ = true;
-                                                                    } else {
-                                                                        if (_e1903 == _e1931) {
-                                                                            phi_2109_ = (_e1907 < _e1935);
+                                                                        if (_e1903 == _e1929) {
+                                                                            phi_2103_ = (_e1907 < _e1933);
                                                                         } else {
-                                                                            phi_2109_ = false;
+                                                                            phi_2103_ = false;
                                                                         }
-                                                                        let _e2012 = phi_2109_;
-                                                                        phi_2110_ = _e2012;
+                                                                        let _e2006 = phi_2103_;
+                                                                        phi_2104_ = _e2006;
                                                                     }
+                                                                    let _e2008 = phi_2104_;
+                                                                    if _e2008 {
+                                                                        phi_2108_ = _e1933;
+                                                                        phi_2109_ = _e1929;
+                                                                        phi_2110_ = _e1907;
+                                                                        phi_2111_ = _e1903;
+                                                                    } else {
+                                                                        phi_2108_ = _e1907;
+                                                                        phi_2109_ = _e1903;
+                                                                        phi_2110_ = _e1933;
+                                                                        phi_2111_ = _e1929;
+                                                                    }
+                                                                    let _e2010 = phi_2108_;
+                                                                    let _e2012 = phi_2109_;
                                                                     let _e2014 = phi_2110_;
-                                                                    if _e2014 {
-                                                                        phi_2114_ = _e1935;
-                                                                        phi_2115_ = _e1931;
-                                                                        phi_2116_ = _e1907;
-                                                                        phi_2117_ = _e1903;
+                                                                    let _e2016 = phi_2111_;
+                                                                    let _e2019 = ((_e2016 * _e2010) - (_e2014 * _e2012));
+                                                                    if _e2008 {
+                                                                        phi_2119_ = -(_e2019);
                                                                     } else {
-                                                                        phi_2114_ = _e1907;
-                                                                        phi_2115_ = _e1903;
-                                                                        phi_2116_ = _e1935;
-                                                                        phi_2117_ = _e1931;
+                                                                        phi_2119_ = _e2019;
                                                                     }
-                                                                    let _e2016 = phi_2114_;
-                                                                    let _e2018 = phi_2115_;
-                                                                    let _e2020 = phi_2116_;
-                                                                    let _e2022 = phi_2117_;
-                                                                    let _e2025 = ((_e2022 * _e2016) - (_e2020 * _e2018));
-                                                                    if _e2014 {
-                                                                        phi_2125_ = -(_e2025);
-                                                                    } else {
-                                                                        phi_2125_ = _e2025;
-                                                                    }
-                                                                    let _e2028 = phi_2125_;
-                                                                    if (_e1986 >= 0f) {
-                                                                        if (_e2007 >= 0f) {
-                                                                            if (_e2028 >= 0f) {
-                                                                                phi_2140_ = ((_e1986 + _e2007) + _e2028);
-                                                                                phi_2141_ = false;
+                                                                    let _e2022 = phi_2119_;
+                                                                    if (_e1980 >= 0f) {
+                                                                        if (_e2001 >= 0f) {
+                                                                            if (_e2022 >= 0f) {
+                                                                                phi_2134_ = ((_e1980 + _e2001) + _e2022);
+                                                                                phi_2135_ = false;
                                                                             } else {
-                                                                                phi_2140_ = f32();
-                                                                                phi_2141_ = true;
+                                                                                phi_2134_ = f32();
+                                                                                phi_2135_ = true;
                                                                             }
-                                                                            let _e2035 = phi_2140_;
-                                                                            let _e2037 = phi_2141_;
-                                                                            phi_2142_ = _e2035;
-                                                                            phi_2143_ = _e2037;
+                                                                            let _e2029 = phi_2134_;
+                                                                            let _e2031 = phi_2135_;
+                                                                            phi_2136_ = _e2029;
+                                                                            phi_2137_ = _e2031;
                                                                         } else {
-                                                                            phi_2142_ = f32();
-                                                                            phi_2143_ = true;
+                                                                            phi_2136_ = f32();
+                                                                            phi_2137_ = true;
                                                                         }
-                                                                        let _e2039 = phi_2142_;
-                                                                        let _e2041 = phi_2143_;
-                                                                        phi_2144_ = _e2039;
-                                                                        phi_2145_ = _e2041;
+                                                                        let _e2033 = phi_2136_;
+                                                                        let _e2035 = phi_2137_;
+                                                                        phi_2138_ = _e2033;
+                                                                        phi_2139_ = _e2035;
                                                                     } else {
-                                                                        phi_2144_ = f32();
-                                                                        phi_2145_ = true;
+                                                                        phi_2138_ = f32();
+                                                                        phi_2139_ = true;
                                                                     }
-                                                                    let _e2043 = phi_2144_;
-                                                                    let _e2045 = phi_2145_;
-                                                                    if _e2045 {
-                                                                        if (_e1986 <= 0f) {
-                                                                            if (_e2007 <= 0f) {
-                                                                                let _e2048 = (_e2028 <= 0f);
-                                                                                if _e2048 {
+                                                                    let _e2037 = phi_2138_;
+                                                                    let _e2039 = phi_2139_;
+                                                                    if _e2039 {
+                                                                        if (_e1980 <= 0f) {
+                                                                            if (_e2001 <= 0f) {
+                                                                                let _e2042 = (_e2022 <= 0f);
+                                                                                if _e2042 {
                                                                                 }
-                                                                                phi_2163_ = ((_e1986 + _e2007) + _e2028);
-                                                                                phi_2164_ = false;
-                                                                                phi_2165_ = _e2048;
+                                                                                phi_2157_ = ((_e1980 + _e2001) + _e2022);
+                                                                                phi_2158_ = false;
+                                                                                phi_2159_ = _e2042;
                                                                             } else {
-                                                                                phi_2163_ = f32();
-                                                                                phi_2164_ = true;
-                                                                                phi_2165_ = false;
+                                                                                phi_2157_ = f32();
+                                                                                phi_2158_ = true;
+                                                                                phi_2159_ = false;
                                                                             }
-                                                                            let _e2052 = phi_2163_;
-                                                                            let _e2054 = phi_2164_;
-                                                                            let _e2056 = phi_2165_;
-                                                                            phi_2166_ = _e2052;
-                                                                            phi_2167_ = _e2054;
-                                                                            phi_2168_ = _e2056;
+                                                                            let _e2046 = phi_2157_;
+                                                                            let _e2048 = phi_2158_;
+                                                                            let _e2050 = phi_2159_;
+                                                                            phi_2160_ = _e2046;
+                                                                            phi_2161_ = _e2048;
+                                                                            phi_2162_ = _e2050;
                                                                         } else {
-                                                                            phi_2166_ = f32();
-                                                                            phi_2167_ = true;
-                                                                            phi_2168_ = false;
+                                                                            phi_2160_ = f32();
+                                                                            phi_2161_ = true;
+                                                                            phi_2162_ = false;
+                                                                        }
+                                                                        let _e2052 = phi_2160_;
+                                                                        let _e2054 = phi_2161_;
+                                                                        let _e2056 = phi_2162_;
+                                                                        if _e2054 {
+                                                                            phi_2166_ = false;
+                                                                        } else {
+                                                                            phi_2166_ = _e2056;
                                                                         }
                                                                         let _e2058 = phi_2166_;
-                                                                        let _e2060 = phi_2167_;
-                                                                        let _e2062 = phi_2168_;
-                                                                        if _e2060 {
-                                                                            phi_2172_ = false;
-                                                                        } else {
-                                                                            phi_2172_ = _e2062;
-                                                                        }
-                                                                        let _e2064 = phi_2172_;
-                                                                        phi_2173_ = _e2058;
-                                                                        phi_2174_ = _e2064;
+                                                                        phi_2167_ = _e2052;
+                                                                        phi_2168_ = _e2058;
                                                                     } else {
-                                                                        phi_2173_ = _e2043;
-                                                                        phi_2174_ = true;
+                                                                        phi_2167_ = _e2037;
+                                                                        phi_2168_ = true;
                                                                     }
-                                                                    let _e2066 = phi_2173_;
-                                                                    let _e2068 = phi_2174_;
-                                                                    if _e2068 {
-                                                                        let _e2069 = (_e2066 == 0f);
-                                                                        if _e2069 {
-                                                                            phi_2387_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2388_ = false;
+                                                                    let _e2060 = phi_2167_;
+                                                                    let _e2062 = phi_2168_;
+                                                                    if _e2062 {
+                                                                        let _e2063 = (_e2060 == 0f);
+                                                                        if _e2063 {
+                                                                            phi_2484_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2485_ = false;
                                                                         } else {
-                                                                            let _e2075 = ((((_e1986 * (_e1282 * _e1899.z)) + (_e2007 * (_e1282 * _e1927.z))) + (_e2028 * (_e1282 * _e1955.z))) / _e2066);
-                                                                            if (_e2075 > 0f) {
-                                                                                if (_e2075 < _e116) {
-                                                                                    let _e2079 = triangles.member[(0u + _e1876)].v0_;
-                                                                                    let _e2081 = triangles.member[(0u + _e1876)].v1_;
-                                                                                    if (_e2079.x < _e2081.x) {
-                                                                                        phi_2208_ = _e2079.x;
-                                                                                    } else {
-                                                                                        phi_2208_ = _e2081.x;
-                                                                                    }
-                                                                                    let _e2088 = phi_2208_;
-                                                                                    if (_e2079.y < _e2081.y) {
-                                                                                        phi_2217_ = _e2079.y;
-                                                                                    } else {
-                                                                                        phi_2217_ = _e2081.y;
-                                                                                    }
-                                                                                    let _e2095 = phi_2217_;
-                                                                                    if (_e2079.z < _e2081.z) {
-                                                                                        phi_2226_ = _e2079.z;
-                                                                                    } else {
-                                                                                        phi_2226_ = _e2081.z;
-                                                                                    }
-                                                                                    let _e2102 = phi_2226_;
-                                                                                    let _e2104 = triangles.member[(0u + _e1876)].v2_;
-                                                                                    if (_e2088 < _e2104.x) {
-                                                                                        phi_2235_ = _e2088;
-                                                                                    } else {
-                                                                                        phi_2235_ = _e2104.x;
-                                                                                    }
-                                                                                    let _e2109 = phi_2235_;
-                                                                                    if (_e2095 < _e2104.y) {
-                                                                                        phi_2242_ = _e2095;
-                                                                                    } else {
-                                                                                        phi_2242_ = _e2104.y;
-                                                                                    }
-                                                                                    let _e2114 = phi_2242_;
-                                                                                    if (_e2102 < _e2104.z) {
-                                                                                        phi_2249_ = _e2102;
-                                                                                    } else {
-                                                                                        phi_2249_ = _e2104.z;
-                                                                                    }
-                                                                                    let _e2119 = phi_2249_;
-                                                                                    let _e2121 = triangles.member[(0u + _e1876)].v0_;
-                                                                                    let _e2123 = triangles.member[(0u + _e1876)].v1_;
-                                                                                    if (_e2121.x > _e2123.x) {
-                                                                                        phi_2262_ = _e2121.x;
-                                                                                    } else {
-                                                                                        phi_2262_ = _e2123.x;
-                                                                                    }
-                                                                                    let _e2130 = phi_2262_;
-                                                                                    if (_e2121.y > _e2123.y) {
-                                                                                        phi_2271_ = _e2121.y;
-                                                                                    } else {
-                                                                                        phi_2271_ = _e2123.y;
-                                                                                    }
-                                                                                    let _e2137 = phi_2271_;
-                                                                                    if (_e2121.z > _e2123.z) {
-                                                                                        phi_2280_ = _e2121.z;
-                                                                                    } else {
-                                                                                        phi_2280_ = _e2123.z;
-                                                                                    }
-                                                                                    let _e2144 = phi_2280_;
-                                                                                    let _e2146 = triangles.member[(0u + _e1876)].v2_;
-                                                                                    if (_e2130 > _e2146.x) {
-                                                                                        phi_2289_ = _e2130;
-                                                                                    } else {
-                                                                                        phi_2289_ = _e2146.x;
-                                                                                    }
-                                                                                    let _e2151 = phi_2289_;
-                                                                                    if (_e2137 > _e2146.y) {
-                                                                                        phi_2296_ = _e2137;
-                                                                                    } else {
-                                                                                        phi_2296_ = _e2146.y;
-                                                                                    }
-                                                                                    let _e2156 = phi_2296_;
-                                                                                    if (_e2144 > _e2146.z) {
-                                                                                        phi_2303_ = _e2144;
-                                                                                    } else {
-                                                                                        phi_2303_ = _e2146.z;
-                                                                                    }
-                                                                                    let _e2161 = phi_2303_;
-                                                                                    let _e2165 = ((_e2109 - _e986) * _e1195);
-                                                                                    let _e2166 = ((_e2114 - _e999) * _e1205);
-                                                                                    let _e2167 = ((_e2119 - _e1012) * _e1215);
-                                                                                    let _e2171 = ((_e2151 - _e986) * _e1195);
-                                                                                    let _e2172 = ((_e2156 - _e999) * _e1205);
-                                                                                    let _e2173 = ((_e2161 - _e1012) * _e1215);
-                                                                                    if (_e2165 < _e2171) {
-                                                                                        phi_2320_ = _e2165;
-                                                                                    } else {
-                                                                                        phi_2320_ = _e2171;
-                                                                                    }
-                                                                                    let _e2176 = phi_2320_;
-                                                                                    if (_e2166 < _e2172) {
-                                                                                        phi_2325_ = _e2166;
-                                                                                    } else {
-                                                                                        phi_2325_ = _e2172;
-                                                                                    }
-                                                                                    let _e2179 = phi_2325_;
-                                                                                    if (_e2167 < _e2173) {
-                                                                                        phi_2330_ = _e2167;
-                                                                                    } else {
-                                                                                        phi_2330_ = _e2173;
-                                                                                    }
-                                                                                    let _e2182 = phi_2330_;
-                                                                                    if (_e2165 > _e2171) {
-                                                                                        phi_2338_ = _e2165;
-                                                                                    } else {
-                                                                                        phi_2338_ = _e2171;
-                                                                                    }
-                                                                                    let _e2188 = phi_2338_;
-                                                                                    if (_e2166 > _e2172) {
-                                                                                        phi_2343_ = _e2166;
-                                                                                    } else {
-                                                                                        phi_2343_ = _e2172;
-                                                                                    }
-                                                                                    let _e2191 = phi_2343_;
-                                                                                    if (_e2167 > _e2173) {
-                                                                                        phi_2348_ = _e2167;
-                                                                                    } else {
-                                                                                        phi_2348_ = _e2173;
-                                                                                    }
-                                                                                    let _e2194 = phi_2348_;
-                                                                                    let _e2198 = core_intrinsics_maximum_number_nsz_f32_((_e2176 - _e1250), (_e2179 - _e1251));
-                                                                                    let _e2199 = core_intrinsics_maximum_number_nsz_f32_(_e2198, (_e2182 - _e1252));
-                                                                                    let _e2200 = core_intrinsics_minimum_number_nsz_f32_((_e2188 + _e1250), (_e2191 + _e1251));
-                                                                                    let _e2201 = core_intrinsics_minimum_number_nsz_f32_(_e2200, (_e2194 + _e1252));
-                                                                                    if (_e2199 > _e967) {
-                                                                                        phi_2360_ = _e2199;
-                                                                                    } else {
-                                                                                        phi_2360_ = _e967;
-                                                                                    }
-                                                                                    let _e2204 = phi_2360_;
-                                                                                    if (_e2201 < _e969) {
-                                                                                        phi_2365_ = _e2201;
-                                                                                    } else {
-                                                                                        phi_2365_ = _e969;
-                                                                                    }
-                                                                                    let _e2207 = phi_2365_;
-                                                                                    if (_e2075 < _e2204) {
-                                                                                        phi_2370_ = _e2204;
-                                                                                    } else {
-                                                                                        phi_2370_ = _e2075;
-                                                                                    }
-                                                                                    let _e2210 = phi_2370_;
-                                                                                    if (_e2210 > _e2207) {
-                                                                                        phi_2375_ = _e2207;
-                                                                                    } else {
-                                                                                        phi_2375_ = _e2210;
-                                                                                    }
-                                                                                    let _e2213 = phi_2375_;
-                                                                                    phi_2380_ = lt_bvh_triangle_Intersection(_e2213, (_e2007 / _e2066), (_e2028 / _e2066), (_e2204 <= _e2207));
-                                                                                    phi_2381_ = false;
-                                                                                } else {
-                                                                                    phi_2380_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2381_ = true;
-                                                                                }
-                                                                                let _e2219 = phi_2380_;
-                                                                                let _e2221 = phi_2381_;
-                                                                                phi_2382_ = _e2219;
-                                                                                phi_2383_ = _e2221;
+                                                                            let _e2065 = triangles.member[(0u + _e1876)].v0_;
+                                                                            let _e2067 = (_e2065.x - _e986);
+                                                                            let _e2069 = (_e2065.y - _e999);
+                                                                            let _e2071 = (_e2065.z - _e1012);
+                                                                            if (_e1266 == 0u) {
+                                                                                phi_2197_ = vec3<f32>(_e2069, _e2071, _e2067);
                                                                             } else {
-                                                                                phi_2382_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2383_ = true;
+                                                                                if (_e1266 == 1u) {
+                                                                                    phi_2196_ = vec3<f32>(_e2071, _e2067, _e2069);
+                                                                                } else {
+                                                                                    phi_2196_ = (_e2065 - vec3<f32>(_e986, _e999, _e1012));
+                                                                                }
+                                                                                let _e2079 = phi_2196_;
+                                                                                phi_2197_ = _e2079;
                                                                             }
-                                                                            let _e2223 = phi_2382_;
-                                                                            let _e2225 = phi_2383_;
-                                                                            if _e2225 {
+                                                                            let _e2081 = phi_2197_;
+                                                                            let _e2083 = triangles.member[(0u + _e1876)].v1_;
+                                                                            let _e2085 = triangles.member[(0u + _e1876)].v0_;
+                                                                            let _e2088 = (_e2083.x - _e2085.x);
+                                                                            let _e2091 = (_e2083.y - _e2085.y);
+                                                                            let _e2094 = (_e2083.z - _e2085.z);
+                                                                            if (_e1266 == 0u) {
+                                                                                phi_2223_ = vec3<f32>(_e2091, _e2094, _e2088);
+                                                                            } else {
+                                                                                if (_e1266 == 1u) {
+                                                                                    phi_2222_ = vec3<f32>(_e2094, _e2088, _e2091);
+                                                                                } else {
+                                                                                    phi_2222_ = (_e2083 - _e2085);
+                                                                                }
+                                                                                let _e2101 = phi_2222_;
+                                                                                phi_2223_ = _e2101;
                                                                             }
-                                                                            phi_2387_ = _e2223;
-                                                                            phi_2388_ = _e2225;
+                                                                            let _e2103 = phi_2223_;
+                                                                            let _e2105 = triangles.member[(0u + _e1876)].v2_;
+                                                                            let _e2107 = triangles.member[(0u + _e1876)].v0_;
+                                                                            let _e2110 = (_e2105.x - _e2107.x);
+                                                                            let _e2113 = (_e2105.y - _e2107.y);
+                                                                            let _e2116 = (_e2105.z - _e2107.z);
+                                                                            if (_e1266 == 0u) {
+                                                                                phi_2249_ = vec3<f32>(_e2113, _e2116, _e2110);
+                                                                            } else {
+                                                                                if (_e1266 == 1u) {
+                                                                                    phi_2248_ = vec3<f32>(_e2116, _e2110, _e2113);
+                                                                                } else {
+                                                                                    phi_2248_ = (_e2105 - _e2107);
+                                                                                }
+                                                                                let _e2123 = phi_2248_;
+                                                                                phi_2249_ = _e2123;
+                                                                            }
+                                                                            let _e2125 = phi_2249_;
+                                                                            let _e2132 = ((_e2103.y * _e2125.z) - (_e2103.z * _e2125.y));
+                                                                            let _e2139 = ((_e2103.z * _e2125.x) - (_e2103.x * _e2125.z));
+                                                                            let _e2146 = ((_e2103.x * _e2125.y) - (_e2103.y * _e2125.x));
+                                                                            let _e2160 = (((1f / _e1274.z) * (((_e2132 * _e2081.x) + (_e2139 * _e2081.y)) + (_e2146 * _e2081.z))) / (((_e2132 * _e1277) + (_e2139 * _e1280)) + _e2146));
+                                                                            if (_e2160 > 0f) {
+                                                                                if (_e2160 < _e116) {
+                                                                                    let _e2164 = triangles.member[(0u + _e1876)].v0_;
+                                                                                    let _e2166 = triangles.member[(0u + _e1876)].v1_;
+                                                                                    if (_e2164.x < _e2166.x) {
+                                                                                        phi_2305_ = _e2164.x;
+                                                                                    } else {
+                                                                                        phi_2305_ = _e2166.x;
+                                                                                    }
+                                                                                    let _e2173 = phi_2305_;
+                                                                                    if (_e2164.y < _e2166.y) {
+                                                                                        phi_2314_ = _e2164.y;
+                                                                                    } else {
+                                                                                        phi_2314_ = _e2166.y;
+                                                                                    }
+                                                                                    let _e2180 = phi_2314_;
+                                                                                    if (_e2164.z < _e2166.z) {
+                                                                                        phi_2323_ = _e2164.z;
+                                                                                    } else {
+                                                                                        phi_2323_ = _e2166.z;
+                                                                                    }
+                                                                                    let _e2187 = phi_2323_;
+                                                                                    let _e2189 = triangles.member[(0u + _e1876)].v2_;
+                                                                                    if (_e2173 < _e2189.x) {
+                                                                                        phi_2332_ = _e2173;
+                                                                                    } else {
+                                                                                        phi_2332_ = _e2189.x;
+                                                                                    }
+                                                                                    let _e2194 = phi_2332_;
+                                                                                    if (_e2180 < _e2189.y) {
+                                                                                        phi_2339_ = _e2180;
+                                                                                    } else {
+                                                                                        phi_2339_ = _e2189.y;
+                                                                                    }
+                                                                                    let _e2199 = phi_2339_;
+                                                                                    if (_e2187 < _e2189.z) {
+                                                                                        phi_2346_ = _e2187;
+                                                                                    } else {
+                                                                                        phi_2346_ = _e2189.z;
+                                                                                    }
+                                                                                    let _e2204 = phi_2346_;
+                                                                                    let _e2206 = triangles.member[(0u + _e1876)].v0_;
+                                                                                    let _e2208 = triangles.member[(0u + _e1876)].v1_;
+                                                                                    if (_e2206.x > _e2208.x) {
+                                                                                        phi_2359_ = _e2206.x;
+                                                                                    } else {
+                                                                                        phi_2359_ = _e2208.x;
+                                                                                    }
+                                                                                    let _e2215 = phi_2359_;
+                                                                                    if (_e2206.y > _e2208.y) {
+                                                                                        phi_2368_ = _e2206.y;
+                                                                                    } else {
+                                                                                        phi_2368_ = _e2208.y;
+                                                                                    }
+                                                                                    let _e2222 = phi_2368_;
+                                                                                    if (_e2206.z > _e2208.z) {
+                                                                                        phi_2377_ = _e2206.z;
+                                                                                    } else {
+                                                                                        phi_2377_ = _e2208.z;
+                                                                                    }
+                                                                                    let _e2229 = phi_2377_;
+                                                                                    let _e2231 = triangles.member[(0u + _e1876)].v2_;
+                                                                                    if (_e2215 > _e2231.x) {
+                                                                                        phi_2386_ = _e2215;
+                                                                                    } else {
+                                                                                        phi_2386_ = _e2231.x;
+                                                                                    }
+                                                                                    let _e2236 = phi_2386_;
+                                                                                    if (_e2222 > _e2231.y) {
+                                                                                        phi_2393_ = _e2222;
+                                                                                    } else {
+                                                                                        phi_2393_ = _e2231.y;
+                                                                                    }
+                                                                                    let _e2241 = phi_2393_;
+                                                                                    if (_e2229 > _e2231.z) {
+                                                                                        phi_2400_ = _e2229;
+                                                                                    } else {
+                                                                                        phi_2400_ = _e2231.z;
+                                                                                    }
+                                                                                    let _e2246 = phi_2400_;
+                                                                                    let _e2250 = ((_e2194 - _e986) * _e1195);
+                                                                                    let _e2251 = ((_e2199 - _e999) * _e1205);
+                                                                                    let _e2252 = ((_e2204 - _e1012) * _e1215);
+                                                                                    let _e2256 = ((_e2236 - _e986) * _e1195);
+                                                                                    let _e2257 = ((_e2241 - _e999) * _e1205);
+                                                                                    let _e2258 = ((_e2246 - _e1012) * _e1215);
+                                                                                    if (_e2250 < _e2256) {
+                                                                                        phi_2417_ = _e2250;
+                                                                                    } else {
+                                                                                        phi_2417_ = _e2256;
+                                                                                    }
+                                                                                    let _e2261 = phi_2417_;
+                                                                                    if (_e2251 < _e2257) {
+                                                                                        phi_2422_ = _e2251;
+                                                                                    } else {
+                                                                                        phi_2422_ = _e2257;
+                                                                                    }
+                                                                                    let _e2264 = phi_2422_;
+                                                                                    if (_e2252 < _e2258) {
+                                                                                        phi_2427_ = _e2252;
+                                                                                    } else {
+                                                                                        phi_2427_ = _e2258;
+                                                                                    }
+                                                                                    let _e2267 = phi_2427_;
+                                                                                    if (_e2250 > _e2256) {
+                                                                                        phi_2435_ = _e2250;
+                                                                                    } else {
+                                                                                        phi_2435_ = _e2256;
+                                                                                    }
+                                                                                    let _e2273 = phi_2435_;
+                                                                                    if (_e2251 > _e2257) {
+                                                                                        phi_2440_ = _e2251;
+                                                                                    } else {
+                                                                                        phi_2440_ = _e2257;
+                                                                                    }
+                                                                                    let _e2276 = phi_2440_;
+                                                                                    if (_e2252 > _e2258) {
+                                                                                        phi_2445_ = _e2252;
+                                                                                    } else {
+                                                                                        phi_2445_ = _e2258;
+                                                                                    }
+                                                                                    let _e2279 = phi_2445_;
+                                                                                    let _e2283 = core_intrinsics_maximum_number_nsz_f32_((_e2261 - _e1250), (_e2264 - _e1251));
+                                                                                    let _e2284 = core_intrinsics_maximum_number_nsz_f32_(_e2283, (_e2267 - _e1252));
+                                                                                    let _e2285 = core_intrinsics_minimum_number_nsz_f32_((_e2273 + _e1250), (_e2276 + _e1251));
+                                                                                    let _e2286 = core_intrinsics_minimum_number_nsz_f32_(_e2285, (_e2279 + _e1252));
+                                                                                    if (_e2284 > _e967) {
+                                                                                        phi_2457_ = _e2284;
+                                                                                    } else {
+                                                                                        phi_2457_ = _e967;
+                                                                                    }
+                                                                                    let _e2289 = phi_2457_;
+                                                                                    if (_e2286 < _e969) {
+                                                                                        phi_2462_ = _e2286;
+                                                                                    } else {
+                                                                                        phi_2462_ = _e969;
+                                                                                    }
+                                                                                    let _e2292 = phi_2462_;
+                                                                                    if (_e2160 < _e2289) {
+                                                                                        phi_2467_ = _e2289;
+                                                                                    } else {
+                                                                                        phi_2467_ = _e2160;
+                                                                                    }
+                                                                                    let _e2295 = phi_2467_;
+                                                                                    if (_e2295 > _e2292) {
+                                                                                        phi_2472_ = _e2292;
+                                                                                    } else {
+                                                                                        phi_2472_ = _e2295;
+                                                                                    }
+                                                                                    let _e2298 = phi_2472_;
+                                                                                    phi_2477_ = lt_bvh_triangle_Intersection(_e2298, (_e2001 / _e2060), (_e2022 / _e2060), (_e2289 <= _e2292));
+                                                                                    phi_2478_ = false;
+                                                                                } else {
+                                                                                    phi_2477_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2478_ = true;
+                                                                                }
+                                                                                let _e2304 = phi_2477_;
+                                                                                let _e2306 = phi_2478_;
+                                                                                phi_2479_ = _e2304;
+                                                                                phi_2480_ = _e2306;
+                                                                            } else {
+                                                                                phi_2479_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2480_ = true;
+                                                                            }
+                                                                            let _e2308 = phi_2479_;
+                                                                            let _e2310 = phi_2480_;
+                                                                            if _e2310 {
+                                                                            }
+                                                                            phi_2484_ = _e2308;
+                                                                            phi_2485_ = _e2310;
                                                                         }
-                                                                        let _e2227 = phi_2387_;
-                                                                        let _e2229 = phi_2388_;
-                                                                        phi_2389_ = _e2227;
-                                                                        phi_2390_ = _e2069;
-                                                                        phi_2391_ = _e2229;
+                                                                        let _e2312 = phi_2484_;
+                                                                        let _e2314 = phi_2485_;
+                                                                        phi_2486_ = _e2312;
+                                                                        phi_2487_ = _e2063;
+                                                                        phi_2488_ = _e2314;
                                                                     } else {
-                                                                        phi_2389_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2390_ = true;
-                                                                        phi_2391_ = false;
+                                                                        phi_2486_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2487_ = true;
+                                                                        phi_2488_ = false;
                                                                     }
-                                                                    let _e2231 = phi_2389_;
-                                                                    let _e2233 = phi_2390_;
-                                                                    let _e2235 = phi_2391_;
-                                                                    if _e2233 {
-                                                                        phi_2395_ = true;
+                                                                    let _e2316 = phi_2486_;
+                                                                    let _e2318 = phi_2487_;
+                                                                    let _e2320 = phi_2488_;
+                                                                    if _e2318 {
+                                                                        phi_2492_ = true;
                                                                     } else {
-                                                                        phi_2395_ = _e2235;
+                                                                        phi_2492_ = _e2320;
                                                                     }
-                                                                    let _e2237 = phi_2395_;
-                                                                    if _e2237 {
-                                                                        phi_2399_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2322 = phi_2492_;
+                                                                    if _e2322 {
+                                                                        phi_2496_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2399_ = _e2231;
+                                                                        phi_2496_ = _e2316;
                                                                     }
-                                                                    let _e2239 = phi_2399_;
-                                                                    if _e2239.is_hit {
-                                                                        if (_e2239.t > 0f) {
-                                                                            if (_e2239.t < _e116) {
-                                                                                let _e2246 = triangles.member[(0u + _e1876)].i0_;
-                                                                                let _e2248 = ((_e2246 & 2147483648u) == 0u);
-                                                                                if _e2248 {
-                                                                                    phi_2425_ = false;
-                                                                                    phi_2426_ = false;
+                                                                    let _e2324 = phi_2496_;
+                                                                    if _e2324.is_hit {
+                                                                        if (_e2324.t > 0f) {
+                                                                            if (_e2324.t < _e116) {
+                                                                                let _e2331 = triangles.member[(0u + _e1876)].i0_;
+                                                                                let _e2333 = ((_e2331 & 2147483648u) == 0u);
+                                                                                if _e2333 {
+                                                                                    phi_2522_ = false;
+                                                                                    phi_2523_ = false;
                                                                                 } else {
                                                                                     if true {
-                                                                                        phi_2424_ = false;
+                                                                                        phi_2521_ = false;
                                                                                     } else {
-                                                                                        phi_2424_ = true;
+                                                                                        phi_2521_ = true;
                                                                                     }
-                                                                                    let _e2250 = phi_2424_;
-                                                                                    phi_2425_ = _e2250;
-                                                                                    phi_2426_ = true;
+                                                                                    let _e2335 = phi_2521_;
+                                                                                    phi_2522_ = _e2335;
+                                                                                    phi_2523_ = true;
                                                                                 }
-                                                                                let _e2252 = phi_2425_;
-                                                                                let _e2254 = phi_2426_;
-                                                                                phi_2427_ = _e2252;
-                                                                                phi_2428_ = _e2248;
-                                                                                phi_2429_ = _e2254;
+                                                                                let _e2337 = phi_2522_;
+                                                                                let _e2339 = phi_2523_;
+                                                                                phi_2524_ = _e2337;
+                                                                                phi_2525_ = _e2333;
+                                                                                phi_2526_ = _e2339;
                                                                             } else {
-                                                                                phi_2427_ = true;
-                                                                                phi_2428_ = false;
-                                                                                phi_2429_ = false;
+                                                                                phi_2524_ = true;
+                                                                                phi_2525_ = false;
+                                                                                phi_2526_ = false;
                                                                             }
-                                                                            let _e2256 = phi_2427_;
-                                                                            let _e2258 = phi_2428_;
-                                                                            let _e2260 = phi_2429_;
-                                                                            phi_2430_ = _e2256;
-                                                                            phi_2431_ = _e2258;
-                                                                            phi_2432_ = _e2260;
+                                                                            let _e2341 = phi_2524_;
+                                                                            let _e2343 = phi_2525_;
+                                                                            let _e2345 = phi_2526_;
+                                                                            phi_2527_ = _e2341;
+                                                                            phi_2528_ = _e2343;
+                                                                            phi_2529_ = _e2345;
                                                                         } else {
-                                                                            phi_2430_ = true;
-                                                                            phi_2431_ = false;
-                                                                            phi_2432_ = false;
+                                                                            phi_2527_ = true;
+                                                                            phi_2528_ = false;
+                                                                            phi_2529_ = false;
                                                                         }
-                                                                        let _e2262 = phi_2430_;
-                                                                        let _e2264 = phi_2431_;
-                                                                        let _e2266 = phi_2432_;
-                                                                        phi_2433_ = _e2262;
-                                                                        phi_2434_ = _e2264;
-                                                                        phi_2435_ = _e2266;
+                                                                        let _e2347 = phi_2527_;
+                                                                        let _e2349 = phi_2528_;
+                                                                        let _e2351 = phi_2529_;
+                                                                        phi_2530_ = _e2347;
+                                                                        phi_2531_ = _e2349;
+                                                                        phi_2532_ = _e2351;
                                                                     } else {
-                                                                        phi_2433_ = true;
-                                                                        phi_2434_ = false;
-                                                                        phi_2435_ = false;
+                                                                        phi_2530_ = true;
+                                                                        phi_2531_ = false;
+                                                                        phi_2532_ = false;
                                                                     }
-                                                                    let _e2268 = phi_2433_;
-                                                                    let _e2270 = phi_2434_;
-                                                                    let _e2272 = phi_2435_;
-                                                                    if _e2268 {
-                                                                        phi_2439_ = false;
-                                                                        phi_2440_ = false;
+                                                                    let _e2353 = phi_2530_;
+                                                                    let _e2355 = phi_2531_;
+                                                                    let _e2357 = phi_2532_;
+                                                                    if _e2353 {
+                                                                        phi_2536_ = false;
+                                                                        phi_2537_ = false;
                                                                     } else {
-                                                                        phi_2439_ = _e2270;
-                                                                        phi_2440_ = _e2272;
+                                                                        phi_2536_ = _e2355;
+                                                                        phi_2537_ = _e2357;
                                                                     }
-                                                                    let _e2274 = phi_2439_;
-                                                                    let _e2276 = phi_2440_;
+                                                                    let _e2359 = phi_2536_;
+                                                                    let _e2361 = phi_2537_;
                                                                     phi_1928_ = (_e1867 & (_e1867 - 1u));
-                                                                    phi_2441_ = _e2268;
-                                                                    phi_2442_ = _e2274;
-                                                                    phi_2443_ = _e2276;
+                                                                    phi_2538_ = _e2353;
+                                                                    phi_2539_ = _e2359;
+                                                                    phi_2540_ = _e2361;
                                                                 }
-                                                                let _e2278 = phi_1928_;
-                                                                let _e2280 = phi_2441_;
-                                                                let _e2282 = phi_2442_;
-                                                                let _e2284 = phi_2443_;
-                                                                local_12 = _e2282;
-                                                                local_13 = _e2284;
+                                                                let _e2363 = phi_1928_;
+                                                                let _e2365 = phi_2538_;
+                                                                let _e2367 = phi_2539_;
+                                                                let _e2369 = phi_2540_;
+                                                                local_12 = _e2367;
+                                                                local_13 = _e2369;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1927_ = _e2278;
-                                                                    break if !(_e2280);
+                                                                    phi_1927_ = _e2363;
+                                                                    break if !(_e2365);
                                                                 }
                                                             }
-                                                            let _e2287 = local_8;
-                                                            if _e2287 {
-                                                                let _e2289 = local.group_mask;
-                                                                if ((_e2289 & 4278190080u) == 0u) {
-                                                                    let _e2293 = local.len;
-                                                                    if (_e2293 == 0u) {
-                                                                        phi_2485_ = false;
+                                                            let _e2372 = local_8;
+                                                            if _e2372 {
+                                                                let _e2374 = local.group_mask;
+                                                                if ((_e2374 & 4278190080u) == 0u) {
+                                                                    let _e2378 = local.len;
+                                                                    if (_e2378 == 0u) {
+                                                                        phi_2582_ = false;
                                                                     } else {
-                                                                        let _e2297 = local.len;
-                                                                        local.len = (_e2297 - 1u);
-                                                                        let _e2300 = local.len;
-                                                                        if (_e2300 < 32u) {
+                                                                        let _e2382 = local.len;
+                                                                        local.len = (_e2382 - 1u);
+                                                                        let _e2385 = local.len;
+                                                                        if (_e2385 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2305 = local.first[(0u + _e2300)];
-                                                                        local.group = _e2305;
-                                                                        let _e2308 = local.len;
-                                                                        if (_e2308 < 32u) {
+                                                                        let _e2390 = local.first[(0u + _e2385)];
+                                                                        local.group = _e2390;
+                                                                        let _e2393 = local.len;
+                                                                        if (_e2393 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2313 = local.mask[(0u + _e2308)];
-                                                                        local.group_mask = _e2313;
-                                                                        phi_2485_ = true;
+                                                                        let _e2398 = local.mask[(0u + _e2393)];
+                                                                        local.group_mask = _e2398;
+                                                                        phi_2582_ = true;
                                                                     }
-                                                                    let _e2316 = phi_2485_;
-                                                                    phi_2486_ = _e2316;
+                                                                    let _e2401 = phi_2582_;
+                                                                    phi_2583_ = _e2401;
                                                                 } else {
-                                                                    phi_2486_ = true;
+                                                                    phi_2583_ = true;
                                                                 }
-                                                                let _e2318 = phi_2486_;
-                                                                if _e2318 {
-                                                                    let _e2320 = local.group_mask;
-                                                                    let _e2326 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2320)), 32u, (_e2320 == 0u)));
-                                                                    let _e2330 = local.group_mask;
-                                                                    let _e2344 = local.group_mask;
-                                                                    local.group_mask = (_e2344 & ~((1u << bitcast<u32>((_e2326 & 31u)))));
-                                                                    let _e2347 = local.group;
-                                                                    phi_2517_ = (_e2347 + countOneBits(((_e2330 & ~((4294967295u << bitcast<u32>((((_e2326 - 24u) ^ _e1293) & 31u))))) & 255u)));
+                                                                let _e2403 = phi_2583_;
+                                                                if _e2403 {
+                                                                    let _e2405 = local.group_mask;
+                                                                    let _e2411 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2405)), 32u, (_e2405 == 0u)));
+                                                                    let _e2415 = local.group_mask;
+                                                                    let _e2429 = local.group_mask;
+                                                                    local.group_mask = (_e2429 & ~((1u << bitcast<u32>((_e2411 & 31u)))));
+                                                                    let _e2432 = local.group;
+                                                                    phi_2614_ = (_e2432 + countOneBits(((_e2415 & ~((4294967295u << bitcast<u32>((((_e2411 - 24u) ^ _e1293) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2517_ = 4294967295u;
+                                                                    phi_2614_ = 4294967295u;
                                                                 }
-                                                                let _e2350 = phi_2517_;
-                                                                phi_2518_ = _e2350;
-                                                                phi_2519_ = false;
-                                                                phi_2520_ = false;
+                                                                let _e2435 = phi_2614_;
+                                                                phi_2615_ = _e2435;
+                                                                phi_2616_ = false;
+                                                                phi_2617_ = false;
                                                             } else {
-                                                                phi_2518_ = u32();
-                                                                let _e2727 = local_12;
-                                                                phi_2519_ = _e2727;
-                                                                let _e2730 = local_13;
-                                                                phi_2520_ = _e2730;
+                                                                phi_2615_ = u32();
+                                                                let _e2818 = local_12;
+                                                                phi_2616_ = _e2818;
+                                                                let _e2821 = local_13;
+                                                                phi_2617_ = _e2821;
                                                             }
-                                                            let _e2352 = phi_2518_;
-                                                            let _e2354 = phi_2519_;
-                                                            let _e2356 = phi_2520_;
-                                                            phi_1598_ = _e2352;
-                                                            let _e2734 = local_14;
-                                                            phi_2521_ = _e2734;
-                                                            phi_2522_ = false;
-                                                            phi_2523_ = _e2354;
-                                                            phi_2524_ = _e2356;
+                                                            let _e2437 = phi_2615_;
+                                                            let _e2439 = phi_2616_;
+                                                            let _e2441 = phi_2617_;
+                                                            phi_1598_ = _e2437;
+                                                            let _e2825 = local_14;
+                                                            phi_2618_ = _e2825;
+                                                            phi_2619_ = false;
+                                                            phi_2620_ = _e2439;
+                                                            phi_2621_ = _e2441;
                                                         } else {
                                                             phi_1598_ = u32();
-                                                            phi_2521_ = false;
-                                                            phi_2522_ = true;
-                                                            phi_2523_ = false;
-                                                            phi_2524_ = false;
+                                                            phi_2618_ = false;
+                                                            phi_2619_ = true;
+                                                            phi_2620_ = false;
+                                                            phi_2621_ = false;
                                                         }
-                                                        let _e2358 = phi_1598_;
-                                                        let _e2360 = phi_2521_;
-                                                        let _e2362 = phi_2522_;
-                                                        let _e2364 = phi_2523_;
-                                                        let _e2366 = phi_2524_;
-                                                        local_9 = _e2362;
-                                                        local_15 = _e2364;
-                                                        local_16 = _e2366;
+                                                        let _e2443 = phi_1598_;
+                                                        let _e2445 = phi_2618_;
+                                                        let _e2447 = phi_2619_;
+                                                        let _e2449 = phi_2620_;
+                                                        let _e2451 = phi_2621_;
+                                                        local_9 = _e2447;
+                                                        local_15 = _e2449;
+                                                        local_16 = _e2451;
                                                         continue;
                                                         continuing {
-                                                            phi_1597_ = _e2358;
-                                                            break if !(_e2360);
+                                                            phi_1597_ = _e2443;
+                                                            break if !(_e2445);
                                                         }
                                                     }
-                                                    let _e2369 = local_9;
-                                                    if _e2369 {
-                                                        phi_2528_ = false;
-                                                        phi_2529_ = false;
+                                                    let _e2454 = local_9;
+                                                    if _e2454 {
+                                                        phi_2625_ = false;
+                                                        phi_2626_ = false;
                                                     } else {
-                                                        let _e2741 = local_15;
-                                                        phi_2528_ = _e2741;
-                                                        let _e2744 = local_16;
-                                                        phi_2529_ = _e2744;
+                                                        let _e2832 = local_15;
+                                                        phi_2625_ = _e2832;
+                                                        let _e2835 = local_16;
+                                                        phi_2626_ = _e2835;
                                                     }
-                                                    let _e2371 = phi_2528_;
-                                                    let _e2373 = phi_2529_;
-                                                    if _e2371 {
-                                                        phi_2533_ = true;
+                                                    let _e2456 = phi_2625_;
+                                                    let _e2458 = phi_2626_;
+                                                    if _e2456 {
+                                                        phi_2630_ = true;
                                                     } else {
-                                                        phi_2533_ = _e2373;
+                                                        phi_2630_ = _e2458;
                                                     }
-                                                    let _e2375 = phi_2533_;
-                                                    if _e2375 {
-                                                        phi_2537_ = true;
+                                                    let _e2460 = phi_2630_;
+                                                    if _e2460 {
+                                                        phi_2634_ = true;
                                                     } else {
-                                                        phi_2537_ = false;
+                                                        phi_2634_ = false;
                                                     }
-                                                    let _e2377 = phi_2537_;
-                                                    phi_2538_ = _e2377;
+                                                    let _e2462 = phi_2634_;
+                                                    phi_2635_ = _e2462;
                                                 }
-                                                let _e2379 = phi_2538_;
-                                                phi_2539_ = _e2379;
-                                                phi_2540_ = _e1119;
+                                                let _e2464 = phi_2635_;
+                                                phi_2636_ = _e2464;
+                                                phi_2637_ = _e1119;
                                             } else {
-                                                phi_2539_ = bool();
-                                                phi_2540_ = true;
+                                                phi_2636_ = bool();
+                                                phi_2637_ = true;
                                             }
-                                            let _e2381 = phi_2539_;
-                                            let _e2383 = phi_2540_;
-                                            if _e2383 {
-                                                phi_2544_ = false;
+                                            let _e2466 = phi_2636_;
+                                            let _e2468 = phi_2637_;
+                                            if _e2468 {
+                                                phi_2641_ = false;
                                             } else {
-                                                phi_2544_ = _e2381;
+                                                phi_2641_ = _e2466;
                                             }
-                                            let _e2385 = phi_2544_;
-                                            if _e2385 {
-                                                phi_2548_ = false;
+                                            let _e2470 = phi_2641_;
+                                            if _e2470 {
+                                                phi_2645_ = false;
                                             } else {
-                                                phi_2548_ = true;
+                                                phi_2645_ = true;
                                             }
-                                            let _e2387 = phi_2548_;
-                                            phi_2549_ = _e2387;
+                                            let _e2472 = phi_2645_;
+                                            phi_2646_ = _e2472;
                                         } else {
-                                            phi_2549_ = true;
+                                            phi_2646_ = true;
                                         }
-                                        let _e2389 = phi_2549_;
-                                        phi_2550_ = _e2389;
+                                        let _e2474 = phi_2646_;
+                                        phi_2647_ = _e2474;
                                     } else {
-                                        phi_2550_ = true;
+                                        phi_2647_ = true;
                                     }
-                                    let _e2391 = phi_2550_;
-                                    phi_2551_ = _e2391;
+                                    let _e2476 = phi_2647_;
+                                    phi_2648_ = _e2476;
                                 } else {
-                                    phi_2551_ = true;
+                                    phi_2648_ = true;
                                 }
-                                let _e2393 = phi_2551_;
-                                if _e2393 {
+                                let _e2478 = phi_2648_;
+                                if _e2478 {
                                 }
                                 phi_992_ = (_e906 & (_e906 - 1u));
-                                phi_2555_ = _e2393;
+                                phi_2652_ = _e2478;
                             }
-                            let _e2395 = phi_992_;
-                            let _e2397 = phi_2555_;
+                            let _e2480 = phi_992_;
+                            let _e2482 = phi_2652_;
                             continue;
                             continuing {
-                                phi_991_ = _e2395;
-                                break if !(_e2397);
+                                phi_991_ = _e2480;
+                                break if !(_e2482);
                             }
                         }
-                        let _e2400 = local_10;
-                        if _e2400 {
-                            let _e2402 = local_1.group_mask;
-                            if ((_e2402 & 4278190080u) == 0u) {
-                                let _e2406 = local_1.len;
-                                if (_e2406 == 0u) {
-                                    phi_2597_ = false;
+                        let _e2485 = local_10;
+                        if _e2485 {
+                            let _e2487 = local_1.group_mask;
+                            if ((_e2487 & 4278190080u) == 0u) {
+                                let _e2491 = local_1.len;
+                                if (_e2491 == 0u) {
+                                    phi_2694_ = false;
                                 } else {
-                                    let _e2410 = local_1.len;
-                                    local_1.len = (_e2410 - 1u);
-                                    let _e2413 = local_1.len;
-                                    if (_e2413 < 32u) {
+                                    let _e2495 = local_1.len;
+                                    local_1.len = (_e2495 - 1u);
+                                    let _e2498 = local_1.len;
+                                    if (_e2498 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2418 = local_1.first[(0u + _e2413)];
-                                    local_1.group = _e2418;
-                                    let _e2421 = local_1.len;
-                                    if (_e2421 < 32u) {
+                                    let _e2503 = local_1.first[(0u + _e2498)];
+                                    local_1.group = _e2503;
+                                    let _e2506 = local_1.len;
+                                    if (_e2506 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2426 = local_1.mask[(0u + _e2421)];
-                                    local_1.group_mask = _e2426;
-                                    phi_2597_ = true;
+                                    let _e2511 = local_1.mask[(0u + _e2506)];
+                                    local_1.group_mask = _e2511;
+                                    phi_2694_ = true;
                                 }
-                                let _e2429 = phi_2597_;
-                                phi_2598_ = _e2429;
+                                let _e2514 = phi_2694_;
+                                phi_2695_ = _e2514;
                             } else {
-                                phi_2598_ = true;
+                                phi_2695_ = true;
                             }
-                            let _e2431 = phi_2598_;
-                            if _e2431 {
-                                let _e2433 = local_1.group_mask;
-                                let _e2439 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2433)), 32u, (_e2433 == 0u)));
-                                let _e2443 = local_1.group_mask;
-                                let _e2457 = local_1.group_mask;
-                                local_1.group_mask = (_e2457 & ~((1u << bitcast<u32>((_e2439 & 31u)))));
-                                let _e2460 = local_1.group;
-                                phi_2629_ = (_e2460 + countOneBits(((_e2443 & ~((4294967295u << bitcast<u32>((((_e2439 - 24u) ^ _e332) & 31u))))) & 255u)));
+                            let _e2516 = phi_2695_;
+                            if _e2516 {
+                                let _e2518 = local_1.group_mask;
+                                let _e2524 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2518)), 32u, (_e2518 == 0u)));
+                                let _e2528 = local_1.group_mask;
+                                let _e2542 = local_1.group_mask;
+                                local_1.group_mask = (_e2542 & ~((1u << bitcast<u32>((_e2524 & 31u)))));
+                                let _e2545 = local_1.group;
+                                phi_2726_ = (_e2545 + countOneBits(((_e2528 & ~((4294967295u << bitcast<u32>((((_e2524 - 24u) ^ _e332) & 31u))))) & 255u)));
                             } else {
-                                phi_2629_ = 4294967295u;
+                                phi_2726_ = 4294967295u;
                             }
-                            let _e2463 = phi_2629_;
-                            phi_2630_ = _e2463;
+                            let _e2548 = phi_2726_;
+                            phi_2727_ = _e2548;
                         } else {
-                            phi_2630_ = u32();
+                            phi_2727_ = u32();
                         }
-                        let _e2465 = phi_2630_;
-                        phi_662_ = _e2465;
-                        let _e2765 = local_17;
-                        phi_2631_ = _e2765;
-                        phi_2632_ = false;
+                        let _e2550 = phi_2727_;
+                        phi_662_ = _e2550;
+                        let _e2856 = local_17;
+                        phi_2728_ = _e2856;
+                        phi_2729_ = false;
                     } else {
                         phi_662_ = u32();
-                        phi_2631_ = false;
-                        phi_2632_ = true;
+                        phi_2728_ = false;
+                        phi_2729_ = true;
                     }
-                    let _e2467 = phi_662_;
-                    let _e2469 = phi_2631_;
-                    let _e2471 = phi_2632_;
-                    local_11 = _e2471;
+                    let _e2552 = phi_662_;
+                    let _e2554 = phi_2728_;
+                    let _e2556 = phi_2729_;
+                    local_11 = _e2556;
                     continue;
                     continuing {
-                        phi_661_ = _e2467;
-                        break if !(_e2469);
+                        phi_661_ = _e2552;
+                        break if !(_e2554);
                     }
                 }
-                let _e2474 = local_11;
-                if _e2474 {
-                    phi_2636_ = false;
+                let _e2559 = local_11;
+                if _e2559 {
+                    phi_2733_ = false;
                 } else {
-                    phi_2636_ = true;
+                    phi_2733_ = true;
                 }
-                let _e2476 = phi_2636_;
-                if _e2476 {
-                    phi_2640_ = true;
+                let _e2561 = phi_2733_;
+                if _e2561 {
+                    phi_2737_ = true;
                 } else {
-                    phi_2640_ = false;
+                    phi_2737_ = false;
                 }
-                let _e2478 = phi_2640_;
-                phi_2641_ = _e2478;
+                let _e2563 = phi_2737_;
+                phi_2738_ = _e2563;
             }
-            let _e2480 = phi_2641_;
-            phi_2642_ = _e2480;
-            phi_2643_ = _e188;
+            let _e2565 = phi_2738_;
+            phi_2739_ = _e2565;
+            phi_2740_ = _e188;
         } else {
-            phi_2642_ = bool();
-            phi_2643_ = true;
+            phi_2739_ = bool();
+            phi_2740_ = true;
         }
-        let _e2482 = phi_2642_;
-        let _e2484 = phi_2643_;
-        if _e2484 {
-            phi_2647_ = false;
+        let _e2567 = phi_2739_;
+        let _e2569 = phi_2740_;
+        if _e2569 {
+            phi_2744_ = false;
         } else {
-            phi_2647_ = _e2482;
+            phi_2744_ = _e2567;
         }
-        let _e2486 = phi_2647_;
-        if _e2486 {
-            phi_2651_ = 0f;
+        let _e2571 = phi_2744_;
+        if _e2571 {
+            phi_2748_ = 0f;
         } else {
-            phi_2651_ = 1f;
+            phi_2748_ = 1f;
         }
-        let _e2488 = phi_2651_;
+        let _e2573 = phi_2748_;
         if (_e85 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e85)] = _e2488;
+        visibility.member[(0u + _e85)] = _e2573;
     }
     return;
 }

@@ -10,6 +10,10 @@
 //! fused multiply-add rounds only one of them, and which one depends on the order of the vertices. So each
 //! edge is evaluated with its two vertices in one canonical order and the sign put back afterwards. Without
 //! contraction this equals the direct formula exactly, which is what the SIMD paths evaluate.
+//!
+//! The paper blends t from the vertices by the edge functions. On a sliver these are all but rounding, and t may lie
+//! anywhere along it, so that long thin triangles shadow themselves. Here t comes from the triangle's plane, whose normal
+//! is the product of the two shorter edges: their differences are small numbers, exact to their own rounding.
 
 use crate::ray::{NONE, Ray};
 use crate::slab::{Slab, Span};
@@ -17,6 +21,8 @@ use bytemuck::{Pod, Zeroable};
 use lt_math::glam::{Vec2, Vec3};
 
 /// A triangle in leaf order: positions, and the caller's vertex indices for fetching attributes.
+///
+/// The builder turns vertices around so that `v0` lies opposite the longest edge; t is the more exact for it.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct Triangle {
@@ -123,11 +129,22 @@ impl Shear {
         Shear { origin: ray.origin, axis, x: p.x / p.z, y: p.y / p.z, z: 1.0 / p.z }
     }
 
-    /// x and y of a vertex in the ray's frame, and its t.
+    /// x and y of a vertex in the ray's frame.
     #[inline(always)]
-    fn apply(&self, vertex: Vec3) -> Vec3 {
+    fn apply(&self, vertex: Vec3) -> Vec2 {
         let p = permute(vertex - self.origin, self.axis);
-        Vec3::new(p.x - self.x * p.z, p.y - self.y * p.z, self.z * p.z)
+        Vec2::new(p.x - self.x * p.z, p.y - self.y * p.z)
+    }
+
+    /// t at which the ray meets the triangle's plane; infinite or NaN along it.
+    #[inline(always)]
+    fn plane_t(&self, triangle: &Triangle) -> f32 {
+        let from_origin = permute(triangle.v0 - self.origin, self.axis);
+        let e = permute(triangle.v1 - triangle.v0, self.axis);
+        let f = permute(triangle.v2 - triangle.v0, self.axis);
+        let normal = Vec3::new(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+        let distance = normal.x * from_origin.x + normal.y * from_origin.y + normal.z * from_origin.z;
+        self.z * distance / (normal.x * self.x + normal.y * self.y + normal.z)
     }
 
     /// Intersects between the ends of `ray`; the hit must also lie within `window`, and its t is clamped to where the ray passes the
@@ -137,15 +154,13 @@ impl Shear {
         let a = self.apply(triangle.v0);
         let b = self.apply(triangle.v1);
         let c = self.apply(triangle.v2);
-        let u = cross(Vec2::new(c.x, c.y), Vec2::new(b.x, b.y));
-        let v = cross(Vec2::new(a.x, a.y), Vec2::new(c.x, c.y));
-        let w = cross(Vec2::new(b.x, b.y), Vec2::new(a.x, a.y));
+        let (u, v, w) = (cross(c, b), cross(a, c), cross(b, a));
         let inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
         let sum = u + v + w;
         if !inside || sum == 0.0 {
             return NO_INTERSECTION;
         }
-        let t = (u * a.z + v * b.z + w * c.z) / sum;
+        let t = self.plane_t(triangle);
         if !(t > ray.tmin && t < ray.tmax) {
             return NO_INTERSECTION;
         }

@@ -110,7 +110,17 @@ fn usable(positions: &[Vec3], indices: &[[u32; 3]]) -> Result<(Vec<u32>, Dropped
     Ok((sources, dropped))
 }
 
-fn triangle_of(positions: &[Vec3], [i0, i1, i2]: [u32; 3], is_opaque: bool) -> Triangle {
+/// A triangle with its vertices turned around so that the first lies opposite the longest edge, as the triangle test asks.
+fn triangle_of(positions: &[Vec3], indices: [u32; 3], is_opaque: bool) -> Triangle {
+    let [a, b, c] = indices.map(|vertex| positions[vertex as usize].as_dvec3());
+    let opposite = [(c - b).length_squared(), (a - c).length_squared(), (b - a).length_squared()];
+    let [i0, i1, i2] = if opposite[0] >= opposite[1] && opposite[0] >= opposite[2] {
+        indices
+    } else if opposite[1] >= opposite[2] {
+        [indices[1], indices[2], indices[0]]
+    } else {
+        [indices[2], indices[0], indices[1]]
+    };
     let [v0, v1, v2] = [i0, i1, i2].map(|vertex| positions[vertex as usize]);
     let flag = if is_opaque { 0 } else { Triangle::NON_OPAQUE };
     Triangle { v0, i0: i0 | flag, v1, i1, v2, i2 }

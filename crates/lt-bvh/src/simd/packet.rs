@@ -462,11 +462,10 @@ impl Packet {
                 let highest = rays.max(rays.max(u, v), w);
                 let inside = (rays.le(zero, lowest) | rays.le(highest, zero)) & bits_at::<R>(mask, at);
                 if inside != 0 {
-                    let sz = piece(rays, &self.shear[2], at);
-                    let (az, bz, cz) = (rays.mul(sz, a.2), rays.mul(sz, b.2), rays.mul(sz, c.2));
-                    let ab = rays.add(rays.mul(u, az), rays.mul(v, bz));
                     let sum = rays.add(rays.add(u, v), w);
-                    let t = rays.div(rays.add(ab, rays.mul(w, cz)), sum);
+                    // Where all three are zero the triangle is seen edge-on, and nothing is hit.
+                    let inside = inside & (rays.lt(sum, zero) | rays.lt(zero, sum));
+                    let t = self.plane_t(rays, block, lane, at);
                     let between = self.is_between(rays, t, at);
                     if inside & between != 0 {
                         let in_box = self.in_box(rays, block, lane, t, at);
@@ -481,6 +480,28 @@ impl Packet {
             at += R::WIDTH;
         }
         found
+    }
+
+    /// t at which the group's rays meet the triangle's plane, as the kernel computes it.
+    #[inline(always)]
+    fn plane_t<R: Lanes>(&self, rays: R, block: Block, lane: usize, at: usize) -> R::F {
+        let (ix, iy, iz) = axes(self.kind.axis);
+        let vertex = |vertex: usize| {
+            let along = |axis: usize| block.coordinate(vertex, axis, lane);
+            Vec3::new(along(ix), along(iy), along(iz))
+        };
+        let v0 = vertex(0);
+        let (e, f) = (vertex(1) - v0, vertex(2) - v0);
+        let normal = Vec3::new(e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x);
+        let (nx, ny, nz) = (rays.splat(normal.x), rays.splat(normal.y), rays.splat(normal.z));
+        let x = rays.sub(rays.splat(v0.x), piece(rays, &self.origin[ix], at));
+        let y = rays.sub(rays.splat(v0.y), piece(rays, &self.origin[iy], at));
+        let z = rays.sub(rays.splat(v0.z), piece(rays, &self.origin[iz], at));
+        let distance = rays.add(rays.add(rays.mul(nx, x), rays.mul(ny, y)), rays.mul(nz, z));
+        let along_x = rays.mul(nx, piece(rays, &self.shear[0], at));
+        let along_y = rays.mul(ny, piece(rays, &self.shear[1], at));
+        let slope = rays.add(rays.add(along_x, along_y), nz);
+        rays.div(rays.mul(piece(rays, &self.shear[2], at), distance), slope)
     }
 
     /// A bit per lane where t lies between the ends of the ray.
@@ -517,22 +538,22 @@ impl Packet {
     }
 }
 
-type Projected<R> = (<R as Lanes>::F, <R as Lanes>::F, <R as Lanes>::F);
+type Projected<R> = (<R as Lanes>::F, <R as Lanes>::F);
 
-/// `Shear::apply` less the scaling of z.
+/// `Shear::apply`.
 #[inline(always)]
 fn project<R: Lanes>(
     rays: R,
     block: Block,
     (vertex, lane): (usize, usize),
     axes: (usize, usize, usize),
-    origin: Projected<R>,
+    origin: (R::F, R::F, R::F),
     shear: (R::F, R::F),
 ) -> Projected<R> {
     let depth = rays.sub(rays.splat(block.coordinate(vertex, axes.2, lane)), origin.2);
     let x = rays.sub(rays.splat(block.coordinate(vertex, axes.0, lane)), origin.0);
     let y = rays.sub(rays.splat(block.coordinate(vertex, axes.1, lane)), origin.1);
-    (rays.sub(x, rays.mul(shear.0, depth)), rays.sub(y, rays.mul(shear.1, depth)), depth)
+    (rays.sub(x, rays.mul(shear.0, depth)), rays.sub(y, rays.mul(shear.1, depth)))
 }
 
 /// The kernel's edge function by the direct formula: the same value, in other order of vertices too.

@@ -130,26 +130,53 @@ impl<L: NodeLanes> TriangleRay<L> {
         if inside == 0 {
             return 0;
         }
-        let (az, bz, cz) = (lanes.mul(self.z, a.2), lanes.mul(self.z, b.2), lanes.mul(self.z, c.2));
-        let ab = lanes.add(lanes.mul(u, az), lanes.mul(v, bz));
-        let sum = lanes.add(lanes.add(u, v), w);
-        let t = lanes.div(lanes.add(ab, lanes.mul(w, cz)), sum);
+        let t = self.plane_t(lanes, block);
         inside & lanes.le(self.tmin, t) & lanes.le(t, self.tmax)
     }
 
-    /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic, and z before its scaling.
+    /// t of the planes of eight triangles, by the kernel's arithmetic.
     #[inline(always)]
-    fn project(&self, lanes: L, block: Block, vertex: usize) -> (L::F, L::F, L::F) {
+    fn plane_t(&self, lanes: L, block: Block) -> L::F {
+        let [x, y, z] = self.axes;
+        let (v0x, v0y, v0z) =
+            (lanes.load(block.row(0, x)), lanes.load(block.row(0, y)), lanes.load(block.row(0, z)));
+        let (ex, ey, ez) = (
+            lanes.sub(lanes.load(block.row(1, x)), v0x),
+            lanes.sub(lanes.load(block.row(1, y)), v0y),
+            lanes.sub(lanes.load(block.row(1, z)), v0z),
+        );
+        let (fx, fy, fz) = (
+            lanes.sub(lanes.load(block.row(2, x)), v0x),
+            lanes.sub(lanes.load(block.row(2, y)), v0y),
+            lanes.sub(lanes.load(block.row(2, z)), v0z),
+        );
+        let nx = lanes.sub(lanes.mul(ey, fz), lanes.mul(ez, fy));
+        let ny = lanes.sub(lanes.mul(ez, fx), lanes.mul(ex, fz));
+        let nz = lanes.sub(lanes.mul(ex, fy), lanes.mul(ey, fx));
+        let distance = lanes.add(
+            lanes.add(
+                lanes.mul(nx, lanes.sub(v0x, self.origin[0])),
+                lanes.mul(ny, lanes.sub(v0y, self.origin[1])),
+            ),
+            lanes.mul(nz, lanes.sub(v0z, self.origin[2])),
+        );
+        let slope = lanes.add(lanes.add(lanes.mul(nx, self.x), lanes.mul(ny, self.y)), nz);
+        lanes.div(lanes.mul(self.z, distance), slope)
+    }
+
+    /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic.
+    #[inline(always)]
+    fn project(&self, lanes: L, block: Block, vertex: usize) -> (L::F, L::F) {
         let depth = lanes.sub(lanes.load(block.row(vertex, self.axes[2])), self.origin[2]);
         let x = lanes.sub(lanes.load(block.row(vertex, self.axes[0])), self.origin[0]);
         let y = lanes.sub(lanes.load(block.row(vertex, self.axes[1])), self.origin[1]);
-        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)), depth)
+        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)))
     }
 }
 
 /// The kernel's edge function by the direct formula: the same value, in other order of vertices too.
 #[inline(always)]
-fn cross<L: NodeLanes>(lanes: L, p: (L::F, L::F, L::F), q: (L::F, L::F, L::F)) -> L::F {
+fn cross<L: NodeLanes>(lanes: L, p: (L::F, L::F), q: (L::F, L::F)) -> L::F {
     lanes.sub(lanes.mul(p.0, q.1), lanes.mul(p.1, q.0))
 }
 

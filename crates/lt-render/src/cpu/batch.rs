@@ -10,9 +10,9 @@
 //! first, which knows three kinds of footprint whose answer is certain.
 
 use lt_math::glam::{Mat4, Vec4};
-use lt_math::{Evsm, Vsm, chebyshev, float, needs_ray};
+use lt_math::{Evsm, Vsm, chebyshev, float};
 use lt_shaders::abi::{Sample, ShadowParams};
-use lt_shaders::evaluate::{GatheredDepths, TestFromParams, evaluate};
+use lt_shaders::evaluate::{GatheredDepths, TestFromParams, Verdict, doubt, evaluate};
 
 use super::shortcut::Shortcut;
 
@@ -120,17 +120,15 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
         };
         for i in 0..BATCH {
             let v = answers[i];
-            let snapped = if v > 0.5 { 1.0 } else { 0.0 };
-            let by_map = if LTT { snapped } else { v };
-            let is_mapped = states[i] == MAPPED;
-            visibility[i] = if is_mapped {
-                by_map
-            } else if states[i] == BLOCKED {
-                0.0
-            } else {
-                1.0
+            let verdict = doubt(v, p.epsilon);
+            visibility[i] = match states[i] {
+                MAPPED if LTT => verdict.visibility,
+                MAPPED => v,
+                BLOCKED => 0.0,
+                OUTSIDE if LTT => Verdict::UNJUDGED,
+                _ => 1.0,
             };
-            is_doubted[i] = LTT && ((is_mapped && needs_ray(v, p.epsilon)) || states[i] == OUTSIDE);
+            is_doubted[i] = LTT && ((states[i] == MAPPED && verdict.is_doubted) || states[i] == OUTSIDE);
         }
     }
     let map = GatheredDepths { depths };
