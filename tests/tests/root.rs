@@ -3,5 +3,6 @@
 mod effects;
 mod hard;
 mod laws;
+mod mask;
 mod real_scenes;
 mod twin;

@@ -167,8 +167,7 @@ mod tests {
 
     #[test]
     fn the_default_techniques_are_the_gathering_ones() {
-        let expected =
-            "ray sm pcf vsm esm evsm msm msm-hausdorff ltt-vsm ltt-esm ltt-evsm ltt-msm ltt-msm-hausdorff \
+        let expected = "ray sm pcf vsm esm evsm msm msm-hausdorff ltt-vsm ltt-esm ltt-evsm ltt-msm ltt-msm-hausdorff \
              lt-vsm lt-esm lt-evsm lt-msm lt-msm-hausdorff";
         assert_eq!(ids(&[]), expected.split(' ').collect::<Vec<_>>());
     }

@@ -76,11 +76,7 @@ pub fn spread(values: impl Iterator<Item = f64>) -> Spread {
 ///
 /// # Errors
 /// A pose that cannot be read or drawn, or a failing device.
-pub fn run(
-    args: &CompareArgs,
-    opened: &mut Opened,
-    frames: usize,
-) -> anyhow::Result<(Comparison, Playback)> {
+pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Result<(Comparison, Playback)> {
     let width = opened.session.setup().size.x as f32;
     let path = opened.source.camera_path(opened.session.setup().camera.clone());
     let wanted_px = f64::from(args.motion.unwrap_or(DEFAULT_MOTION_PX) * width / MOTION_WIDTH);

@@ -3,7 +3,9 @@
 use std::{fmt, str::FromStr};
 
 use lt_math::glam::Vec4;
-use lt_shaders::abi::{CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams};
+use lt_shaders::abi::{
+    CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams,
+};
 
 use crate::{EffectPlan, Frame, MapTest, PackedScene, PassKind, RenderError};
 

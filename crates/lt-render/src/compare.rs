@@ -310,7 +310,8 @@ fn pass_times(repeats: &[Vec<crate::Pass>]) -> Vec<PassTime> {
     kinds.sort_unstable();
     kinds.dedup();
     let of = |kind: PassKind| {
-        let time = |passes: &Vec<crate::Pass>| passes.iter().find(|p| p.kind == kind).map_or(Some(0.0), |p| p.ms);
+        let time =
+            |passes: &Vec<crate::Pass>| passes.iter().find(|p| p.kind == kind).map_or(Some(0.0), |p| p.ms);
         let times: Option<Vec<f64>> = repeats.iter().map(time).collect();
         PassTime {
             kind,

@@ -40,14 +40,15 @@ mod technique;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
 pub use compare::{
-    CompareOptions, Comparison, FrameStats, PassTime, PlayOptions, Row, compare, compare_frames, flips, quantile,
+    CompareOptions, Comparison, FrameStats, PassTime, PlayOptions, Row, compare, compare_frames, flips,
+    quantile,
 };
-pub use pace::{median_motion_px, way_per_frame};
 pub use error::RenderError;
 pub use frame::{Frame, Pass, PassKind};
 pub use light_fit::{KEPT_GROWTH, LightFit, fit_directional, fit_kept};
 pub use lt_mask::MaskBits;
 pub use lt_shaders::abi::Sample;
+pub use pace::{median_motion_px, way_per_frame};
 pub use packed::{DrawRange, PackStats, PackedScene, Trees};
 pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
 pub use session::{SceneInfo, Session};

@@ -42,7 +42,8 @@ pub fn fit_kept(scene: Bounds, camera: &CameraParams, direction: Vec3, map_size:
     let margin = (seen.max - seen.min) * (KEPT_GROWTH * 0.5);
     let casters = casters_in_light(scene, &frame);
     // Nothing lies outside the scene: growing past it would waste texels.
-    let grown = Bounds { min: (seen.min - margin).max(casters.min), max: (seen.max + margin).min(casters.max) };
+    let grown =
+        Bounds { min: (seen.min - margin).max(casters.min), max: (seen.max + margin).min(casters.max) };
     fit_box(&frame, grown, casters, map_size)
 }
 
@@ -55,7 +56,8 @@ impl LightFit {
         let points = if seen.is_empty() { scene.corners().to_vec() } else { seen };
         let covers = points.iter().all(|&p| self.projection.project(p).is_inside);
         let fresh = fit_kept(scene, camera, direction, map_size);
-        covers && self.extent_world.xy().max_element() <= fresh.extent_world.xy().max_element() * KEPT_LOOSENESS
+        covers
+            && self.extent_world.xy().max_element() <= fresh.extent_world.xy().max_element() * KEPT_LOOSENESS
     }
 }
 

@@ -205,7 +205,8 @@ impl EffectPlan {
         list(
             "object motion",
             object_motion,
-            if sequence.objects_move { "things in the scene move" } else { "nothing in the scene moves" }.to_owned(),
+            if sequence.objects_move { "things in the scene move" } else { "nothing in the scene moves" }
+                .to_owned(),
             "2 bindings in the camera pass, 16 bytes a pixel and a vertex".to_owned(),
         );
         plan

@@ -11,8 +11,8 @@ use lt_shaders::abi::{
 
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
-    Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, Removal, RenderError,
-    Sequence, Setup, Technique, cpu::CpuBackend, fit_directional, light_fit::fit_kept,
+    Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, Removal,
+    RenderError, Sequence, Setup, Technique, cpu::CpuBackend, fit_directional, light_fit::fit_kept,
 };
 
 /// What preparing the scene took.
@@ -93,7 +93,8 @@ impl Session {
         let summary = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
         let camera = camera_params(&setup, packed.root());
         let mut backend = make_backend(packed, backend)?;
-        let plan = EffectPlan::for_scene(&summary.stats, &Technique::RAY, setup.map_size, Sequence::default());
+        let plan =
+            EffectPlan::for_scene(&summary.stats, &Technique::RAY, setup.map_size, Sequence::default());
         let camera_ms = backend.camera(&camera, &plan)?;
         let samples = backend.samples()?;
         let info = SceneInfo { stats: summary.stats, build_ms, camera_ms };
@@ -312,12 +313,7 @@ impl Session {
         slot
     }
 
-    fn mask_params(
-        &self,
-        mask: &crate::TemporalMask,
-        slot: &Slot,
-        map: (LightFit, u32),
-    ) -> MaskParams {
+    fn mask_params(&self, mask: &crate::TemporalMask, slot: &Slot, map: (LightFit, u32)) -> MaskParams {
         let last = slot.last.as_ref();
         // Where the map or a caster changed, what a ray found in the last frame says nothing certain about this one.
         let is_still = last.is_some_and(|l| l.map == Some(map) && l.pose == self.pose);

@@ -244,14 +244,20 @@ impl Technique {
             ("no-reuse", "over several frames: draw the map every frame instead of keeping it while it fits"),
             ("no-rr", "lt-: remove no rays"),
             ("no-er", "lt-: expand no rays"),
-            ("published", "lt-: the paper's rules as published: rays removed where pixels move, one pattern for all"),
+            (
+                "published",
+                "lt-: the paper's rules as published: rays removed where pixels move, one pattern for all",
+            ),
             (
                 "pattern=P",
                 "lt-: neighbours asked where pixels stand still: 3x3, plus, cross, checkerboard, alternating, \
                  gather (default: a 2×2 jittered over 4 frames), 5x5",
             ),
             ("moving=P", "lt-: neighbours asked where pixels move: the same names (default 3x3)"),
-            ("depth-test", "lt-: a pixel that the last frame saw at another depth counts as new (default: esm, msm)"),
+            (
+                "depth-test",
+                "lt-: a pixel that the last frame saw at another depth counts as new (default: esm, msm)",
+            ),
             ("no-depth-test", "lt-: without it"),
         ]
     }
@@ -411,7 +417,8 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                 "no-rr" => mask.removal = Removal::Never,
                 "no-er" => mask.expands = false,
                 "published" => {
-                    *mask = TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..*mask };
+                    *mask =
+                        TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..*mask };
                 }
                 "pattern" => {
                     mask.pattern = parse_pattern(key, value)?;

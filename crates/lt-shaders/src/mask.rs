@@ -5,8 +5,8 @@
 //! test), `EXPANDS` (ER) and `REMOVES` (RR). One that is off costs neither a branch nor a read.
 
 use lt_mask::{
-    Evidence, MaskBits, Neighbourhood, Pattern, Reprojection, allows_removal, decide_doubt, is_depth_consistent,
-    is_test_shadowed, reproject,
+    Evidence, MaskBits, Neighbourhood, Pattern, Reprojection, allows_removal, decide_doubt,
+    is_depth_consistent, is_test_shadowed, reproject,
 };
 use lt_math::glam::{UVec2, Vec2, Vec3};
 
@@ -296,9 +296,7 @@ mod tests {
     #[test]
     fn what_no_map_judged_is_traced_whatever_the_history() {
         let bits = [MaskBits::RED.to_bits(); 12];
-        assert!(
-            decide::<false, false>(AT, Verdict::UNJUDGED, &params(Vec3::ZERO), &bits, &[]).needs_ray
-        );
+        assert!(decide::<false, false>(AT, Verdict::UNJUDGED, &params(Vec3::ZERO), &bits, &[]).needs_ray);
     }
 
     #[test]
@@ -309,7 +307,10 @@ mod tests {
         let motion = motion_px(sample.position, sample.position, &p.current, &p.previous);
         assert!((motion - Vec2::new(1.0, 0.0)).length() < 1e-5, "{motion}");
         assert_eq!(motion_px(sample.position, sample.position, &p.current, &p.current), Vec2::ZERO);
-        assert!(decide::<true, false>(UVec2::new(3, 1), 1.0, &p, &[0; 12], &[]).needs_ray, "came in from outside");
+        assert!(
+            decide::<true, false>(UVec2::new(3, 1), 1.0, &p, &[0; 12], &[]).needs_ray,
+            "came in from outside"
+        );
         assert!(!decide::<true, false>(AT, 1.0, &p, &[0; 12], &[]).needs_ray);
     }
 

@@ -143,7 +143,8 @@ fn draw(area: &Area, lines: &[Vec<f64>], what: &str) -> DrawResult<()> {
     let floor = 10f64.powf(least.log10().floor() - 1.0);
     let frames = lines.iter().map(Vec::len).max().unwrap_or(1).max(2);
     let range = floor / 1.5..most * 2.0;
-    let decades: Vec<f64> = (floor.log10() as i32..=most.log10().ceil() as i32).map(|e| 10f64.powi(e)).collect();
+    let decades: Vec<f64> =
+        (floor.log10() as i32..=most.log10().ceil() as i32).map(|e| 10f64.powi(e)).collect();
     let mut chart = ChartBuilder::on(area)
         .margin(12)
         .set_label_area_size(LabelAreaPosition::Left, 96)

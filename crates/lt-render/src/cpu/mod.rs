@@ -9,8 +9,8 @@ mod tiles;
 
 use std::time::Instant;
 
-use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
 use history::{History, Seen};
+use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Material, Sample, ShadeParams, ShadowParams};

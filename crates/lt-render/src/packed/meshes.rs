@@ -38,8 +38,7 @@ pub fn group(scene: &Scene, bake_all_limit: usize) -> Vec<Group> {
         .map(|(key, members)| (key.3, members))
         .partition(|(is_dynamic, members)| bake_all || *is_dynamic || members.len() == 1);
     let [baked, instanced] = [baked, instanced].map(|uses| uses.into_iter().map(|u| u.1));
-    let mut groups: Vec<Group> =
-        instanced.map(|members| Group { members, is_instanced: true }).collect();
+    let mut groups: Vec<Group> = instanced.map(|members| Group { members, is_instanced: true }).collect();
     let members: Vec<usize> = baked.flatten().collect();
     if !members.is_empty() || groups.is_empty() {
         groups.insert(0, Group { members, is_instanced: false });

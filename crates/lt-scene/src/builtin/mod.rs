@@ -184,15 +184,8 @@ impl Builtin {
 
     /// The way a camera takes through the place from `start`, which may be any view of it.
     pub fn camera_path(&self, start: Camera) -> CameraPath {
-        let still = CameraPath {
-            start,
-            dolly: 0.0,
-            truck: 0.0,
-            rise: 0.0,
-            orbit_rad: 0.0,
-            pan_rad: 0.0,
-            sway: 0.0,
-        };
+        let still =
+            CameraPath { start, dolly: 0.0, truck: 0.0, rise: 0.0, orbit_rad: 0.0, pan_rad: 0.0, sway: 0.0 };
         match self.place.kind {
             // Walking: down the street, across the square, into the clearing.
             Kind::Street => CameraPath { dolly: 0.25, pan_rad: 0.12, sway: 0.01, ..still },
