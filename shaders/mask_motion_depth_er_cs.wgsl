@@ -108,971 +108,969 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_163_: lt_bvh_traverse_Tree;
-    var phi_164_: bool;
-    var phi_169_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_161_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_162_ = false;
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_161_ = lt_bvh_traverse_Tree();
-            phi_162_ = true;
+            phi_162_ = lt_bvh_traverse_Tree();
+            phi_163_ = true;
         }
-        let _e65 = phi_161_;
-        let _e67 = phi_162_;
-        phi_163_ = _e65;
-        phi_164_ = _e67;
+        let _e66 = phi_162_;
+        let _e68 = phi_163_;
+        phi_164_ = _e66;
+        phi_165_ = _e68;
     } else {
-        phi_163_ = lt_bvh_traverse_Tree();
-        phi_164_ = true;
+        phi_164_ = lt_bvh_traverse_Tree();
+        phi_165_ = true;
     }
-    let _e69 = phi_163_;
-    let _e71 = phi_164_;
-    if _e71 {
-        phi_169_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e70 = phi_164_;
+    let _e72 = phi_165_;
+    if _e72 {
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_169_ = _e69;
+        phi_170_ = _e70;
     }
-    let _e76 = phi_169_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    let _e77 = phi_170_;
+    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_187_: vec2<i32>;
+    var phi_188_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_187_ = vec2(0i);
+            phi_188_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_187_ = vec2<i32>(0i, -1i);
+            phi_188_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_187_ = vec2<i32>(-1i, 0i);
+            phi_188_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_187_ = vec2<i32>(1i, 0i);
+            phi_188_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_187_ = vec2<i32>(0i, 1i);
+            phi_188_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e61 = phi_187_;
-    return vec2<i32>(_e61.x, _e61.y);
+    let _e62 = phi_188_;
+    return vec2<i32>(_e62.x, _e62.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_205_: vec2<i32>;
+    var phi_206_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_205_ = vec2(0i);
+            phi_206_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_205_ = vec2(-1i);
+            phi_206_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_205_ = vec2<i32>(1i, -1i);
+            phi_206_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_205_ = vec2<i32>(-1i, 1i);
+            phi_206_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_205_ = vec2(1i);
+            phi_206_ = vec2(1i);
             break;
         }
     }
-    let _e61 = phi_205_;
-    return vec2<i32>(_e61.x, _e61.y);
+    let _e62 = phi_206_;
+    return vec2<i32>(_e62.x, _e62.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_224_: vec2<i32>;
+    var phi_225_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e55 = lt_mask_pattern_plus(param_5);
-        phi_224_ = vec2<i32>(_e55.x, _e55.y);
+        let _e56 = lt_mask_pattern_plus(param_5);
+        phi_225_ = vec2<i32>(_e56.x, _e56.y);
     } else {
-        let _e59 = lt_mask_pattern_cross(param_5);
-        phi_224_ = vec2<i32>(_e59.x, _e59.y);
+        let _e60 = lt_mask_pattern_cross(param_5);
+        phi_225_ = vec2<i32>(_e60.x, _e60.y);
     }
-    let _e64 = phi_224_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e65 = phi_225_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_245_: u32;
     var phi_246_: u32;
+    var phi_247_: u32;
 
-    let _e56 = (bitcast<i32>(param_7) + param_8);
-    if (_e56 < 0i) {
-        phi_246_ = 0u;
+    let _e57 = (bitcast<i32>(param_7) + param_8);
+    if (_e57 < 0i) {
+        phi_247_ = 0u;
     } else {
-        if (_e56 >= bitcast<i32>(param_9)) {
-            phi_245_ = (param_9 - 1u);
+        if (_e57 >= bitcast<i32>(param_9)) {
+            phi_246_ = (param_9 - 1u);
         } else {
-            phi_245_ = bitcast<u32>(_e56);
+            phi_246_ = bitcast<u32>(_e57);
         }
-        let _e63 = phi_245_;
-        phi_246_ = _e63;
+        let _e64 = phi_246_;
+        phi_247_ = _e64;
     }
-    let _e65 = phi_246_;
-    return _e65;
+    let _e66 = phi_247_;
+    return _e66;
 }
 
 fn function_() {
-    var phi_312_: bool;
     var phi_313_: bool;
     var phi_314_: bool;
     var phi_315_: bool;
-    var phi_319_: bool;
-    var phi_363_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_367_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_380_: bool;
-    var phi_585_: f32;
-    var phi_590_: f32;
-    var phi_591_: bool;
-    var phi_592_: f32;
-    var phi_593_: bool;
-    var phi_597_: f32;
-    var phi_620_: f32;
-    var phi_625_: f32;
-    var phi_626_: bool;
-    var phi_627_: f32;
-    var phi_628_: bool;
-    var phi_632_: f32;
-    var phi_653_: bool;
-    var phi_672_: vec2<u32>;
+    var phi_316_: bool;
+    var phi_320_: bool;
+    var phi_364_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_368_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_381_: bool;
+    var phi_570_: f32;
+    var phi_575_: f32;
+    var phi_576_: bool;
+    var phi_577_: f32;
+    var phi_578_: bool;
+    var phi_582_: f32;
+    var phi_605_: f32;
+    var phi_610_: f32;
+    var phi_611_: bool;
+    var phi_612_: f32;
+    var phi_613_: bool;
+    var phi_617_: f32;
+    var phi_638_: bool;
+    var phi_657_: vec2<u32>;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: vec2<u32>;
+    var phi_662_: bool;
+    var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_668_: vec2<u32>;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_672_: bool;
     var phi_673_: bool;
     var phi_674_: bool;
-    var phi_675_: bool;
-    var phi_676_: vec2<u32>;
+    var phi_675_: vec2<u32>;
+    var phi_676_: bool;
     var phi_677_: bool;
     var phi_678_: bool;
     var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: vec2<u32>;
-    var phi_684_: bool;
-    var phi_685_: bool;
-    var phi_686_: bool;
-    var phi_687_: bool;
     var phi_688_: bool;
     var phi_689_: bool;
-    var phi_690_: vec2<u32>;
+    var phi_690_: bool;
     var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_703_: bool;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: vec2<u32>;
-    var phi_801_: bool;
-    var phi_805_: f32;
-    var phi_809_: lt_mask_Reprojection;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_821_: bool;
-    var phi_822_: lt_mask_Reprojection;
-    var phi_823_: lt_mask_Reprojection;
-    var phi_824_: bool;
-    var phi_828_: bool;
-    var phi_829_: lt_mask_Reprojection;
-    var phi_857_: u32;
-    var phi_859_: u32;
-    var phi_862_: lt_mask_Neighbourhood;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_883_: u32;
-    var phi_884_: u32;
-    var phi_943_: vec2<i32>;
-    var phi_959_: vec2<i32>;
-    var phi_982_: u32;
-    var phi_999_: bool;
-    var phi_1000_: bool;
-    var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1026_: bool;
-    var phi_1027_: bool;
-    var phi_1028_: bool;
-    var phi_860_: u32;
-    var phi_863_: lt_mask_Neighbourhood;
-    var phi_1031_: lt_mask_Neighbourhood;
-    var phi_1032_: lt_mask_Neighbourhood;
-    var phi_1033_: lt_mask_Neighbourhood;
+    var phi_695_: bool;
+    var phi_696_: bool;
+    var phi_697_: vec2<u32>;
+    var phi_786_: bool;
+    var phi_790_: f32;
+    var phi_794_: lt_mask_Reprojection;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_806_: bool;
+    var phi_807_: lt_mask_Reprojection;
+    var phi_808_: lt_mask_Reprojection;
+    var phi_809_: bool;
+    var phi_813_: bool;
+    var phi_814_: lt_mask_Reprojection;
+    var phi_842_: u32;
+    var phi_844_: u32;
+    var phi_847_: lt_mask_Neighbourhood;
+    var phi_859_: bool;
+    var phi_860_: bool;
+    var phi_868_: u32;
+    var phi_869_: u32;
+    var phi_928_: vec2<i32>;
+    var phi_944_: vec2<i32>;
+    var phi_967_: u32;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_992_: bool;
+    var phi_993_: bool;
+    var phi_1011_: bool;
+    var phi_1012_: bool;
+    var phi_1013_: bool;
+    var phi_845_: u32;
+    var phi_848_: lt_mask_Neighbourhood;
+    var phi_1016_: lt_mask_Neighbourhood;
+    var phi_1017_: lt_mask_Neighbourhood;
+    var phi_1018_: lt_mask_Neighbourhood;
+    var phi_1043_: bool;
+    var phi_1044_: bool;
+    var phi_1057_: bool;
     var phi_1058_: bool;
     var phi_1059_: bool;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1081_: u32;
-    var phi_1082_: u32;
-    var phi_1083_: u32;
-    var phi_1084_: u32;
-    var phi_1085_: u32;
-    var phi_1093_: bool;
-    var phi_1101_: u32;
-    var phi_1106_: u32;
-    var phi_1110_: u32;
-    var phi_1111_: u32;
-    var phi_1115_: f32;
-    var phi_1117_: mask_Masked;
-    var phi_1145_: bool;
-    var phi_1146_: bool;
-    var phi_1147_: bool;
-    var phi_1148_: bool;
-    var phi_1152_: bool;
-    var phi_1180_: f32;
-    var phi_1183_: bool;
-    var phi_1184_: u32;
-    var phi_1195_: u32;
+    var phi_1066_: u32;
+    var phi_1067_: u32;
+    var phi_1068_: u32;
+    var phi_1069_: u32;
+    var phi_1070_: u32;
+    var phi_1078_: bool;
+    var phi_1086_: u32;
+    var phi_1091_: u32;
+    var phi_1095_: u32;
+    var phi_1096_: u32;
+    var phi_1100_: f32;
+    var phi_1102_: mask_Masked;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1137_: bool;
+    var phi_1165_: f32;
+    var phi_1168_: bool;
+    var phi_1169_: u32;
+    var phi_1180_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e52 = id_1;
-    let _e53 = local_2;
-    let _e69 = p.member.current.size[0u];
-    let _e71 = p.member.current.size[1u];
-    let _e72 = lt_shaders_entry_pixel_index(_e52, _e69, _e71);
-    if (bitcast<i32>(_e72.root) != 0i) {
-        let _e80 = p.member.current.size[0u];
-        let _e83 = samples.member[_e72.first_primitive].position;
-        let _e85 = visibility.member[_e72.first_primitive];
-        let _e89 = p.member.light;
-        let _e92 = samples.member[_e72.first_primitive].normal[0u];
-        let _e94 = global[0u];
-        if (_e92 == _e94) {
-            let _e97 = samples.member[_e72.first_primitive].normal[1u];
-            let _e99 = global[1u];
-            if (_e97 == _e99) {
-                let _e102 = samples.member[_e72.first_primitive].normal[2u];
-                let _e104 = global[2u];
-                phi_312_ = (_e102 == _e104);
-                phi_313_ = false;
+    let _e53 = id_1;
+    let _e54 = local_2;
+    let _e70 = p.member.current.size[0u];
+    let _e72 = p.member.current.size[1u];
+    let _e73 = lt_shaders_entry_pixel_index(_e53, _e70, _e72);
+    if (bitcast<i32>(_e73.root) != 0i) {
+        let _e81 = p.member.current.size[0u];
+        let _e84 = samples.member[_e73.first_primitive].position;
+        let _e86 = visibility.member[_e73.first_primitive];
+        let _e90 = p.member.light;
+        let _e93 = samples.member[_e73.first_primitive].normal[0u];
+        let _e95 = global[0u];
+        if (_e93 == _e95) {
+            let _e98 = samples.member[_e73.first_primitive].normal[1u];
+            let _e100 = global[1u];
+            if (_e98 == _e100) {
+                let _e103 = samples.member[_e73.first_primitive].normal[2u];
+                let _e105 = global[2u];
+                phi_313_ = (_e103 == _e105);
+                phi_314_ = false;
             } else {
-                phi_312_ = bool();
-                phi_313_ = true;
+                phi_313_ = bool();
+                phi_314_ = true;
             }
-            let _e107 = phi_312_;
-            let _e109 = phi_313_;
-            phi_314_ = _e107;
-            phi_315_ = _e109;
+            let _e108 = phi_313_;
+            let _e110 = phi_314_;
+            phi_315_ = _e108;
+            phi_316_ = _e110;
         } else {
-            phi_314_ = bool();
-            phi_315_ = true;
+            phi_315_ = bool();
+            phi_316_ = true;
         }
-        let _e111 = phi_314_;
-        let _e113 = phi_315_;
-        if _e113 {
-            phi_319_ = false;
+        let _e112 = phi_315_;
+        let _e114 = phi_316_;
+        if _e114 {
+            phi_320_ = false;
         } else {
-            phi_319_ = _e111;
+            phi_320_ = _e112;
         }
-        let _e115 = phi_319_;
-        if !(_e115) {
-            let _e118 = samples.member[_e72.first_primitive].normal;
-            let _e120 = samples.member[_e72.first_primitive].position;
-            if ((((_e118.x * (_e89.x - (_e120.x * _e89.w))) + (_e118.y * (_e89.y - (_e120.y * _e89.w)))) + (_e118.z * (_e89.z - (_e120.z * _e89.w)))) > 0f) {
-                let _e144 = samples.member[_e72.first_primitive].flags;
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
-                phi_363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, ((_e144 & 1u) == 0u));
+        let _e116 = phi_320_;
+        if !(_e116) {
+            let _e119 = samples.member[_e73.first_primitive].normal;
+            let _e121 = samples.member[_e73.first_primitive].position;
+            if ((((_e119.x * (_e90.x - (_e121.x * _e90.w))) + (_e119.y * (_e90.y - (_e121.y * _e90.w)))) + (_e119.z * (_e90.z - (_e121.z * _e90.w)))) > 0f) {
+                let _e145 = samples.member[_e73.first_primitive].flags;
+                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
+                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, ((_e145 & 1u) == 0u));
             } else {
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-                phi_363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+                let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
             }
-            let _e178 = phi_363_;
-            phi_367_ = _e178;
+            let _e179 = phi_364_;
+            phi_368_ = _e179;
         } else {
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
-            phi_367_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
+            let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e185.unnamed.visibility, false), _e185.unnamed_1);
+            phi_368_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e191.unnamed, true);
         }
-        let _e195 = phi_367_;
-        if _e195.unnamed_1 {
-            phi_1117_ = mask_Masked(_e195.unnamed.visibility, 0u, false);
+        let _e196 = phi_368_;
+        if _e196.unnamed_1 {
+            phi_1102_ = mask_Masked(_e196.unnamed.visibility, 0u, false);
         } else {
-            let _e200 = (_e85 < 0.5f);
-            if (_e85 > 0f) {
-                phi_380_ = (_e85 < 1f);
+            let _e201 = (_e86 < 0.5f);
+            if (_e86 > 0f) {
+                phi_381_ = (_e86 < 1f);
             } else {
-                phi_380_ = false;
+                phi_381_ = false;
             }
-            let _e204 = phi_380_;
-            let _e206 = samples.member[_e72.first_primitive].position;
-            let _e210 = p.member.previous.eye;
-            let _e213 = (_e83.x - _e210.x);
-            let _e216 = (_e83.y - _e210.y);
-            let _e219 = (_e83.z - _e210.z);
-            let _e221 = p.member.previous.forward;
-            let _e229 = (((_e213 * _e221.x) + (_e216 * _e221.y)) + (_e219 * _e221.z));
-            let _e231 = p.member.previous.right;
-            let _e241 = p.member.previous.right;
-            let _e256 = p.member.previous.up;
-            let _e266 = p.member.previous.up;
-            let _e284 = p.member.previous.size[0u];
-            let _e291 = p.member.previous.size[1u];
-            let _e295 = p.member.current.eye;
-            let _e298 = (_e206.x - _e295.x);
-            let _e301 = (_e206.y - _e295.y);
-            let _e304 = (_e206.z - _e295.z);
-            let _e306 = p.member.current.forward;
-            let _e314 = (((_e298 * _e306.x) + (_e301 * _e306.y)) + (_e304 * _e306.z));
-            let _e316 = p.member.current.right;
-            let _e326 = p.member.current.right;
-            let _e341 = p.member.current.up;
-            let _e351 = p.member.current.up;
+            let _e205 = phi_381_;
+            let _e207 = samples.member[_e73.first_primitive].position;
+            let _e211 = p.member.previous.eye;
+            let _e214 = (_e84.x - _e211.x);
+            let _e217 = (_e84.y - _e211.y);
+            let _e220 = (_e84.z - _e211.z);
+            let _e222 = p.member.previous.forward;
+            let _e230 = (((_e214 * _e222.x) + (_e217 * _e222.y)) + (_e220 * _e222.z));
+            let _e232 = p.member.previous.right;
+            let _e242 = p.member.previous.right;
+            let _e257 = p.member.previous.up;
+            let _e267 = p.member.previous.up;
+            let _e282 = p.member.current.eye;
+            let _e285 = (_e207.x - _e282.x);
+            let _e288 = (_e207.y - _e282.y);
+            let _e291 = (_e207.z - _e282.z);
+            let _e293 = p.member.current.forward;
+            let _e301 = (((_e285 * _e293.x) + (_e288 * _e293.y)) + (_e291 * _e293.z));
+            let _e303 = p.member.current.right;
+            let _e313 = p.member.current.right;
+            let _e328 = p.member.current.up;
+            let _e338 = p.member.current.up;
+            let _e357 = p.member.current.size[0u];
+            let _e359 = (((((((_e214 * _e232.x) + (_e217 * _e232.y)) + (_e220 * _e232.z)) / ((((_e242.x * _e242.x) + (_e242.y * _e242.y)) + (_e242.z * _e242.z)) * _e230)) - ((((_e285 * _e303.x) + (_e288 * _e303.y)) + (_e291 * _e303.z)) / ((((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)) * _e301))) * 0.5f) * f32(_e357));
+            let _e363 = p.member.current.size[1u];
+            let _e365 = (((((((_e214 * _e257.x) + (_e217 * _e257.y)) + (_e220 * _e257.z)) / ((((_e267.x * _e267.x) + (_e267.y * _e267.y)) + (_e267.z * _e267.z)) * _e230)) - ((((_e285 * _e328.x) + (_e288 * _e328.y)) + (_e291 * _e328.z)) / ((((_e338.x * _e338.x) + (_e338.y * _e338.y)) + (_e338.z * _e338.z)) * _e301))) * -0.5f) * f32(_e363));
             let _e369 = p.member.current.size[0u];
-            let _e376 = p.member.current.size[1u];
-            let _e379 = ((((((((_e213 * _e231.x) + (_e216 * _e231.y)) + (_e219 * _e231.z)) / ((((_e241.x * _e241.x) + (_e241.y * _e241.y)) + (_e241.z * _e241.z)) * _e229)) * 0.5f) + 0.5f) * f32(_e284)) - (((((((_e298 * _e316.x) + (_e301 * _e316.y)) + (_e304 * _e316.z)) / ((((_e326.x * _e326.x) + (_e326.y * _e326.y)) + (_e326.z * _e326.z)) * _e314)) * 0.5f) + 0.5f) * f32(_e369)));
-            let _e380 = (((0.5f - (((((_e213 * _e256.x) + (_e216 * _e256.y)) + (_e219 * _e256.z)) / ((((_e266.x * _e266.x) + (_e266.y * _e266.y)) + (_e266.z * _e266.z)) * _e229)) * 0.5f)) * f32(_e291)) - ((0.5f - (((((_e298 * _e341.x) + (_e301 * _e341.y)) + (_e304 * _e341.z)) / ((((_e351.x * _e351.x) + (_e351.y * _e351.y)) + (_e351.z * _e351.z)) * _e314)) * 0.5f)) * f32(_e376)));
-            let _e384 = p.member.current.size[0u];
-            let _e386 = p.member.current.size[1u];
-            let _e390 = ((f32(_e52.x) + 0.5f) + _e379);
-            if (_e390 > -8388608f) {
-                let _e402 = f32(select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390)));
-                if (_e402 > _e390) {
-                    phi_585_ = 1f;
+            let _e371 = p.member.current.size[1u];
+            let _e375 = ((f32(_e53.x) + 0.5f) + _e359);
+            if (_e375 > -8388608f) {
+                let _e387 = f32(select(0i, select(select(i32(_e375), i32(-2147483648), (_e375 < bitcast<f32>(3472883712u))), 2147483647i, (_e375 > bitcast<f32>(1325400063u))), (_e375 == _e375)));
+                if (_e387 > _e375) {
+                    phi_570_ = 1f;
                 } else {
-                    phi_585_ = 0f;
+                    phi_570_ = 0f;
                 }
-                let _e405 = phi_585_;
-                if (_e390 < 8388608f) {
-                    phi_590_ = (_e402 - _e405);
-                    phi_591_ = false;
+                let _e390 = phi_570_;
+                if (_e375 < 8388608f) {
+                    phi_575_ = (_e387 - _e390);
+                    phi_576_ = false;
                 } else {
-                    phi_590_ = f32();
-                    phi_591_ = true;
+                    phi_575_ = f32();
+                    phi_576_ = true;
                 }
-                let _e408 = phi_590_;
-                let _e410 = phi_591_;
-                phi_592_ = _e408;
-                phi_593_ = _e410;
+                let _e393 = phi_575_;
+                let _e395 = phi_576_;
+                phi_577_ = _e393;
+                phi_578_ = _e395;
             } else {
-                phi_592_ = f32();
-                phi_593_ = true;
+                phi_577_ = f32();
+                phi_578_ = true;
             }
-            let _e412 = phi_592_;
-            let _e414 = phi_593_;
-            if _e414 {
-                phi_597_ = _e390;
+            let _e397 = phi_577_;
+            let _e399 = phi_578_;
+            if _e399 {
+                phi_582_ = _e375;
             } else {
-                phi_597_ = _e412;
+                phi_582_ = _e397;
             }
-            let _e416 = phi_597_;
-            let _e419 = ((f32(_e52.y) + 0.5f) + _e380);
-            if (_e419 > -8388608f) {
-                let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
-                if (_e431 > _e419) {
-                    phi_620_ = 1f;
+            let _e401 = phi_582_;
+            let _e404 = ((f32(_e53.y) + 0.5f) + _e365);
+            if (_e404 > -8388608f) {
+                let _e416 = f32(select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < bitcast<f32>(3472883712u))), 2147483647i, (_e404 > bitcast<f32>(1325400063u))), (_e404 == _e404)));
+                if (_e416 > _e404) {
+                    phi_605_ = 1f;
                 } else {
-                    phi_620_ = 0f;
+                    phi_605_ = 0f;
                 }
-                let _e434 = phi_620_;
-                if (_e419 < 8388608f) {
-                    phi_625_ = (_e431 - _e434);
-                    phi_626_ = false;
+                let _e419 = phi_605_;
+                if (_e404 < 8388608f) {
+                    phi_610_ = (_e416 - _e419);
+                    phi_611_ = false;
                 } else {
-                    phi_625_ = f32();
-                    phi_626_ = true;
+                    phi_610_ = f32();
+                    phi_611_ = true;
                 }
-                let _e437 = phi_625_;
-                let _e439 = phi_626_;
-                phi_627_ = _e437;
-                phi_628_ = _e439;
+                let _e422 = phi_610_;
+                let _e424 = phi_611_;
+                phi_612_ = _e422;
+                phi_613_ = _e424;
             } else {
-                phi_627_ = f32();
-                phi_628_ = true;
+                phi_612_ = f32();
+                phi_613_ = true;
             }
-            let _e441 = phi_627_;
-            let _e443 = phi_628_;
-            if _e443 {
-                phi_632_ = _e419;
+            let _e426 = phi_612_;
+            let _e428 = phi_613_;
+            if _e428 {
+                phi_617_ = _e404;
             } else {
-                phi_632_ = _e441;
+                phi_617_ = _e426;
             }
-            let _e445 = phi_632_;
-            if (_e416 >= 0f) {
-                if (_e445 >= 0f) {
-                    if (_e416 < f32(_e384)) {
-                        let _e451 = (_e445 < f32(_e386));
-                        if (_e379 == 0f) {
-                            phi_653_ = (_e380 == 0f);
+            let _e430 = phi_617_;
+            if (_e401 >= 0f) {
+                if (_e430 >= 0f) {
+                    if (_e401 < f32(_e369)) {
+                        let _e436 = (_e430 < f32(_e371));
+                        if (_e359 == 0f) {
+                            phi_638_ = (_e365 == 0f);
                         } else {
-                            phi_653_ = false;
+                            phi_638_ = false;
                         }
-                        let _e455 = phi_653_;
-                        if _e451 {
-                            phi_672_ = vec2<u32>(select(select(u32(_e416), 0u, (_e416 < bitcast<f32>(0u))), 4294967295u, (_e416 > bitcast<f32>(1333788671u))), select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))));
-                            phi_673_ = false;
+                        let _e440 = phi_638_;
+                        if _e436 {
+                            phi_657_ = vec2<u32>(select(select(u32(_e401), 0u, (_e401 < bitcast<f32>(0u))), 4294967295u, (_e401 > bitcast<f32>(1333788671u))), select(select(u32(_e430), 0u, (_e430 < bitcast<f32>(0u))), 4294967295u, (_e430 > bitcast<f32>(1333788671u))));
+                            phi_658_ = false;
                         } else {
-                            phi_672_ = vec2<u32>();
-                            phi_673_ = true;
+                            phi_657_ = vec2<u32>();
+                            phi_658_ = true;
                         }
-                        let _e472 = phi_672_;
-                        let _e474 = phi_673_;
-                        phi_674_ = _e455;
-                        phi_675_ = _e451;
-                        phi_676_ = _e472;
-                        phi_677_ = _e455;
-                        phi_678_ = _e451;
-                        phi_679_ = false;
-                        phi_680_ = _e474;
+                        let _e457 = phi_657_;
+                        let _e459 = phi_658_;
+                        phi_659_ = _e440;
+                        phi_660_ = _e436;
+                        phi_661_ = _e457;
+                        phi_662_ = _e440;
+                        phi_663_ = _e436;
+                        phi_664_ = false;
+                        phi_665_ = _e459;
                     } else {
-                        phi_674_ = bool();
-                        phi_675_ = bool();
-                        phi_676_ = vec2<u32>();
-                        phi_677_ = bool();
-                        phi_678_ = bool();
-                        phi_679_ = true;
-                        phi_680_ = false;
+                        phi_659_ = bool();
+                        phi_660_ = bool();
+                        phi_661_ = vec2<u32>();
+                        phi_662_ = bool();
+                        phi_663_ = bool();
+                        phi_664_ = true;
+                        phi_665_ = false;
                     }
-                    let _e476 = phi_674_;
-                    let _e478 = phi_675_;
-                    let _e480 = phi_676_;
-                    let _e482 = phi_677_;
-                    let _e484 = phi_678_;
-                    let _e486 = phi_679_;
-                    let _e488 = phi_680_;
-                    phi_681_ = _e476;
-                    phi_682_ = _e478;
-                    phi_683_ = _e480;
-                    phi_684_ = _e482;
-                    phi_685_ = _e484;
-                    phi_686_ = _e486;
-                    phi_687_ = _e488;
+                    let _e461 = phi_659_;
+                    let _e463 = phi_660_;
+                    let _e465 = phi_661_;
+                    let _e467 = phi_662_;
+                    let _e469 = phi_663_;
+                    let _e471 = phi_664_;
+                    let _e473 = phi_665_;
+                    phi_666_ = _e461;
+                    phi_667_ = _e463;
+                    phi_668_ = _e465;
+                    phi_669_ = _e467;
+                    phi_670_ = _e469;
+                    phi_671_ = _e471;
+                    phi_672_ = _e473;
                 } else {
-                    phi_681_ = bool();
-                    phi_682_ = bool();
-                    phi_683_ = vec2<u32>();
-                    phi_684_ = bool();
-                    phi_685_ = bool();
-                    phi_686_ = true;
-                    phi_687_ = false;
+                    phi_666_ = bool();
+                    phi_667_ = bool();
+                    phi_668_ = vec2<u32>();
+                    phi_669_ = bool();
+                    phi_670_ = bool();
+                    phi_671_ = true;
+                    phi_672_ = false;
                 }
-                let _e490 = phi_681_;
-                let _e492 = phi_682_;
-                let _e494 = phi_683_;
-                let _e496 = phi_684_;
-                let _e498 = phi_685_;
-                let _e500 = phi_686_;
-                let _e502 = phi_687_;
-                phi_688_ = _e490;
-                phi_689_ = _e492;
-                phi_690_ = _e494;
-                phi_691_ = _e496;
-                phi_692_ = _e498;
-                phi_693_ = _e500;
-                phi_694_ = _e502;
+                let _e475 = phi_666_;
+                let _e477 = phi_667_;
+                let _e479 = phi_668_;
+                let _e481 = phi_669_;
+                let _e483 = phi_670_;
+                let _e485 = phi_671_;
+                let _e487 = phi_672_;
+                phi_673_ = _e475;
+                phi_674_ = _e477;
+                phi_675_ = _e479;
+                phi_676_ = _e481;
+                phi_677_ = _e483;
+                phi_678_ = _e485;
+                phi_679_ = _e487;
             } else {
-                phi_688_ = bool();
-                phi_689_ = bool();
-                phi_690_ = vec2<u32>();
-                phi_691_ = bool();
-                phi_692_ = bool();
-                phi_693_ = true;
-                phi_694_ = false;
+                phi_673_ = bool();
+                phi_674_ = bool();
+                phi_675_ = vec2<u32>();
+                phi_676_ = bool();
+                phi_677_ = bool();
+                phi_678_ = true;
+                phi_679_ = false;
             }
-            let _e504 = phi_688_;
-            let _e506 = phi_689_;
-            let _e508 = phi_690_;
-            let _e510 = phi_691_;
-            let _e512 = phi_692_;
-            let _e514 = phi_693_;
-            let _e516 = phi_694_;
-            if _e514 {
-                if (_e379 == 0f) {
-                    phi_703_ = (_e380 == 0f);
+            let _e489 = phi_673_;
+            let _e491 = phi_674_;
+            let _e493 = phi_675_;
+            let _e495 = phi_676_;
+            let _e497 = phi_677_;
+            let _e499 = phi_678_;
+            let _e501 = phi_679_;
+            if _e499 {
+                if (_e359 == 0f) {
+                    phi_688_ = (_e365 == 0f);
                 } else {
-                    phi_703_ = false;
+                    phi_688_ = false;
                 }
-                let _e520 = phi_703_;
-                phi_704_ = _e520;
-                phi_705_ = false;
-                phi_706_ = true;
+                let _e505 = phi_688_;
+                phi_689_ = _e505;
+                phi_690_ = false;
+                phi_691_ = true;
             } else {
-                phi_704_ = _e510;
-                phi_705_ = _e512;
-                phi_706_ = _e516;
+                phi_689_ = _e495;
+                phi_690_ = _e497;
+                phi_691_ = _e501;
             }
-            let _e522 = phi_704_;
-            let _e524 = phi_705_;
-            let _e526 = phi_706_;
-            if _e526 {
-                phi_710_ = _e522;
-                phi_711_ = _e524;
-                phi_712_ = vec2<u32>(_e52.x, _e52.y);
+            let _e507 = phi_689_;
+            let _e509 = phi_690_;
+            let _e511 = phi_691_;
+            if _e511 {
+                phi_695_ = _e507;
+                phi_696_ = _e509;
+                phi_697_ = vec2<u32>(_e53.x, _e53.y);
             } else {
-                phi_710_ = _e504;
-                phi_711_ = _e506;
-                phi_712_ = _e508;
+                phi_695_ = _e489;
+                phi_696_ = _e491;
+                phi_697_ = _e493;
             }
-            let _e528 = phi_710_;
-            let _e530 = phi_711_;
-            let _e532 = phi_712_;
-            let _e542 = lt_mask_Reprojection(vec2<u32>(_e532.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e549 = lt_mask_Reprojection(vec2<u32>(_e542.pixel.x, _e532.y), _e542.is_valid, _e542.has_moved);
-            let _e553 = lt_mask_Reprojection(_e549.pixel, _e530, _e549.has_moved);
-            let _e557 = lt_mask_Reprojection(_e553.pixel, _e553.is_valid, !(_e528));
-            if _e530 {
-                let _e560 = p.member.previous.eye;
-                let _e571 = p.member.previous.forward;
-                let _e580 = (((((_e83.x - _e560.x) * _e571.x) + ((_e83.y - _e560.y) * _e571.y)) + ((_e83.z - _e560.z) * _e571.z)) > 0f);
-                let _e584 = lt_mask_Reprojection(_e557.pixel, _e580, _e557.has_moved);
-                if _e580 {
-                    let _e587 = p.member.previous.eye;
-                    let _e598 = p.member.previous.forward;
-                    let _e606 = ((((_e83.x - _e587.x) * _e598.x) + ((_e83.y - _e587.y) * _e598.y)) + ((_e83.z - _e587.z) * _e598.z));
-                    let _e608 = ((_e532.y * _e80) + _e532.x);
-                    if (_e608 < arrayLength((&last_depths.member))) {
+            let _e513 = phi_695_;
+            let _e515 = phi_696_;
+            let _e517 = phi_697_;
+            let _e527 = lt_mask_Reprojection(vec2<u32>(_e517.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e534 = lt_mask_Reprojection(vec2<u32>(_e527.pixel.x, _e517.y), _e527.is_valid, _e527.has_moved);
+            let _e538 = lt_mask_Reprojection(_e534.pixel, _e515, _e534.has_moved);
+            let _e542 = lt_mask_Reprojection(_e538.pixel, _e538.is_valid, !(_e513));
+            if _e515 {
+                let _e545 = p.member.previous.eye;
+                let _e556 = p.member.previous.forward;
+                let _e565 = (((((_e84.x - _e545.x) * _e556.x) + ((_e84.y - _e545.y) * _e556.y)) + ((_e84.z - _e545.z) * _e556.z)) > 0f);
+                let _e569 = lt_mask_Reprojection(_e542.pixel, _e565, _e542.has_moved);
+                if _e565 {
+                    let _e572 = p.member.previous.eye;
+                    let _e583 = p.member.previous.forward;
+                    let _e591 = ((((_e84.x - _e572.x) * _e583.x) + ((_e84.y - _e572.y) * _e583.y)) + ((_e84.z - _e572.z) * _e583.z));
+                    let _e593 = ((_e517.y * _e81) + _e517.x);
+                    if (_e593 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e612 = last_depths.member[(0u + _e608)];
-                    let _e614 = p.member.depth_tolerance;
-                    let _e617 = abs(_e606);
-                    let _e618 = abs(_e612);
-                    if ((bitcast<u32>(_e618) & 2147483647u) > 2139095040u) {
-                        phi_801_ = true;
+                    let _e597 = last_depths.member[(0u + _e593)];
+                    let _e599 = p.member.depth_tolerance;
+                    let _e602 = abs(_e591);
+                    let _e603 = abs(_e597);
+                    if ((bitcast<u32>(_e603) & 2147483647u) > 2139095040u) {
+                        phi_786_ = true;
                     } else {
-                        let _e622 = (_e618 > _e617);
-                        if _e622 {
+                        let _e607 = (_e603 > _e602);
+                        if _e607 {
                         }
-                        phi_801_ = _e622;
+                        phi_786_ = _e607;
                     }
-                    let _e624 = phi_801_;
-                    if _e624 {
-                        phi_805_ = _e618;
+                    let _e609 = phi_786_;
+                    if _e609 {
+                        phi_790_ = _e603;
                     } else {
-                        phi_805_ = _e617;
+                        phi_790_ = _e602;
                     }
-                    let _e626 = phi_805_;
-                    phi_809_ = lt_mask_Reprojection(_e584.pixel, (abs((_e606 - _e612)) <= (_e614 * _e626)), _e584.has_moved);
+                    let _e611 = phi_790_;
+                    phi_794_ = lt_mask_Reprojection(_e569.pixel, (abs((_e591 - _e597)) <= (_e599 * _e611)), _e569.has_moved);
                 } else {
-                    phi_809_ = _e584;
+                    phi_794_ = _e569;
                 }
-                let _e634 = phi_809_;
-                if _e634.is_valid {
-                    let _e637 = p.member.flags;
-                    phi_818_ = ((_e637 & 1u) != 0u);
-                    phi_819_ = false;
+                let _e619 = phi_794_;
+                if _e619.is_valid {
+                    let _e622 = p.member.flags;
+                    phi_803_ = ((_e622 & 1u) != 0u);
+                    phi_804_ = false;
                 } else {
-                    phi_818_ = bool();
-                    phi_819_ = true;
+                    phi_803_ = bool();
+                    phi_804_ = true;
                 }
-                let _e641 = phi_818_;
-                let _e643 = phi_819_;
-                phi_821_ = _e641;
-                phi_822_ = _e634;
-                phi_823_ = _e634;
-                phi_824_ = _e643;
+                let _e626 = phi_803_;
+                let _e628 = phi_804_;
+                phi_806_ = _e626;
+                phi_807_ = _e619;
+                phi_808_ = _e619;
+                phi_809_ = _e628;
             } else {
-                phi_821_ = bool();
-                phi_822_ = lt_mask_Reprojection();
-                phi_823_ = lt_mask_Reprojection(_e557.pixel, false, _e557.has_moved);
-                phi_824_ = true;
+                phi_806_ = bool();
+                phi_807_ = lt_mask_Reprojection();
+                phi_808_ = lt_mask_Reprojection(_e542.pixel, false, _e542.has_moved);
+                phi_809_ = true;
             }
-            let _e649 = phi_821_;
-            let _e651 = phi_822_;
-            let _e653 = phi_823_;
-            let _e655 = phi_824_;
-            if _e655 {
-                phi_828_ = false;
-                phi_829_ = _e653;
+            let _e634 = phi_806_;
+            let _e636 = phi_807_;
+            let _e638 = phi_808_;
+            let _e640 = phi_809_;
+            if _e640 {
+                phi_813_ = false;
+                phi_814_ = _e638;
             } else {
-                phi_828_ = _e649;
-                phi_829_ = _e651;
+                phi_813_ = _e634;
+                phi_814_ = _e636;
             }
-            let _e657 = phi_828_;
-            let _e659 = phi_829_;
-            let _e663 = lt_mask_Reprojection(_e659.pixel, _e657, _e659.has_moved);
-            if _e663.has_moved {
+            let _e642 = phi_813_;
+            let _e644 = phi_814_;
+            let _e648 = lt_mask_Reprojection(_e644.pixel, _e642, _e644.has_moved);
+            if _e648.has_moved {
             }
-            let _e669 = lt_mask_Neighbourhood(false, true);
-            if _e204 {
-                phi_1033_ = _e669;
+            let _e654 = lt_mask_Neighbourhood(false, true);
+            if _e205 {
+                phi_1018_ = _e654;
             } else {
                 if true {
-                    if _e657 {
-                        if _e663.has_moved {
-                            let _e672 = p.member.moving_pattern;
-                            phi_857_ = _e672;
+                    if _e642 {
+                        if _e648.has_moved {
+                            let _e657 = p.member.moving_pattern;
+                            phi_842_ = _e657;
                         } else {
-                            let _e674 = p.member.still_pattern;
-                            phi_857_ = _e674;
+                            let _e659 = p.member.still_pattern;
+                            phi_842_ = _e659;
                         }
-                        let _e676 = phi_857_;
-                        phi_859_ = 0u;
-                        phi_862_ = _e669;
+                        let _e661 = phi_842_;
+                        phi_844_ = 0u;
+                        phi_847_ = _e654;
                         loop {
-                            let _e678 = phi_859_;
-                            let _e680 = phi_862_;
-                            local_1 = _e680;
-                            if (1u <= _e676) {
-                                if (_e676 <= 4u) {
-                                    phi_874_ = false;
+                            let _e663 = phi_844_;
+                            let _e665 = phi_847_;
+                            local_1 = _e665;
+                            if (1u <= _e661) {
+                                if (_e661 <= 4u) {
+                                    phi_859_ = false;
                                 } else {
-                                    phi_874_ = true;
+                                    phi_859_ = true;
                                 }
-                                let _e684 = phi_874_;
-                                phi_875_ = _e684;
+                                let _e669 = phi_859_;
+                                phi_860_ = _e669;
                             } else {
-                                phi_875_ = true;
+                                phi_860_ = true;
                             }
-                            let _e686 = phi_875_;
-                            if _e686 {
-                                switch bitcast<i32>(_e676) {
+                            let _e671 = phi_860_;
+                            if _e671 {
+                                switch bitcast<i32>(_e661) {
                                     case 5: {
-                                        phi_883_ = 4u;
+                                        phi_868_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_883_ = 25u;
+                                        phi_868_ = 25u;
                                         break;
                                     }
                                     default: {
-                                        phi_883_ = 9u;
+                                        phi_868_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e689 = phi_883_;
-                                phi_884_ = _e689;
+                                let _e674 = phi_868_;
+                                phi_869_ = _e674;
                             } else {
-                                phi_884_ = 5u;
+                                phi_869_ = 5u;
                             }
-                            let _e691 = phi_884_;
-                            let _e692 = (_e678 < _e691);
-                            if _e692 {
-                                let _e698 = p.member.frame;
-                                let _e702 = p.member.current.size[0u];
-                                let _e704 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e676) {
+                            let _e676 = phi_869_;
+                            let _e677 = (_e663 < _e676);
+                            if _e677 {
+                                let _e683 = p.member.frame;
+                                let _e687 = p.member.current.size[0u];
+                                let _e689 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e661) {
                                     case 1: {
-                                        let _e714 = lt_mask_pattern_plus(_e678);
-                                        phi_959_ = vec2<i32>(_e714.x, _e714.y);
+                                        let _e699 = lt_mask_pattern_plus(_e663);
+                                        phi_944_ = vec2<i32>(_e699.x, _e699.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e718 = lt_mask_pattern_cross(_e678);
-                                        phi_959_ = vec2<i32>(_e718.x, _e718.y);
+                                        let _e703 = lt_mask_pattern_cross(_e663);
+                                        phi_944_ = vec2<i32>(_e703.x, _e703.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e724 = lt_mask_pattern_plus_or_cross(_e678, ((_e663.pixel.x + _e663.pixel.y) & 1u));
-                                        phi_959_ = vec2<i32>(_e724.x, _e724.y);
+                                        let _e709 = lt_mask_pattern_plus_or_cross(_e663, ((_e648.pixel.x + _e648.pixel.y) & 1u));
+                                        phi_944_ = vec2<i32>(_e709.x, _e709.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e729 = lt_mask_pattern_plus_or_cross(_e678, (_e698 & 1u));
-                                        phi_959_ = vec2<i32>(_e729.x, _e729.y);
+                                        let _e714 = lt_mask_pattern_plus_or_cross(_e663, (_e683 & 1u));
+                                        phi_944_ = vec2<i32>(_e714.x, _e714.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e698 & 3u)) {
+                                        switch bitcast<i32>((_e683 & 3u)) {
                                             case 0: {
-                                                phi_943_ = vec2(-1i);
+                                                phi_928_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_943_ = vec2(0i);
+                                                phi_928_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_943_ = vec2<i32>(0i, -1i);
+                                                phi_928_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_943_ = vec2<i32>(-1i, 0i);
+                                                phi_928_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e740 = phi_943_;
-                                        phi_959_ = (_e740 + vec2<i32>(bitcast<i32>((_e678 & 1u)), bitcast<i32>(((_e678 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e725 = phi_928_;
+                                        phi_944_ = (_e725 + vec2<i32>(bitcast<i32>((_e663 & 1u)), bitcast<i32>(((_e663 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_959_ = vec2<i32>((bitcast<i32>((_e678 % 5u)) - 2i), (bitcast<i32>(((_e678 / 5u) % 5u)) - 2i));
+                                        phi_944_ = vec2<i32>((bitcast<i32>((_e663 % 5u)) - 2i), (bitcast<i32>(((_e663 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     default: {
-                                        phi_959_ = vec2<i32>((bitcast<i32>((_e678 % 3u)) - 1i), (bitcast<i32>(((_e678 / 3u) % 3u)) - 1i));
+                                        phi_944_ = vec2<i32>((bitcast<i32>((_e663 % 3u)) - 1i), (bitcast<i32>(((_e663 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e758 = phi_959_;
-                                let _e761 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e758.x, _e702);
-                                let _e762 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e758.y, _e704);
-                                let _e764 = ((_e762 * _e80) + _e761);
-                                if (_e764 < arrayLength((&last_bits.member))) {
+                                let _e743 = phi_944_;
+                                let _e746 = lt_mask_pattern_step_clamped(_e648.pixel.x, _e743.x, _e687);
+                                let _e747 = lt_mask_pattern_step_clamped(_e648.pixel.y, _e743.y, _e689);
+                                let _e749 = ((_e747 * _e81) + _e746);
+                                if (_e749 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e768 = last_bits.member[(0u + _e764)];
-                                if ((_e768 & 2u) == 0u) {
-                                    phi_982_ = (_e768 & 1u);
+                                let _e753 = last_bits.member[(0u + _e749)];
+                                if ((_e753 & 2u) == 0u) {
+                                    phi_967_ = (_e753 & 1u);
                                 } else {
-                                    phi_982_ = (_e768 & 7u);
+                                    phi_967_ = (_e753 & 7u);
                                 }
-                                let _e774 = phi_982_;
-                                if _e680.any_expands {
-                                    phi_1008_ = true;
+                                let _e759 = phi_967_;
+                                if _e665.any_expands {
+                                    phi_993_ = true;
                                 } else {
-                                    if ((_e774 & 2u) != 0u) {
-                                        if (((_e774 & 4u) != 0u) != _e200) {
-                                            phi_999_ = false;
+                                    if ((_e759 & 2u) != 0u) {
+                                        if (((_e759 & 4u) != 0u) != _e201) {
+                                            phi_984_ = false;
                                         } else {
-                                            phi_999_ = true;
+                                            phi_984_ = true;
                                         }
-                                        let _e783 = phi_999_;
-                                        phi_1000_ = _e783;
+                                        let _e768 = phi_984_;
+                                        phi_985_ = _e768;
                                     } else {
-                                        phi_1000_ = true;
+                                        phi_985_ = true;
                                     }
-                                    let _e785 = phi_1000_;
-                                    if _e785 {
-                                        phi_1007_ = (((_e774 & 1u) != 0u) != _e200);
+                                    let _e770 = phi_985_;
+                                    if _e770 {
+                                        phi_992_ = (((_e759 & 1u) != 0u) != _e201);
                                     } else {
-                                        phi_1007_ = true;
+                                        phi_992_ = true;
                                     }
-                                    let _e790 = phi_1007_;
-                                    phi_1008_ = _e790;
+                                    let _e775 = phi_992_;
+                                    phi_993_ = _e775;
                                 }
-                                let _e792 = phi_1008_;
-                                if _e680.all_remove {
-                                    if (((_e774 & 1u) != 0u) == _e200) {
-                                        if ((_e774 & 2u) != 0u) {
-                                            phi_1026_ = (((_e774 & 4u) != 0u) == _e200);
+                                let _e777 = phi_993_;
+                                if _e665.all_remove {
+                                    if (((_e759 & 1u) != 0u) == _e201) {
+                                        if ((_e759 & 2u) != 0u) {
+                                            phi_1011_ = (((_e759 & 4u) != 0u) == _e201);
                                         } else {
-                                            phi_1026_ = true;
+                                            phi_1011_ = true;
                                         }
-                                        let _e802 = phi_1026_;
-                                        phi_1027_ = _e802;
+                                        let _e787 = phi_1011_;
+                                        phi_1012_ = _e787;
                                     } else {
-                                        phi_1027_ = false;
+                                        phi_1012_ = false;
                                     }
-                                    let _e804 = phi_1027_;
-                                    phi_1028_ = _e804;
+                                    let _e789 = phi_1012_;
+                                    phi_1013_ = _e789;
                                 } else {
-                                    phi_1028_ = false;
+                                    phi_1013_ = false;
                                 }
-                                let _e806 = phi_1028_;
-                                phi_860_ = (_e678 + 1u);
-                                phi_863_ = lt_mask_Neighbourhood(_e792, _e806);
+                                let _e791 = phi_1013_;
+                                phi_845_ = (_e663 + 1u);
+                                phi_848_ = lt_mask_Neighbourhood(_e777, _e791);
                             } else {
-                                phi_860_ = u32();
-                                phi_863_ = lt_mask_Neighbourhood();
+                                phi_845_ = u32();
+                                phi_848_ = lt_mask_Neighbourhood();
                             }
-                            let _e810 = phi_860_;
-                            let _e812 = phi_863_;
+                            let _e795 = phi_845_;
+                            let _e797 = phi_848_;
                             continue;
                             continuing {
-                                phi_859_ = _e810;
-                                phi_862_ = _e812;
-                                break if !(_e692);
+                                phi_844_ = _e795;
+                                phi_847_ = _e797;
+                                break if !(_e677);
                             }
                         }
-                        let _e1027 = local_1;
-                        phi_1031_ = _e1027;
+                        let _e1012 = local_1;
+                        phi_1016_ = _e1012;
                     } else {
-                        phi_1031_ = _e669;
+                        phi_1016_ = _e654;
                     }
-                    let _e815 = phi_1031_;
-                    phi_1032_ = _e815;
+                    let _e800 = phi_1016_;
+                    phi_1017_ = _e800;
                 } else {
-                    phi_1032_ = _e669;
+                    phi_1017_ = _e654;
                 }
-                let _e817 = phi_1032_;
-                phi_1033_ = _e817;
+                let _e802 = phi_1017_;
+                phi_1018_ = _e802;
             }
-            let _e819 = phi_1033_;
-            if (_e85 != 0.5f) {
-                if _e657 {
-                    if _e204 {
-                        phi_1059_ = true;
+            let _e804 = phi_1018_;
+            if (_e86 != 0.5f) {
+                if _e642 {
+                    if _e205 {
+                        phi_1044_ = true;
                     } else {
-                        if _e819.any_expands {
-                            phi_1058_ = false;
+                        if _e804.any_expands {
+                            phi_1043_ = false;
                         } else {
-                            phi_1058_ = true;
+                            phi_1043_ = true;
                         }
-                        let _e824 = phi_1058_;
-                        phi_1059_ = _e824;
+                        let _e809 = phi_1043_;
+                        phi_1044_ = _e809;
                     }
-                    let _e826 = phi_1059_;
-                    if _e826 {
-                        if _e204 {
+                    let _e811 = phi_1044_;
+                    if _e811 {
+                        if _e205 {
                             if false {
-                                if _e819.all_remove {
-                                    phi_1072_ = false;
+                                if _e804.all_remove {
+                                    phi_1057_ = false;
                                 } else {
-                                    phi_1072_ = true;
+                                    phi_1057_ = true;
                                 }
-                                let _e828 = phi_1072_;
-                                phi_1073_ = _e828;
+                                let _e813 = phi_1057_;
+                                phi_1058_ = _e813;
                             } else {
-                                phi_1073_ = true;
+                                phi_1058_ = true;
                             }
-                            let _e830 = phi_1073_;
-                            phi_1074_ = _e830;
+                            let _e815 = phi_1058_;
+                            phi_1059_ = _e815;
                         } else {
-                            phi_1074_ = true;
+                            phi_1059_ = true;
                         }
-                        let _e832 = phi_1074_;
-                        if _e832 {
-                            if _e204 {
-                                phi_1081_ = 1u;
+                        let _e817 = phi_1059_;
+                        if _e817 {
+                            if _e205 {
+                                phi_1066_ = 1u;
                             } else {
-                                phi_1081_ = 0u;
+                                phi_1066_ = 0u;
                             }
-                            let _e834 = phi_1081_;
-                            phi_1082_ = _e834;
+                            let _e819 = phi_1066_;
+                            phi_1067_ = _e819;
                         } else {
-                            phi_1082_ = 5u;
+                            phi_1067_ = 5u;
                         }
-                        let _e836 = phi_1082_;
-                        phi_1083_ = _e836;
+                        let _e821 = phi_1067_;
+                        phi_1068_ = _e821;
                     } else {
-                        phi_1083_ = 4u;
+                        phi_1068_ = 4u;
                     }
-                    let _e838 = phi_1083_;
-                    phi_1084_ = _e838;
+                    let _e823 = phi_1068_;
+                    phi_1069_ = _e823;
                 } else {
-                    phi_1084_ = 3u;
+                    phi_1069_ = 3u;
                 }
-                let _e840 = phi_1084_;
-                phi_1085_ = _e840;
+                let _e825 = phi_1069_;
+                phi_1070_ = _e825;
             } else {
-                phi_1085_ = 2u;
+                phi_1070_ = 2u;
             }
-            let _e842 = phi_1085_;
-            if !((_e842 == 0u)) {
-                phi_1093_ = !((_e842 == 5u));
+            let _e827 = phi_1070_;
+            if !((_e827 == 0u)) {
+                phi_1078_ = !((_e827 == 5u));
             } else {
-                phi_1093_ = false;
+                phi_1078_ = false;
             }
-            let _e848 = phi_1093_;
-            if _e848 {
-                if _e200 {
-                    phi_1101_ = (2u | 1u);
+            let _e833 = phi_1078_;
+            if _e833 {
+                if _e201 {
+                    phi_1086_ = (2u | 1u);
                 } else {
-                    phi_1101_ = 2u;
+                    phi_1086_ = 2u;
                 }
-                let _e851 = phi_1101_;
+                let _e836 = phi_1086_;
                 if false {
-                    phi_1106_ = (_e851 | 4u);
+                    phi_1091_ = (_e836 | 4u);
                 } else {
-                    phi_1106_ = _e851;
+                    phi_1091_ = _e836;
                 }
-                let _e854 = phi_1106_;
-                phi_1111_ = _e854;
+                let _e839 = phi_1091_;
+                phi_1096_ = _e839;
             } else {
-                if _e200 {
-                    phi_1110_ = 1u;
+                if _e201 {
+                    phi_1095_ = 1u;
                 } else {
-                    phi_1110_ = 0u;
+                    phi_1095_ = 0u;
                 }
-                let _e856 = phi_1110_;
-                phi_1111_ = _e856;
+                let _e841 = phi_1095_;
+                phi_1096_ = _e841;
             }
-            let _e858 = phi_1111_;
-            if _e200 {
-                phi_1115_ = 0f;
+            let _e843 = phi_1096_;
+            if _e201 {
+                phi_1100_ = 0f;
             } else {
-                phi_1115_ = 1f;
+                phi_1100_ = 1f;
             }
-            let _e860 = phi_1115_;
-            phi_1117_ = mask_Masked(_e860, _e858, _e848);
+            let _e845 = phi_1100_;
+            phi_1102_ = mask_Masked(_e845, _e843, _e833);
         }
-        let _e863 = phi_1117_;
-        visibility.member[_e72.first_primitive] = _e863.visibility;
-        bits.member[_e72.first_primitive] = _e863.bits;
-        let _e871 = samples.member[_e72.first_primitive].normal[0u];
-        let _e873 = global[0u];
-        if (_e871 == _e873) {
-            let _e876 = samples.member[_e72.first_primitive].normal[1u];
-            let _e878 = global[1u];
-            if (_e876 == _e878) {
-                let _e881 = samples.member[_e72.first_primitive].normal[2u];
-                let _e883 = global[2u];
-                phi_1145_ = (_e881 == _e883);
-                phi_1146_ = false;
+        let _e848 = phi_1102_;
+        visibility.member[_e73.first_primitive] = _e848.visibility;
+        bits.member[_e73.first_primitive] = _e848.bits;
+        let _e856 = samples.member[_e73.first_primitive].normal[0u];
+        let _e858 = global[0u];
+        if (_e856 == _e858) {
+            let _e861 = samples.member[_e73.first_primitive].normal[1u];
+            let _e863 = global[1u];
+            if (_e861 == _e863) {
+                let _e866 = samples.member[_e73.first_primitive].normal[2u];
+                let _e868 = global[2u];
+                phi_1130_ = (_e866 == _e868);
+                phi_1131_ = false;
             } else {
-                phi_1145_ = bool();
-                phi_1146_ = true;
+                phi_1130_ = bool();
+                phi_1131_ = true;
             }
-            let _e886 = phi_1145_;
-            let _e888 = phi_1146_;
-            phi_1147_ = _e886;
-            phi_1148_ = _e888;
+            let _e871 = phi_1130_;
+            let _e873 = phi_1131_;
+            phi_1132_ = _e871;
+            phi_1133_ = _e873;
         } else {
-            phi_1147_ = bool();
-            phi_1148_ = true;
+            phi_1132_ = bool();
+            phi_1133_ = true;
         }
-        let _e890 = phi_1147_;
-        let _e892 = phi_1148_;
-        if _e892 {
-            phi_1152_ = false;
+        let _e875 = phi_1132_;
+        let _e877 = phi_1133_;
+        if _e877 {
+            phi_1137_ = false;
         } else {
-            phi_1152_ = _e890;
+            phi_1137_ = _e875;
         }
-        let _e894 = phi_1152_;
-        if !(_e894) {
-            let _e897 = samples.member[_e72.first_primitive].position;
-            let _e899 = p.member.current.eye;
-            let _e910 = p.member.current.forward;
-            phi_1180_ = ((((_e897.x - _e899.x) * _e910.x) + ((_e897.y - _e899.y) * _e910.y)) + ((_e897.z - _e899.z) * _e910.z));
+        let _e879 = phi_1137_;
+        if !(_e879) {
+            let _e882 = samples.member[_e73.first_primitive].position;
+            let _e884 = p.member.current.eye;
+            let _e895 = p.member.current.forward;
+            phi_1165_ = ((((_e882.x - _e884.x) * _e895.x) + ((_e882.y - _e884.y) * _e895.y)) + ((_e882.z - _e884.z) * _e895.z));
         } else {
-            phi_1180_ = 0f;
+            phi_1165_ = 0f;
         }
-        let _e920 = phi_1180_;
-        depths.member[_e72.first_primitive] = _e920;
-        phi_1183_ = _e863.needs_ray;
-        phi_1184_ = _e72.first_primitive;
+        let _e905 = phi_1165_;
+        depths.member[_e73.first_primitive] = _e905;
+        phi_1168_ = _e848.needs_ray;
+        phi_1169_ = _e73.first_primitive;
     } else {
-        phi_1183_ = false;
-        phi_1184_ = 0u;
+        phi_1168_ = false;
+        phi_1169_ = 0u;
     }
-    let _e924 = phi_1183_;
-    let _e926 = phi_1184_;
-    if (_e53 == 0u) {
+    let _e909 = phi_1168_;
+    let _e911 = phi_1169_;
+    if (_e54 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e924 {
-        let _e930 = atomicAdd((&shared_[0u]), 1u);
-        phi_1195_ = _e930;
+    if _e909 {
+        let _e915 = atomicAdd((&shared_[0u]), 1u);
+        phi_1180_ = _e915;
     } else {
-        phi_1195_ = 0u;
+        phi_1180_ = 0u;
     }
-    let _e932 = phi_1195_;
+    let _e917 = phi_1180_;
     workgroupBarrier();
-    if (_e53 == 0u) {
-        let _e936 = atomicLoad((&shared_[0u]));
-        let _e937 = atomicAdd((&list.member[3u]), _e936);
-        atomicStore((&shared_[1u]), _e937);
+    if (_e54 == 0u) {
+        let _e921 = atomicLoad((&shared_[0u]));
+        let _e922 = atomicAdd((&list.member[3u]), _e921);
+        atomicStore((&shared_[1u]), _e922);
     }
     workgroupBarrier();
-    if _e924 {
-        let _e940 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e940) + _e932)]), _e926);
+    if _e909 {
+        let _e925 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e925) + _e917)]), _e911);
     }
     return;
 }

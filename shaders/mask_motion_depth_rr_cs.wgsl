@@ -108,1018 +108,1016 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_163_: lt_bvh_traverse_Tree;
-    var phi_164_: bool;
-    var phi_169_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_161_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_162_ = false;
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_161_ = lt_bvh_traverse_Tree();
-            phi_162_ = true;
+            phi_162_ = lt_bvh_traverse_Tree();
+            phi_163_ = true;
         }
-        let _e65 = phi_161_;
-        let _e67 = phi_162_;
-        phi_163_ = _e65;
-        phi_164_ = _e67;
+        let _e66 = phi_162_;
+        let _e68 = phi_163_;
+        phi_164_ = _e66;
+        phi_165_ = _e68;
     } else {
-        phi_163_ = lt_bvh_traverse_Tree();
-        phi_164_ = true;
+        phi_164_ = lt_bvh_traverse_Tree();
+        phi_165_ = true;
     }
-    let _e69 = phi_163_;
-    let _e71 = phi_164_;
-    if _e71 {
-        phi_169_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e70 = phi_164_;
+    let _e72 = phi_165_;
+    if _e72 {
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_169_ = _e69;
+        phi_170_ = _e70;
     }
-    let _e76 = phi_169_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    let _e77 = phi_170_;
+    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_187_: vec2<i32>;
+    var phi_188_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_187_ = vec2(0i);
+            phi_188_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_187_ = vec2<i32>(0i, -1i);
+            phi_188_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_187_ = vec2<i32>(-1i, 0i);
+            phi_188_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_187_ = vec2<i32>(1i, 0i);
+            phi_188_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_187_ = vec2<i32>(0i, 1i);
+            phi_188_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e61 = phi_187_;
-    return vec2<i32>(_e61.x, _e61.y);
+    let _e62 = phi_188_;
+    return vec2<i32>(_e62.x, _e62.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_205_: vec2<i32>;
+    var phi_206_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_205_ = vec2(0i);
+            phi_206_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_205_ = vec2(-1i);
+            phi_206_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_205_ = vec2<i32>(1i, -1i);
+            phi_206_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_205_ = vec2<i32>(-1i, 1i);
+            phi_206_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_205_ = vec2(1i);
+            phi_206_ = vec2(1i);
             break;
         }
     }
-    let _e61 = phi_205_;
-    return vec2<i32>(_e61.x, _e61.y);
+    let _e62 = phi_206_;
+    return vec2<i32>(_e62.x, _e62.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_224_: vec2<i32>;
+    var phi_225_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e55 = lt_mask_pattern_plus(param_5);
-        phi_224_ = vec2<i32>(_e55.x, _e55.y);
+        let _e56 = lt_mask_pattern_plus(param_5);
+        phi_225_ = vec2<i32>(_e56.x, _e56.y);
     } else {
-        let _e59 = lt_mask_pattern_cross(param_5);
-        phi_224_ = vec2<i32>(_e59.x, _e59.y);
+        let _e60 = lt_mask_pattern_cross(param_5);
+        phi_225_ = vec2<i32>(_e60.x, _e60.y);
     }
-    let _e64 = phi_224_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e65 = phi_225_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_245_: u32;
     var phi_246_: u32;
+    var phi_247_: u32;
 
-    let _e56 = (bitcast<i32>(param_7) + param_8);
-    if (_e56 < 0i) {
-        phi_246_ = 0u;
+    let _e57 = (bitcast<i32>(param_7) + param_8);
+    if (_e57 < 0i) {
+        phi_247_ = 0u;
     } else {
-        if (_e56 >= bitcast<i32>(param_9)) {
-            phi_245_ = (param_9 - 1u);
+        if (_e57 >= bitcast<i32>(param_9)) {
+            phi_246_ = (param_9 - 1u);
         } else {
-            phi_245_ = bitcast<u32>(_e56);
+            phi_246_ = bitcast<u32>(_e57);
         }
-        let _e63 = phi_245_;
-        phi_246_ = _e63;
+        let _e64 = phi_246_;
+        phi_247_ = _e64;
     }
-    let _e65 = phi_246_;
-    return _e65;
+    let _e66 = phi_247_;
+    return _e66;
 }
 
 fn function_() {
-    var phi_312_: bool;
     var phi_313_: bool;
     var phi_314_: bool;
     var phi_315_: bool;
-    var phi_319_: bool;
-    var phi_363_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_367_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_380_: bool;
-    var phi_585_: f32;
-    var phi_590_: f32;
-    var phi_591_: bool;
-    var phi_592_: f32;
-    var phi_593_: bool;
-    var phi_597_: f32;
-    var phi_620_: f32;
-    var phi_625_: f32;
-    var phi_626_: bool;
-    var phi_627_: f32;
-    var phi_628_: bool;
-    var phi_632_: f32;
-    var phi_653_: bool;
-    var phi_672_: vec2<u32>;
+    var phi_316_: bool;
+    var phi_320_: bool;
+    var phi_364_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_368_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_381_: bool;
+    var phi_570_: f32;
+    var phi_575_: f32;
+    var phi_576_: bool;
+    var phi_577_: f32;
+    var phi_578_: bool;
+    var phi_582_: f32;
+    var phi_605_: f32;
+    var phi_610_: f32;
+    var phi_611_: bool;
+    var phi_612_: f32;
+    var phi_613_: bool;
+    var phi_617_: f32;
+    var phi_638_: bool;
+    var phi_657_: vec2<u32>;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: vec2<u32>;
+    var phi_662_: bool;
+    var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_668_: vec2<u32>;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_672_: bool;
     var phi_673_: bool;
     var phi_674_: bool;
-    var phi_675_: bool;
-    var phi_676_: vec2<u32>;
+    var phi_675_: vec2<u32>;
+    var phi_676_: bool;
     var phi_677_: bool;
     var phi_678_: bool;
     var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: vec2<u32>;
-    var phi_684_: bool;
-    var phi_685_: bool;
-    var phi_686_: bool;
-    var phi_687_: bool;
     var phi_688_: bool;
     var phi_689_: bool;
-    var phi_690_: vec2<u32>;
+    var phi_690_: bool;
     var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_703_: bool;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: vec2<u32>;
-    var phi_801_: bool;
-    var phi_805_: f32;
-    var phi_809_: lt_mask_Reprojection;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_821_: bool;
-    var phi_822_: lt_mask_Reprojection;
-    var phi_823_: lt_mask_Reprojection;
-    var phi_824_: bool;
+    var phi_695_: bool;
+    var phi_696_: bool;
+    var phi_697_: vec2<u32>;
+    var phi_786_: bool;
+    var phi_790_: f32;
+    var phi_794_: lt_mask_Reprojection;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_806_: bool;
+    var phi_807_: lt_mask_Reprojection;
+    var phi_808_: lt_mask_Reprojection;
+    var phi_809_: bool;
+    var phi_813_: bool;
+    var phi_814_: lt_mask_Reprojection;
     var phi_828_: bool;
-    var phi_829_: lt_mask_Reprojection;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
     var phi_843_: bool;
-    var phi_854_: bool;
-    var phi_855_: bool;
-    var phi_856_: bool;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_863_: bool;
-    var phi_868_: bool;
-    var phi_883_: u32;
-    var phi_885_: u32;
-    var phi_888_: lt_mask_Neighbourhood;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_909_: u32;
-    var phi_910_: u32;
-    var phi_969_: vec2<i32>;
-    var phi_985_: vec2<i32>;
-    var phi_1008_: u32;
-    var phi_1025_: bool;
-    var phi_1026_: bool;
-    var phi_1033_: bool;
-    var phi_1034_: bool;
-    var phi_1052_: bool;
-    var phi_1053_: bool;
-    var phi_1054_: bool;
-    var phi_886_: u32;
-    var phi_889_: lt_mask_Neighbourhood;
-    var phi_1057_: lt_mask_Neighbourhood;
-    var phi_1058_: lt_mask_Neighbourhood;
+    var phi_844_: bool;
+    var phi_848_: bool;
+    var phi_853_: bool;
+    var phi_868_: u32;
+    var phi_870_: u32;
+    var phi_873_: lt_mask_Neighbourhood;
+    var phi_885_: bool;
+    var phi_886_: bool;
+    var phi_894_: u32;
+    var phi_895_: u32;
+    var phi_954_: vec2<i32>;
+    var phi_970_: vec2<i32>;
+    var phi_993_: u32;
+    var phi_1010_: bool;
+    var phi_1011_: bool;
+    var phi_1018_: bool;
+    var phi_1019_: bool;
+    var phi_1037_: bool;
+    var phi_1038_: bool;
+    var phi_1039_: bool;
+    var phi_871_: u32;
+    var phi_874_: lt_mask_Neighbourhood;
+    var phi_1042_: lt_mask_Neighbourhood;
+    var phi_1043_: lt_mask_Neighbourhood;
+    var phi_1068_: bool;
+    var phi_1069_: bool;
+    var phi_1082_: bool;
     var phi_1083_: bool;
     var phi_1084_: bool;
-    var phi_1097_: bool;
-    var phi_1098_: bool;
-    var phi_1099_: bool;
-    var phi_1106_: u32;
-    var phi_1107_: u32;
-    var phi_1108_: u32;
-    var phi_1109_: u32;
-    var phi_1110_: u32;
-    var phi_1118_: bool;
-    var phi_1126_: u32;
-    var phi_1131_: u32;
-    var phi_1135_: u32;
-    var phi_1136_: u32;
-    var phi_1140_: f32;
-    var phi_1142_: mask_Masked;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1177_: bool;
-    var phi_1205_: f32;
-    var phi_1208_: bool;
-    var phi_1209_: u32;
-    var phi_1220_: u32;
+    var phi_1091_: u32;
+    var phi_1092_: u32;
+    var phi_1093_: u32;
+    var phi_1094_: u32;
+    var phi_1095_: u32;
+    var phi_1103_: bool;
+    var phi_1111_: u32;
+    var phi_1116_: u32;
+    var phi_1120_: u32;
+    var phi_1121_: u32;
+    var phi_1125_: f32;
+    var phi_1127_: mask_Masked;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1158_: bool;
+    var phi_1162_: bool;
+    var phi_1190_: f32;
+    var phi_1193_: bool;
+    var phi_1194_: u32;
+    var phi_1205_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e52 = id_1;
-    let _e53 = local_2;
-    let _e69 = p.member.current.size[0u];
-    let _e71 = p.member.current.size[1u];
-    let _e72 = lt_shaders_entry_pixel_index(_e52, _e69, _e71);
-    if (bitcast<i32>(_e72.root) != 0i) {
-        let _e80 = p.member.current.size[0u];
-        let _e83 = samples.member[_e72.first_primitive].position;
-        let _e85 = visibility.member[_e72.first_primitive];
-        let _e89 = p.member.light;
-        let _e92 = samples.member[_e72.first_primitive].normal[0u];
-        let _e94 = global[0u];
-        if (_e92 == _e94) {
-            let _e97 = samples.member[_e72.first_primitive].normal[1u];
-            let _e99 = global[1u];
-            if (_e97 == _e99) {
-                let _e102 = samples.member[_e72.first_primitive].normal[2u];
-                let _e104 = global[2u];
-                phi_312_ = (_e102 == _e104);
-                phi_313_ = false;
+    let _e53 = id_1;
+    let _e54 = local_2;
+    let _e70 = p.member.current.size[0u];
+    let _e72 = p.member.current.size[1u];
+    let _e73 = lt_shaders_entry_pixel_index(_e53, _e70, _e72);
+    if (bitcast<i32>(_e73.root) != 0i) {
+        let _e81 = p.member.current.size[0u];
+        let _e84 = samples.member[_e73.first_primitive].position;
+        let _e86 = visibility.member[_e73.first_primitive];
+        let _e90 = p.member.light;
+        let _e93 = samples.member[_e73.first_primitive].normal[0u];
+        let _e95 = global[0u];
+        if (_e93 == _e95) {
+            let _e98 = samples.member[_e73.first_primitive].normal[1u];
+            let _e100 = global[1u];
+            if (_e98 == _e100) {
+                let _e103 = samples.member[_e73.first_primitive].normal[2u];
+                let _e105 = global[2u];
+                phi_313_ = (_e103 == _e105);
+                phi_314_ = false;
             } else {
-                phi_312_ = bool();
-                phi_313_ = true;
+                phi_313_ = bool();
+                phi_314_ = true;
             }
-            let _e107 = phi_312_;
-            let _e109 = phi_313_;
-            phi_314_ = _e107;
-            phi_315_ = _e109;
+            let _e108 = phi_313_;
+            let _e110 = phi_314_;
+            phi_315_ = _e108;
+            phi_316_ = _e110;
         } else {
-            phi_314_ = bool();
-            phi_315_ = true;
+            phi_315_ = bool();
+            phi_316_ = true;
         }
-        let _e111 = phi_314_;
-        let _e113 = phi_315_;
-        if _e113 {
-            phi_319_ = false;
+        let _e112 = phi_315_;
+        let _e114 = phi_316_;
+        if _e114 {
+            phi_320_ = false;
         } else {
-            phi_319_ = _e111;
+            phi_320_ = _e112;
         }
-        let _e115 = phi_319_;
-        if !(_e115) {
-            let _e118 = samples.member[_e72.first_primitive].normal;
-            let _e120 = samples.member[_e72.first_primitive].position;
-            if ((((_e118.x * (_e89.x - (_e120.x * _e89.w))) + (_e118.y * (_e89.y - (_e120.y * _e89.w)))) + (_e118.z * (_e89.z - (_e120.z * _e89.w)))) > 0f) {
-                let _e144 = samples.member[_e72.first_primitive].flags;
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
-                phi_363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, ((_e144 & 1u) == 0u));
+        let _e116 = phi_320_;
+        if !(_e116) {
+            let _e119 = samples.member[_e73.first_primitive].normal;
+            let _e121 = samples.member[_e73.first_primitive].position;
+            if ((((_e119.x * (_e90.x - (_e121.x * _e90.w))) + (_e119.y * (_e90.y - (_e121.y * _e90.w)))) + (_e119.z * (_e90.z - (_e121.z * _e90.w)))) > 0f) {
+                let _e145 = samples.member[_e73.first_primitive].flags;
+                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
+                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, ((_e145 & 1u) == 0u));
             } else {
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-                phi_363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+                let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
             }
-            let _e178 = phi_363_;
-            phi_367_ = _e178;
+            let _e179 = phi_364_;
+            phi_368_ = _e179;
         } else {
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
-            phi_367_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
+            let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e185.unnamed.visibility, false), _e185.unnamed_1);
+            phi_368_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e191.unnamed, true);
         }
-        let _e195 = phi_367_;
-        if _e195.unnamed_1 {
-            phi_1142_ = mask_Masked(_e195.unnamed.visibility, 0u, false);
+        let _e196 = phi_368_;
+        if _e196.unnamed_1 {
+            phi_1127_ = mask_Masked(_e196.unnamed.visibility, 0u, false);
         } else {
-            let _e200 = (_e85 < 0.5f);
-            if (_e85 > 0f) {
-                phi_380_ = (_e85 < 1f);
+            let _e201 = (_e86 < 0.5f);
+            if (_e86 > 0f) {
+                phi_381_ = (_e86 < 1f);
             } else {
-                phi_380_ = false;
+                phi_381_ = false;
             }
-            let _e204 = phi_380_;
-            let _e206 = samples.member[_e72.first_primitive].position;
-            let _e210 = p.member.previous.eye;
-            let _e213 = (_e83.x - _e210.x);
-            let _e216 = (_e83.y - _e210.y);
-            let _e219 = (_e83.z - _e210.z);
-            let _e221 = p.member.previous.forward;
-            let _e229 = (((_e213 * _e221.x) + (_e216 * _e221.y)) + (_e219 * _e221.z));
-            let _e231 = p.member.previous.right;
-            let _e241 = p.member.previous.right;
-            let _e256 = p.member.previous.up;
-            let _e266 = p.member.previous.up;
-            let _e284 = p.member.previous.size[0u];
-            let _e291 = p.member.previous.size[1u];
-            let _e295 = p.member.current.eye;
-            let _e298 = (_e206.x - _e295.x);
-            let _e301 = (_e206.y - _e295.y);
-            let _e304 = (_e206.z - _e295.z);
-            let _e306 = p.member.current.forward;
-            let _e314 = (((_e298 * _e306.x) + (_e301 * _e306.y)) + (_e304 * _e306.z));
-            let _e316 = p.member.current.right;
-            let _e326 = p.member.current.right;
-            let _e341 = p.member.current.up;
-            let _e351 = p.member.current.up;
+            let _e205 = phi_381_;
+            let _e207 = samples.member[_e73.first_primitive].position;
+            let _e211 = p.member.previous.eye;
+            let _e214 = (_e84.x - _e211.x);
+            let _e217 = (_e84.y - _e211.y);
+            let _e220 = (_e84.z - _e211.z);
+            let _e222 = p.member.previous.forward;
+            let _e230 = (((_e214 * _e222.x) + (_e217 * _e222.y)) + (_e220 * _e222.z));
+            let _e232 = p.member.previous.right;
+            let _e242 = p.member.previous.right;
+            let _e257 = p.member.previous.up;
+            let _e267 = p.member.previous.up;
+            let _e282 = p.member.current.eye;
+            let _e285 = (_e207.x - _e282.x);
+            let _e288 = (_e207.y - _e282.y);
+            let _e291 = (_e207.z - _e282.z);
+            let _e293 = p.member.current.forward;
+            let _e301 = (((_e285 * _e293.x) + (_e288 * _e293.y)) + (_e291 * _e293.z));
+            let _e303 = p.member.current.right;
+            let _e313 = p.member.current.right;
+            let _e328 = p.member.current.up;
+            let _e338 = p.member.current.up;
+            let _e357 = p.member.current.size[0u];
+            let _e359 = (((((((_e214 * _e232.x) + (_e217 * _e232.y)) + (_e220 * _e232.z)) / ((((_e242.x * _e242.x) + (_e242.y * _e242.y)) + (_e242.z * _e242.z)) * _e230)) - ((((_e285 * _e303.x) + (_e288 * _e303.y)) + (_e291 * _e303.z)) / ((((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)) * _e301))) * 0.5f) * f32(_e357));
+            let _e363 = p.member.current.size[1u];
+            let _e365 = (((((((_e214 * _e257.x) + (_e217 * _e257.y)) + (_e220 * _e257.z)) / ((((_e267.x * _e267.x) + (_e267.y * _e267.y)) + (_e267.z * _e267.z)) * _e230)) - ((((_e285 * _e328.x) + (_e288 * _e328.y)) + (_e291 * _e328.z)) / ((((_e338.x * _e338.x) + (_e338.y * _e338.y)) + (_e338.z * _e338.z)) * _e301))) * -0.5f) * f32(_e363));
             let _e369 = p.member.current.size[0u];
-            let _e376 = p.member.current.size[1u];
-            let _e379 = ((((((((_e213 * _e231.x) + (_e216 * _e231.y)) + (_e219 * _e231.z)) / ((((_e241.x * _e241.x) + (_e241.y * _e241.y)) + (_e241.z * _e241.z)) * _e229)) * 0.5f) + 0.5f) * f32(_e284)) - (((((((_e298 * _e316.x) + (_e301 * _e316.y)) + (_e304 * _e316.z)) / ((((_e326.x * _e326.x) + (_e326.y * _e326.y)) + (_e326.z * _e326.z)) * _e314)) * 0.5f) + 0.5f) * f32(_e369)));
-            let _e380 = (((0.5f - (((((_e213 * _e256.x) + (_e216 * _e256.y)) + (_e219 * _e256.z)) / ((((_e266.x * _e266.x) + (_e266.y * _e266.y)) + (_e266.z * _e266.z)) * _e229)) * 0.5f)) * f32(_e291)) - ((0.5f - (((((_e298 * _e341.x) + (_e301 * _e341.y)) + (_e304 * _e341.z)) / ((((_e351.x * _e351.x) + (_e351.y * _e351.y)) + (_e351.z * _e351.z)) * _e314)) * 0.5f)) * f32(_e376)));
-            let _e384 = p.member.current.size[0u];
-            let _e386 = p.member.current.size[1u];
-            let _e390 = ((f32(_e52.x) + 0.5f) + _e379);
-            if (_e390 > -8388608f) {
-                let _e402 = f32(select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390)));
-                if (_e402 > _e390) {
-                    phi_585_ = 1f;
+            let _e371 = p.member.current.size[1u];
+            let _e375 = ((f32(_e53.x) + 0.5f) + _e359);
+            if (_e375 > -8388608f) {
+                let _e387 = f32(select(0i, select(select(i32(_e375), i32(-2147483648), (_e375 < bitcast<f32>(3472883712u))), 2147483647i, (_e375 > bitcast<f32>(1325400063u))), (_e375 == _e375)));
+                if (_e387 > _e375) {
+                    phi_570_ = 1f;
                 } else {
-                    phi_585_ = 0f;
+                    phi_570_ = 0f;
                 }
-                let _e405 = phi_585_;
-                if (_e390 < 8388608f) {
-                    phi_590_ = (_e402 - _e405);
-                    phi_591_ = false;
+                let _e390 = phi_570_;
+                if (_e375 < 8388608f) {
+                    phi_575_ = (_e387 - _e390);
+                    phi_576_ = false;
                 } else {
-                    phi_590_ = f32();
-                    phi_591_ = true;
+                    phi_575_ = f32();
+                    phi_576_ = true;
                 }
-                let _e408 = phi_590_;
-                let _e410 = phi_591_;
-                phi_592_ = _e408;
-                phi_593_ = _e410;
+                let _e393 = phi_575_;
+                let _e395 = phi_576_;
+                phi_577_ = _e393;
+                phi_578_ = _e395;
             } else {
-                phi_592_ = f32();
-                phi_593_ = true;
+                phi_577_ = f32();
+                phi_578_ = true;
             }
-            let _e412 = phi_592_;
-            let _e414 = phi_593_;
-            if _e414 {
-                phi_597_ = _e390;
+            let _e397 = phi_577_;
+            let _e399 = phi_578_;
+            if _e399 {
+                phi_582_ = _e375;
             } else {
-                phi_597_ = _e412;
+                phi_582_ = _e397;
             }
-            let _e416 = phi_597_;
-            let _e419 = ((f32(_e52.y) + 0.5f) + _e380);
-            if (_e419 > -8388608f) {
-                let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
-                if (_e431 > _e419) {
-                    phi_620_ = 1f;
+            let _e401 = phi_582_;
+            let _e404 = ((f32(_e53.y) + 0.5f) + _e365);
+            if (_e404 > -8388608f) {
+                let _e416 = f32(select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < bitcast<f32>(3472883712u))), 2147483647i, (_e404 > bitcast<f32>(1325400063u))), (_e404 == _e404)));
+                if (_e416 > _e404) {
+                    phi_605_ = 1f;
                 } else {
-                    phi_620_ = 0f;
+                    phi_605_ = 0f;
                 }
-                let _e434 = phi_620_;
-                if (_e419 < 8388608f) {
-                    phi_625_ = (_e431 - _e434);
-                    phi_626_ = false;
+                let _e419 = phi_605_;
+                if (_e404 < 8388608f) {
+                    phi_610_ = (_e416 - _e419);
+                    phi_611_ = false;
                 } else {
-                    phi_625_ = f32();
-                    phi_626_ = true;
+                    phi_610_ = f32();
+                    phi_611_ = true;
                 }
-                let _e437 = phi_625_;
-                let _e439 = phi_626_;
-                phi_627_ = _e437;
-                phi_628_ = _e439;
+                let _e422 = phi_610_;
+                let _e424 = phi_611_;
+                phi_612_ = _e422;
+                phi_613_ = _e424;
             } else {
-                phi_627_ = f32();
-                phi_628_ = true;
+                phi_612_ = f32();
+                phi_613_ = true;
             }
-            let _e441 = phi_627_;
-            let _e443 = phi_628_;
-            if _e443 {
-                phi_632_ = _e419;
+            let _e426 = phi_612_;
+            let _e428 = phi_613_;
+            if _e428 {
+                phi_617_ = _e404;
             } else {
-                phi_632_ = _e441;
+                phi_617_ = _e426;
             }
-            let _e445 = phi_632_;
-            if (_e416 >= 0f) {
-                if (_e445 >= 0f) {
-                    if (_e416 < f32(_e384)) {
-                        let _e451 = (_e445 < f32(_e386));
-                        if (_e379 == 0f) {
-                            phi_653_ = (_e380 == 0f);
+            let _e430 = phi_617_;
+            if (_e401 >= 0f) {
+                if (_e430 >= 0f) {
+                    if (_e401 < f32(_e369)) {
+                        let _e436 = (_e430 < f32(_e371));
+                        if (_e359 == 0f) {
+                            phi_638_ = (_e365 == 0f);
                         } else {
-                            phi_653_ = false;
+                            phi_638_ = false;
                         }
-                        let _e455 = phi_653_;
-                        if _e451 {
-                            phi_672_ = vec2<u32>(select(select(u32(_e416), 0u, (_e416 < bitcast<f32>(0u))), 4294967295u, (_e416 > bitcast<f32>(1333788671u))), select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))));
-                            phi_673_ = false;
+                        let _e440 = phi_638_;
+                        if _e436 {
+                            phi_657_ = vec2<u32>(select(select(u32(_e401), 0u, (_e401 < bitcast<f32>(0u))), 4294967295u, (_e401 > bitcast<f32>(1333788671u))), select(select(u32(_e430), 0u, (_e430 < bitcast<f32>(0u))), 4294967295u, (_e430 > bitcast<f32>(1333788671u))));
+                            phi_658_ = false;
                         } else {
-                            phi_672_ = vec2<u32>();
-                            phi_673_ = true;
+                            phi_657_ = vec2<u32>();
+                            phi_658_ = true;
                         }
-                        let _e472 = phi_672_;
-                        let _e474 = phi_673_;
-                        phi_674_ = _e455;
-                        phi_675_ = _e451;
-                        phi_676_ = _e472;
-                        phi_677_ = _e455;
-                        phi_678_ = _e451;
-                        phi_679_ = false;
-                        phi_680_ = _e474;
+                        let _e457 = phi_657_;
+                        let _e459 = phi_658_;
+                        phi_659_ = _e440;
+                        phi_660_ = _e436;
+                        phi_661_ = _e457;
+                        phi_662_ = _e440;
+                        phi_663_ = _e436;
+                        phi_664_ = false;
+                        phi_665_ = _e459;
                     } else {
-                        phi_674_ = bool();
-                        phi_675_ = bool();
-                        phi_676_ = vec2<u32>();
-                        phi_677_ = bool();
-                        phi_678_ = bool();
-                        phi_679_ = true;
-                        phi_680_ = false;
+                        phi_659_ = bool();
+                        phi_660_ = bool();
+                        phi_661_ = vec2<u32>();
+                        phi_662_ = bool();
+                        phi_663_ = bool();
+                        phi_664_ = true;
+                        phi_665_ = false;
                     }
-                    let _e476 = phi_674_;
-                    let _e478 = phi_675_;
-                    let _e480 = phi_676_;
-                    let _e482 = phi_677_;
-                    let _e484 = phi_678_;
-                    let _e486 = phi_679_;
-                    let _e488 = phi_680_;
-                    phi_681_ = _e476;
-                    phi_682_ = _e478;
-                    phi_683_ = _e480;
-                    phi_684_ = _e482;
-                    phi_685_ = _e484;
-                    phi_686_ = _e486;
-                    phi_687_ = _e488;
+                    let _e461 = phi_659_;
+                    let _e463 = phi_660_;
+                    let _e465 = phi_661_;
+                    let _e467 = phi_662_;
+                    let _e469 = phi_663_;
+                    let _e471 = phi_664_;
+                    let _e473 = phi_665_;
+                    phi_666_ = _e461;
+                    phi_667_ = _e463;
+                    phi_668_ = _e465;
+                    phi_669_ = _e467;
+                    phi_670_ = _e469;
+                    phi_671_ = _e471;
+                    phi_672_ = _e473;
                 } else {
-                    phi_681_ = bool();
-                    phi_682_ = bool();
-                    phi_683_ = vec2<u32>();
-                    phi_684_ = bool();
-                    phi_685_ = bool();
-                    phi_686_ = true;
-                    phi_687_ = false;
+                    phi_666_ = bool();
+                    phi_667_ = bool();
+                    phi_668_ = vec2<u32>();
+                    phi_669_ = bool();
+                    phi_670_ = bool();
+                    phi_671_ = true;
+                    phi_672_ = false;
                 }
-                let _e490 = phi_681_;
-                let _e492 = phi_682_;
-                let _e494 = phi_683_;
-                let _e496 = phi_684_;
-                let _e498 = phi_685_;
-                let _e500 = phi_686_;
-                let _e502 = phi_687_;
-                phi_688_ = _e490;
-                phi_689_ = _e492;
-                phi_690_ = _e494;
-                phi_691_ = _e496;
-                phi_692_ = _e498;
-                phi_693_ = _e500;
-                phi_694_ = _e502;
+                let _e475 = phi_666_;
+                let _e477 = phi_667_;
+                let _e479 = phi_668_;
+                let _e481 = phi_669_;
+                let _e483 = phi_670_;
+                let _e485 = phi_671_;
+                let _e487 = phi_672_;
+                phi_673_ = _e475;
+                phi_674_ = _e477;
+                phi_675_ = _e479;
+                phi_676_ = _e481;
+                phi_677_ = _e483;
+                phi_678_ = _e485;
+                phi_679_ = _e487;
             } else {
-                phi_688_ = bool();
-                phi_689_ = bool();
-                phi_690_ = vec2<u32>();
-                phi_691_ = bool();
-                phi_692_ = bool();
-                phi_693_ = true;
-                phi_694_ = false;
+                phi_673_ = bool();
+                phi_674_ = bool();
+                phi_675_ = vec2<u32>();
+                phi_676_ = bool();
+                phi_677_ = bool();
+                phi_678_ = true;
+                phi_679_ = false;
             }
-            let _e504 = phi_688_;
-            let _e506 = phi_689_;
-            let _e508 = phi_690_;
-            let _e510 = phi_691_;
-            let _e512 = phi_692_;
-            let _e514 = phi_693_;
-            let _e516 = phi_694_;
-            if _e514 {
-                if (_e379 == 0f) {
-                    phi_703_ = (_e380 == 0f);
+            let _e489 = phi_673_;
+            let _e491 = phi_674_;
+            let _e493 = phi_675_;
+            let _e495 = phi_676_;
+            let _e497 = phi_677_;
+            let _e499 = phi_678_;
+            let _e501 = phi_679_;
+            if _e499 {
+                if (_e359 == 0f) {
+                    phi_688_ = (_e365 == 0f);
                 } else {
-                    phi_703_ = false;
+                    phi_688_ = false;
                 }
-                let _e520 = phi_703_;
-                phi_704_ = _e520;
-                phi_705_ = false;
-                phi_706_ = true;
+                let _e505 = phi_688_;
+                phi_689_ = _e505;
+                phi_690_ = false;
+                phi_691_ = true;
             } else {
-                phi_704_ = _e510;
-                phi_705_ = _e512;
-                phi_706_ = _e516;
+                phi_689_ = _e495;
+                phi_690_ = _e497;
+                phi_691_ = _e501;
             }
-            let _e522 = phi_704_;
-            let _e524 = phi_705_;
-            let _e526 = phi_706_;
-            if _e526 {
-                phi_710_ = _e522;
-                phi_711_ = _e524;
-                phi_712_ = vec2<u32>(_e52.x, _e52.y);
+            let _e507 = phi_689_;
+            let _e509 = phi_690_;
+            let _e511 = phi_691_;
+            if _e511 {
+                phi_695_ = _e507;
+                phi_696_ = _e509;
+                phi_697_ = vec2<u32>(_e53.x, _e53.y);
             } else {
-                phi_710_ = _e504;
-                phi_711_ = _e506;
-                phi_712_ = _e508;
+                phi_695_ = _e489;
+                phi_696_ = _e491;
+                phi_697_ = _e493;
             }
-            let _e528 = phi_710_;
-            let _e530 = phi_711_;
-            let _e532 = phi_712_;
-            let _e542 = lt_mask_Reprojection(vec2<u32>(_e532.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e549 = lt_mask_Reprojection(vec2<u32>(_e542.pixel.x, _e532.y), _e542.is_valid, _e542.has_moved);
-            let _e553 = lt_mask_Reprojection(_e549.pixel, _e530, _e549.has_moved);
-            let _e557 = lt_mask_Reprojection(_e553.pixel, _e553.is_valid, !(_e528));
-            if _e530 {
-                let _e560 = p.member.previous.eye;
-                let _e571 = p.member.previous.forward;
-                let _e580 = (((((_e83.x - _e560.x) * _e571.x) + ((_e83.y - _e560.y) * _e571.y)) + ((_e83.z - _e560.z) * _e571.z)) > 0f);
-                let _e584 = lt_mask_Reprojection(_e557.pixel, _e580, _e557.has_moved);
-                if _e580 {
-                    let _e587 = p.member.previous.eye;
-                    let _e598 = p.member.previous.forward;
-                    let _e606 = ((((_e83.x - _e587.x) * _e598.x) + ((_e83.y - _e587.y) * _e598.y)) + ((_e83.z - _e587.z) * _e598.z));
-                    let _e608 = ((_e532.y * _e80) + _e532.x);
-                    if (_e608 < arrayLength((&last_depths.member))) {
+            let _e513 = phi_695_;
+            let _e515 = phi_696_;
+            let _e517 = phi_697_;
+            let _e527 = lt_mask_Reprojection(vec2<u32>(_e517.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e534 = lt_mask_Reprojection(vec2<u32>(_e527.pixel.x, _e517.y), _e527.is_valid, _e527.has_moved);
+            let _e538 = lt_mask_Reprojection(_e534.pixel, _e515, _e534.has_moved);
+            let _e542 = lt_mask_Reprojection(_e538.pixel, _e538.is_valid, !(_e513));
+            if _e515 {
+                let _e545 = p.member.previous.eye;
+                let _e556 = p.member.previous.forward;
+                let _e565 = (((((_e84.x - _e545.x) * _e556.x) + ((_e84.y - _e545.y) * _e556.y)) + ((_e84.z - _e545.z) * _e556.z)) > 0f);
+                let _e569 = lt_mask_Reprojection(_e542.pixel, _e565, _e542.has_moved);
+                if _e565 {
+                    let _e572 = p.member.previous.eye;
+                    let _e583 = p.member.previous.forward;
+                    let _e591 = ((((_e84.x - _e572.x) * _e583.x) + ((_e84.y - _e572.y) * _e583.y)) + ((_e84.z - _e572.z) * _e583.z));
+                    let _e593 = ((_e517.y * _e81) + _e517.x);
+                    if (_e593 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e612 = last_depths.member[(0u + _e608)];
-                    let _e614 = p.member.depth_tolerance;
-                    let _e617 = abs(_e606);
-                    let _e618 = abs(_e612);
-                    if ((bitcast<u32>(_e618) & 2147483647u) > 2139095040u) {
-                        phi_801_ = true;
+                    let _e597 = last_depths.member[(0u + _e593)];
+                    let _e599 = p.member.depth_tolerance;
+                    let _e602 = abs(_e591);
+                    let _e603 = abs(_e597);
+                    if ((bitcast<u32>(_e603) & 2147483647u) > 2139095040u) {
+                        phi_786_ = true;
                     } else {
-                        let _e622 = (_e618 > _e617);
-                        if _e622 {
+                        let _e607 = (_e603 > _e602);
+                        if _e607 {
                         }
-                        phi_801_ = _e622;
+                        phi_786_ = _e607;
                     }
-                    let _e624 = phi_801_;
-                    if _e624 {
-                        phi_805_ = _e618;
+                    let _e609 = phi_786_;
+                    if _e609 {
+                        phi_790_ = _e603;
                     } else {
-                        phi_805_ = _e617;
+                        phi_790_ = _e602;
                     }
-                    let _e626 = phi_805_;
-                    phi_809_ = lt_mask_Reprojection(_e584.pixel, (abs((_e606 - _e612)) <= (_e614 * _e626)), _e584.has_moved);
+                    let _e611 = phi_790_;
+                    phi_794_ = lt_mask_Reprojection(_e569.pixel, (abs((_e591 - _e597)) <= (_e599 * _e611)), _e569.has_moved);
                 } else {
-                    phi_809_ = _e584;
+                    phi_794_ = _e569;
                 }
-                let _e634 = phi_809_;
-                if _e634.is_valid {
-                    let _e637 = p.member.flags;
-                    phi_818_ = ((_e637 & 1u) != 0u);
-                    phi_819_ = false;
+                let _e619 = phi_794_;
+                if _e619.is_valid {
+                    let _e622 = p.member.flags;
+                    phi_803_ = ((_e622 & 1u) != 0u);
+                    phi_804_ = false;
                 } else {
-                    phi_818_ = bool();
-                    phi_819_ = true;
+                    phi_803_ = bool();
+                    phi_804_ = true;
                 }
-                let _e641 = phi_818_;
-                let _e643 = phi_819_;
-                phi_821_ = _e641;
-                phi_822_ = _e634;
-                phi_823_ = _e634;
-                phi_824_ = _e643;
+                let _e626 = phi_803_;
+                let _e628 = phi_804_;
+                phi_806_ = _e626;
+                phi_807_ = _e619;
+                phi_808_ = _e619;
+                phi_809_ = _e628;
             } else {
-                phi_821_ = bool();
-                phi_822_ = lt_mask_Reprojection();
-                phi_823_ = lt_mask_Reprojection(_e557.pixel, false, _e557.has_moved);
-                phi_824_ = true;
+                phi_806_ = bool();
+                phi_807_ = lt_mask_Reprojection();
+                phi_808_ = lt_mask_Reprojection(_e542.pixel, false, _e542.has_moved);
+                phi_809_ = true;
             }
-            let _e649 = phi_821_;
-            let _e651 = phi_822_;
-            let _e653 = phi_823_;
-            let _e655 = phi_824_;
-            if _e655 {
+            let _e634 = phi_806_;
+            let _e636 = phi_807_;
+            let _e638 = phi_808_;
+            let _e640 = phi_809_;
+            if _e640 {
+                phi_813_ = false;
+                phi_814_ = _e638;
+            } else {
+                phi_813_ = _e634;
+                phi_814_ = _e636;
+            }
+            let _e642 = phi_813_;
+            let _e644 = phi_814_;
+            let _e648 = lt_mask_Reprojection(_e644.pixel, _e642, _e644.has_moved);
+            let _e650 = p.member.flags;
+            if _e648.has_moved {
+                let _e655 = p.member.flags;
+                phi_828_ = ((_e655 & 4u) == 0u);
+            } else {
                 phi_828_ = false;
-                phi_829_ = _e653;
-            } else {
-                phi_828_ = _e649;
-                phi_829_ = _e651;
             }
-            let _e657 = phi_828_;
-            let _e659 = phi_829_;
-            let _e663 = lt_mask_Reprojection(_e659.pixel, _e657, _e659.has_moved);
-            let _e665 = p.member.flags;
-            if _e663.has_moved {
-                let _e670 = p.member.flags;
-                phi_843_ = ((_e670 & 4u) == 0u);
-            } else {
-                phi_843_ = false;
-            }
-            let _e674 = phi_843_;
-            if ((_e665 & 2u) != 0u) {
+            let _e659 = phi_828_;
+            if ((_e650 & 2u) != 0u) {
                 if false {
-                    phi_856_ = bool();
-                    phi_857_ = true;
+                    phi_841_ = bool();
+                    phi_842_ = true;
                 } else {
                     if true {
-                        phi_854_ = !(_e674);
-                        phi_855_ = false;
+                        phi_839_ = !(_e659);
+                        phi_840_ = false;
                     } else {
-                        phi_854_ = bool();
-                        phi_855_ = true;
+                        phi_839_ = bool();
+                        phi_840_ = true;
                     }
-                    let _e677 = phi_854_;
-                    let _e679 = phi_855_;
-                    phi_856_ = _e677;
-                    phi_857_ = _e679;
+                    let _e662 = phi_839_;
+                    let _e664 = phi_840_;
+                    phi_841_ = _e662;
+                    phi_842_ = _e664;
                 }
-                let _e681 = phi_856_;
-                let _e683 = phi_857_;
-                phi_858_ = _e681;
-                phi_859_ = _e683;
+                let _e666 = phi_841_;
+                let _e668 = phi_842_;
+                phi_843_ = _e666;
+                phi_844_ = _e668;
             } else {
-                phi_858_ = bool();
-                phi_859_ = true;
+                phi_843_ = bool();
+                phi_844_ = true;
             }
-            let _e685 = phi_858_;
-            let _e687 = phi_859_;
-            if _e687 {
-                phi_863_ = false;
+            let _e670 = phi_843_;
+            let _e672 = phi_844_;
+            if _e672 {
+                phi_848_ = false;
             } else {
-                phi_863_ = _e685;
+                phi_848_ = _e670;
             }
-            let _e689 = phi_863_;
-            let _e690 = lt_mask_Neighbourhood(false, true);
-            if _e204 {
-                phi_868_ = _e689;
+            let _e674 = phi_848_;
+            let _e675 = lt_mask_Neighbourhood(false, true);
+            if _e205 {
+                phi_853_ = _e674;
             } else {
-                phi_868_ = false;
+                phi_853_ = false;
             }
-            let _e692 = phi_868_;
-            if _e692 {
-                if _e657 {
-                    if _e663.has_moved {
-                        let _e695 = p.member.moving_pattern;
-                        phi_883_ = _e695;
+            let _e677 = phi_853_;
+            if _e677 {
+                if _e642 {
+                    if _e648.has_moved {
+                        let _e680 = p.member.moving_pattern;
+                        phi_868_ = _e680;
                     } else {
-                        let _e697 = p.member.still_pattern;
-                        phi_883_ = _e697;
+                        let _e682 = p.member.still_pattern;
+                        phi_868_ = _e682;
                     }
-                    let _e699 = phi_883_;
-                    phi_885_ = 0u;
-                    phi_888_ = _e690;
+                    let _e684 = phi_868_;
+                    phi_870_ = 0u;
+                    phi_873_ = _e675;
                     loop {
-                        let _e701 = phi_885_;
-                        let _e703 = phi_888_;
-                        local_1 = _e703;
-                        if (1u <= _e699) {
-                            if (_e699 <= 4u) {
-                                phi_900_ = false;
+                        let _e686 = phi_870_;
+                        let _e688 = phi_873_;
+                        local_1 = _e688;
+                        if (1u <= _e684) {
+                            if (_e684 <= 4u) {
+                                phi_885_ = false;
                             } else {
-                                phi_900_ = true;
+                                phi_885_ = true;
                             }
-                            let _e707 = phi_900_;
-                            phi_901_ = _e707;
+                            let _e692 = phi_885_;
+                            phi_886_ = _e692;
                         } else {
-                            phi_901_ = true;
+                            phi_886_ = true;
                         }
-                        let _e709 = phi_901_;
-                        if _e709 {
-                            switch bitcast<i32>(_e699) {
+                        let _e694 = phi_886_;
+                        if _e694 {
+                            switch bitcast<i32>(_e684) {
                                 case 5: {
-                                    phi_909_ = 4u;
+                                    phi_894_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_909_ = 25u;
+                                    phi_894_ = 25u;
                                     break;
                                 }
                                 default: {
-                                    phi_909_ = 9u;
+                                    phi_894_ = 9u;
                                     break;
                                 }
                             }
-                            let _e712 = phi_909_;
-                            phi_910_ = _e712;
+                            let _e697 = phi_894_;
+                            phi_895_ = _e697;
                         } else {
-                            phi_910_ = 5u;
+                            phi_895_ = 5u;
                         }
-                        let _e714 = phi_910_;
-                        let _e715 = (_e701 < _e714);
-                        if _e715 {
-                            let _e721 = p.member.frame;
-                            let _e725 = p.member.current.size[0u];
-                            let _e727 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e699) {
+                        let _e699 = phi_895_;
+                        let _e700 = (_e686 < _e699);
+                        if _e700 {
+                            let _e706 = p.member.frame;
+                            let _e710 = p.member.current.size[0u];
+                            let _e712 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e684) {
                                 case 1: {
-                                    let _e737 = lt_mask_pattern_plus(_e701);
-                                    phi_985_ = vec2<i32>(_e737.x, _e737.y);
+                                    let _e722 = lt_mask_pattern_plus(_e686);
+                                    phi_970_ = vec2<i32>(_e722.x, _e722.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e741 = lt_mask_pattern_cross(_e701);
-                                    phi_985_ = vec2<i32>(_e741.x, _e741.y);
+                                    let _e726 = lt_mask_pattern_cross(_e686);
+                                    phi_970_ = vec2<i32>(_e726.x, _e726.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e747 = lt_mask_pattern_plus_or_cross(_e701, ((_e663.pixel.x + _e663.pixel.y) & 1u));
-                                    phi_985_ = vec2<i32>(_e747.x, _e747.y);
+                                    let _e732 = lt_mask_pattern_plus_or_cross(_e686, ((_e648.pixel.x + _e648.pixel.y) & 1u));
+                                    phi_970_ = vec2<i32>(_e732.x, _e732.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e752 = lt_mask_pattern_plus_or_cross(_e701, (_e721 & 1u));
-                                    phi_985_ = vec2<i32>(_e752.x, _e752.y);
+                                    let _e737 = lt_mask_pattern_plus_or_cross(_e686, (_e706 & 1u));
+                                    phi_970_ = vec2<i32>(_e737.x, _e737.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e721 & 3u)) {
+                                    switch bitcast<i32>((_e706 & 3u)) {
                                         case 0: {
-                                            phi_969_ = vec2(-1i);
+                                            phi_954_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_969_ = vec2(0i);
+                                            phi_954_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_969_ = vec2<i32>(0i, -1i);
+                                            phi_954_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_969_ = vec2<i32>(-1i, 0i);
+                                            phi_954_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e763 = phi_969_;
-                                    phi_985_ = (_e763 + vec2<i32>(bitcast<i32>((_e701 & 1u)), bitcast<i32>(((_e701 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e748 = phi_954_;
+                                    phi_970_ = (_e748 + vec2<i32>(bitcast<i32>((_e686 & 1u)), bitcast<i32>(((_e686 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_985_ = vec2<i32>((bitcast<i32>((_e701 % 5u)) - 2i), (bitcast<i32>(((_e701 / 5u) % 5u)) - 2i));
+                                    phi_970_ = vec2<i32>((bitcast<i32>((_e686 % 5u)) - 2i), (bitcast<i32>(((_e686 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 default: {
-                                    phi_985_ = vec2<i32>((bitcast<i32>((_e701 % 3u)) - 1i), (bitcast<i32>(((_e701 / 3u) % 3u)) - 1i));
+                                    phi_970_ = vec2<i32>((bitcast<i32>((_e686 % 3u)) - 1i), (bitcast<i32>(((_e686 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e781 = phi_985_;
-                            let _e784 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e781.x, _e725);
-                            let _e785 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e781.y, _e727);
-                            let _e787 = ((_e785 * _e80) + _e784);
-                            if (_e787 < arrayLength((&last_bits.member))) {
+                            let _e766 = phi_970_;
+                            let _e769 = lt_mask_pattern_step_clamped(_e648.pixel.x, _e766.x, _e710);
+                            let _e770 = lt_mask_pattern_step_clamped(_e648.pixel.y, _e766.y, _e712);
+                            let _e772 = ((_e770 * _e81) + _e769);
+                            if (_e772 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e791 = last_bits.member[(0u + _e787)];
-                            if ((_e791 & 2u) == 0u) {
-                                phi_1008_ = (_e791 & 1u);
+                            let _e776 = last_bits.member[(0u + _e772)];
+                            if ((_e776 & 2u) == 0u) {
+                                phi_993_ = (_e776 & 1u);
                             } else {
-                                phi_1008_ = (_e791 & 7u);
+                                phi_993_ = (_e776 & 7u);
                             }
-                            let _e797 = phi_1008_;
-                            if _e703.any_expands {
-                                phi_1034_ = true;
+                            let _e782 = phi_993_;
+                            if _e688.any_expands {
+                                phi_1019_ = true;
                             } else {
-                                if ((_e797 & 2u) != 0u) {
-                                    if (((_e797 & 4u) != 0u) != _e200) {
-                                        phi_1025_ = false;
+                                if ((_e782 & 2u) != 0u) {
+                                    if (((_e782 & 4u) != 0u) != _e201) {
+                                        phi_1010_ = false;
                                     } else {
-                                        phi_1025_ = true;
+                                        phi_1010_ = true;
                                     }
-                                    let _e806 = phi_1025_;
-                                    phi_1026_ = _e806;
+                                    let _e791 = phi_1010_;
+                                    phi_1011_ = _e791;
                                 } else {
-                                    phi_1026_ = true;
+                                    phi_1011_ = true;
                                 }
-                                let _e808 = phi_1026_;
-                                if _e808 {
-                                    phi_1033_ = (((_e797 & 1u) != 0u) != _e200);
+                                let _e793 = phi_1011_;
+                                if _e793 {
+                                    phi_1018_ = (((_e782 & 1u) != 0u) != _e201);
                                 } else {
-                                    phi_1033_ = true;
+                                    phi_1018_ = true;
                                 }
-                                let _e813 = phi_1033_;
-                                phi_1034_ = _e813;
+                                let _e798 = phi_1018_;
+                                phi_1019_ = _e798;
                             }
-                            let _e815 = phi_1034_;
-                            if _e703.all_remove {
-                                if (((_e797 & 1u) != 0u) == _e200) {
-                                    if ((_e797 & 2u) != 0u) {
-                                        phi_1052_ = (((_e797 & 4u) != 0u) == _e200);
+                            let _e800 = phi_1019_;
+                            if _e688.all_remove {
+                                if (((_e782 & 1u) != 0u) == _e201) {
+                                    if ((_e782 & 2u) != 0u) {
+                                        phi_1037_ = (((_e782 & 4u) != 0u) == _e201);
                                     } else {
-                                        phi_1052_ = true;
+                                        phi_1037_ = true;
                                     }
-                                    let _e825 = phi_1052_;
-                                    phi_1053_ = _e825;
+                                    let _e810 = phi_1037_;
+                                    phi_1038_ = _e810;
                                 } else {
-                                    phi_1053_ = false;
+                                    phi_1038_ = false;
                                 }
-                                let _e827 = phi_1053_;
-                                phi_1054_ = _e827;
+                                let _e812 = phi_1038_;
+                                phi_1039_ = _e812;
                             } else {
-                                phi_1054_ = false;
+                                phi_1039_ = false;
                             }
-                            let _e829 = phi_1054_;
-                            phi_886_ = (_e701 + 1u);
-                            phi_889_ = lt_mask_Neighbourhood(_e815, _e829);
+                            let _e814 = phi_1039_;
+                            phi_871_ = (_e686 + 1u);
+                            phi_874_ = lt_mask_Neighbourhood(_e800, _e814);
                         } else {
-                            phi_886_ = u32();
-                            phi_889_ = lt_mask_Neighbourhood();
+                            phi_871_ = u32();
+                            phi_874_ = lt_mask_Neighbourhood();
                         }
-                        let _e833 = phi_886_;
-                        let _e835 = phi_889_;
+                        let _e818 = phi_871_;
+                        let _e820 = phi_874_;
                         continue;
                         continuing {
-                            phi_885_ = _e833;
-                            phi_888_ = _e835;
-                            break if !(_e715);
+                            phi_870_ = _e818;
+                            phi_873_ = _e820;
+                            break if !(_e700);
                         }
                     }
-                    let _e1057 = local_1;
-                    phi_1057_ = _e1057;
+                    let _e1042 = local_1;
+                    phi_1042_ = _e1042;
                 } else {
-                    phi_1057_ = _e690;
+                    phi_1042_ = _e675;
                 }
-                let _e838 = phi_1057_;
-                phi_1058_ = _e838;
+                let _e823 = phi_1042_;
+                phi_1043_ = _e823;
             } else {
-                phi_1058_ = _e690;
+                phi_1043_ = _e675;
             }
-            let _e840 = phi_1058_;
-            if (_e85 != 0.5f) {
-                if _e657 {
-                    if _e204 {
-                        phi_1084_ = true;
+            let _e825 = phi_1043_;
+            if (_e86 != 0.5f) {
+                if _e642 {
+                    if _e205 {
+                        phi_1069_ = true;
                     } else {
-                        if _e840.any_expands {
-                            phi_1083_ = false;
+                        if _e825.any_expands {
+                            phi_1068_ = false;
                         } else {
-                            phi_1083_ = true;
+                            phi_1068_ = true;
                         }
-                        let _e845 = phi_1083_;
-                        phi_1084_ = _e845;
+                        let _e830 = phi_1068_;
+                        phi_1069_ = _e830;
                     }
-                    let _e847 = phi_1084_;
-                    if _e847 {
-                        if _e204 {
-                            if _e689 {
-                                if _e840.all_remove {
-                                    phi_1097_ = false;
+                    let _e832 = phi_1069_;
+                    if _e832 {
+                        if _e205 {
+                            if _e674 {
+                                if _e825.all_remove {
+                                    phi_1082_ = false;
                                 } else {
-                                    phi_1097_ = true;
+                                    phi_1082_ = true;
                                 }
-                                let _e849 = phi_1097_;
-                                phi_1098_ = _e849;
+                                let _e834 = phi_1082_;
+                                phi_1083_ = _e834;
                             } else {
-                                phi_1098_ = true;
+                                phi_1083_ = true;
                             }
-                            let _e851 = phi_1098_;
-                            phi_1099_ = _e851;
+                            let _e836 = phi_1083_;
+                            phi_1084_ = _e836;
                         } else {
-                            phi_1099_ = true;
+                            phi_1084_ = true;
                         }
-                        let _e853 = phi_1099_;
-                        if _e853 {
-                            if _e204 {
-                                phi_1106_ = 1u;
+                        let _e838 = phi_1084_;
+                        if _e838 {
+                            if _e205 {
+                                phi_1091_ = 1u;
                             } else {
-                                phi_1106_ = 0u;
+                                phi_1091_ = 0u;
                             }
-                            let _e855 = phi_1106_;
-                            phi_1107_ = _e855;
+                            let _e840 = phi_1091_;
+                            phi_1092_ = _e840;
                         } else {
-                            phi_1107_ = 5u;
+                            phi_1092_ = 5u;
                         }
-                        let _e857 = phi_1107_;
-                        phi_1108_ = _e857;
+                        let _e842 = phi_1092_;
+                        phi_1093_ = _e842;
                     } else {
-                        phi_1108_ = 4u;
+                        phi_1093_ = 4u;
                     }
-                    let _e859 = phi_1108_;
-                    phi_1109_ = _e859;
+                    let _e844 = phi_1093_;
+                    phi_1094_ = _e844;
                 } else {
-                    phi_1109_ = 3u;
+                    phi_1094_ = 3u;
                 }
-                let _e861 = phi_1109_;
-                phi_1110_ = _e861;
+                let _e846 = phi_1094_;
+                phi_1095_ = _e846;
             } else {
-                phi_1110_ = 2u;
+                phi_1095_ = 2u;
             }
-            let _e863 = phi_1110_;
-            if !((_e863 == 0u)) {
-                phi_1118_ = !((_e863 == 5u));
+            let _e848 = phi_1095_;
+            if !((_e848 == 0u)) {
+                phi_1103_ = !((_e848 == 5u));
             } else {
-                phi_1118_ = false;
+                phi_1103_ = false;
             }
-            let _e869 = phi_1118_;
-            if _e869 {
-                if _e200 {
-                    phi_1126_ = (2u | 1u);
+            let _e854 = phi_1103_;
+            if _e854 {
+                if _e201 {
+                    phi_1111_ = (2u | 1u);
                 } else {
-                    phi_1126_ = 2u;
+                    phi_1111_ = 2u;
                 }
-                let _e872 = phi_1126_;
+                let _e857 = phi_1111_;
                 if false {
-                    phi_1131_ = (_e872 | 4u);
+                    phi_1116_ = (_e857 | 4u);
                 } else {
-                    phi_1131_ = _e872;
+                    phi_1116_ = _e857;
                 }
-                let _e875 = phi_1131_;
-                phi_1136_ = _e875;
+                let _e860 = phi_1116_;
+                phi_1121_ = _e860;
             } else {
-                if _e200 {
-                    phi_1135_ = 1u;
+                if _e201 {
+                    phi_1120_ = 1u;
                 } else {
-                    phi_1135_ = 0u;
+                    phi_1120_ = 0u;
                 }
-                let _e877 = phi_1135_;
-                phi_1136_ = _e877;
+                let _e862 = phi_1120_;
+                phi_1121_ = _e862;
             }
-            let _e879 = phi_1136_;
-            if _e200 {
-                phi_1140_ = 0f;
+            let _e864 = phi_1121_;
+            if _e201 {
+                phi_1125_ = 0f;
             } else {
-                phi_1140_ = 1f;
+                phi_1125_ = 1f;
             }
-            let _e881 = phi_1140_;
-            phi_1142_ = mask_Masked(_e881, _e879, _e869);
+            let _e866 = phi_1125_;
+            phi_1127_ = mask_Masked(_e866, _e864, _e854);
         }
-        let _e884 = phi_1142_;
-        visibility.member[_e72.first_primitive] = _e884.visibility;
-        bits.member[_e72.first_primitive] = _e884.bits;
-        let _e892 = samples.member[_e72.first_primitive].normal[0u];
-        let _e894 = global[0u];
-        if (_e892 == _e894) {
-            let _e897 = samples.member[_e72.first_primitive].normal[1u];
-            let _e899 = global[1u];
-            if (_e897 == _e899) {
-                let _e902 = samples.member[_e72.first_primitive].normal[2u];
-                let _e904 = global[2u];
-                phi_1170_ = (_e902 == _e904);
-                phi_1171_ = false;
+        let _e869 = phi_1127_;
+        visibility.member[_e73.first_primitive] = _e869.visibility;
+        bits.member[_e73.first_primitive] = _e869.bits;
+        let _e877 = samples.member[_e73.first_primitive].normal[0u];
+        let _e879 = global[0u];
+        if (_e877 == _e879) {
+            let _e882 = samples.member[_e73.first_primitive].normal[1u];
+            let _e884 = global[1u];
+            if (_e882 == _e884) {
+                let _e887 = samples.member[_e73.first_primitive].normal[2u];
+                let _e889 = global[2u];
+                phi_1155_ = (_e887 == _e889);
+                phi_1156_ = false;
             } else {
-                phi_1170_ = bool();
-                phi_1171_ = true;
+                phi_1155_ = bool();
+                phi_1156_ = true;
             }
-            let _e907 = phi_1170_;
-            let _e909 = phi_1171_;
-            phi_1172_ = _e907;
-            phi_1173_ = _e909;
+            let _e892 = phi_1155_;
+            let _e894 = phi_1156_;
+            phi_1157_ = _e892;
+            phi_1158_ = _e894;
         } else {
-            phi_1172_ = bool();
-            phi_1173_ = true;
+            phi_1157_ = bool();
+            phi_1158_ = true;
         }
-        let _e911 = phi_1172_;
-        let _e913 = phi_1173_;
-        if _e913 {
-            phi_1177_ = false;
+        let _e896 = phi_1157_;
+        let _e898 = phi_1158_;
+        if _e898 {
+            phi_1162_ = false;
         } else {
-            phi_1177_ = _e911;
+            phi_1162_ = _e896;
         }
-        let _e915 = phi_1177_;
-        if !(_e915) {
-            let _e918 = samples.member[_e72.first_primitive].position;
-            let _e920 = p.member.current.eye;
-            let _e931 = p.member.current.forward;
-            phi_1205_ = ((((_e918.x - _e920.x) * _e931.x) + ((_e918.y - _e920.y) * _e931.y)) + ((_e918.z - _e920.z) * _e931.z));
+        let _e900 = phi_1162_;
+        if !(_e900) {
+            let _e903 = samples.member[_e73.first_primitive].position;
+            let _e905 = p.member.current.eye;
+            let _e916 = p.member.current.forward;
+            phi_1190_ = ((((_e903.x - _e905.x) * _e916.x) + ((_e903.y - _e905.y) * _e916.y)) + ((_e903.z - _e905.z) * _e916.z));
         } else {
-            phi_1205_ = 0f;
+            phi_1190_ = 0f;
         }
-        let _e941 = phi_1205_;
-        depths.member[_e72.first_primitive] = _e941;
-        phi_1208_ = _e884.needs_ray;
-        phi_1209_ = _e72.first_primitive;
+        let _e926 = phi_1190_;
+        depths.member[_e73.first_primitive] = _e926;
+        phi_1193_ = _e869.needs_ray;
+        phi_1194_ = _e73.first_primitive;
     } else {
-        phi_1208_ = false;
-        phi_1209_ = 0u;
+        phi_1193_ = false;
+        phi_1194_ = 0u;
     }
-    let _e945 = phi_1208_;
-    let _e947 = phi_1209_;
-    if (_e53 == 0u) {
+    let _e930 = phi_1193_;
+    let _e932 = phi_1194_;
+    if (_e54 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e945 {
-        let _e951 = atomicAdd((&shared_[0u]), 1u);
-        phi_1220_ = _e951;
+    if _e930 {
+        let _e936 = atomicAdd((&shared_[0u]), 1u);
+        phi_1205_ = _e936;
     } else {
-        phi_1220_ = 0u;
+        phi_1205_ = 0u;
     }
-    let _e953 = phi_1220_;
+    let _e938 = phi_1205_;
     workgroupBarrier();
-    if (_e53 == 0u) {
-        let _e957 = atomicLoad((&shared_[0u]));
-        let _e958 = atomicAdd((&list.member[3u]), _e957);
-        atomicStore((&shared_[1u]), _e958);
+    if (_e54 == 0u) {
+        let _e942 = atomicLoad((&shared_[0u]));
+        let _e943 = atomicAdd((&list.member[3u]), _e942);
+        atomicStore((&shared_[1u]), _e943);
     }
     workgroupBarrier();
-    if _e945 {
-        let _e961 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e961) + _e953)]), _e947);
+    if _e930 {
+        let _e946 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e946) + _e938)]), _e932);
     }
     return;
 }

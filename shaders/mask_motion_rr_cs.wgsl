@@ -104,936 +104,934 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_153_: lt_bvh_traverse_Tree;
-    var phi_154_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
-    var phi_156_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_155_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_157_: bool;
+    var phi_162_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_154_ = false;
+            phi_154_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_155_ = false;
         } else {
-            phi_153_ = lt_bvh_traverse_Tree();
-            phi_154_ = true;
+            phi_154_ = lt_bvh_traverse_Tree();
+            phi_155_ = true;
         }
-        let _e61 = phi_153_;
-        let _e63 = phi_154_;
-        phi_155_ = _e61;
-        phi_156_ = _e63;
+        let _e62 = phi_154_;
+        let _e64 = phi_155_;
+        phi_156_ = _e62;
+        phi_157_ = _e64;
     } else {
-        phi_155_ = lt_bvh_traverse_Tree();
-        phi_156_ = true;
+        phi_156_ = lt_bvh_traverse_Tree();
+        phi_157_ = true;
     }
-    let _e65 = phi_155_;
-    let _e67 = phi_156_;
-    if _e67 {
-        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e66 = phi_156_;
+    let _e68 = phi_157_;
+    if _e68 {
+        phi_162_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_161_ = _e65;
+        phi_162_ = _e66;
     }
-    let _e72 = phi_161_;
-    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
+    let _e73 = phi_162_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_179_: vec2<i32>;
+    var phi_180_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_179_ = vec2(0i);
+            phi_180_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_179_ = vec2<i32>(0i, -1i);
+            phi_180_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_179_ = vec2<i32>(-1i, 0i);
+            phi_180_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_179_ = vec2<i32>(1i, 0i);
+            phi_180_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_179_ = vec2<i32>(0i, 1i);
+            phi_180_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e57 = phi_179_;
-    return vec2<i32>(_e57.x, _e57.y);
+    let _e58 = phi_180_;
+    return vec2<i32>(_e58.x, _e58.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_197_: vec2<i32>;
+    var phi_198_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_197_ = vec2(0i);
+            phi_198_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_197_ = vec2(-1i);
+            phi_198_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_197_ = vec2<i32>(1i, -1i);
+            phi_198_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_197_ = vec2<i32>(-1i, 1i);
+            phi_198_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_197_ = vec2(1i);
+            phi_198_ = vec2(1i);
             break;
         }
     }
-    let _e57 = phi_197_;
-    return vec2<i32>(_e57.x, _e57.y);
+    let _e58 = phi_198_;
+    return vec2<i32>(_e58.x, _e58.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_216_: vec2<i32>;
+    var phi_217_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e51 = lt_mask_pattern_plus(param_5);
-        phi_216_ = vec2<i32>(_e51.x, _e51.y);
+        let _e52 = lt_mask_pattern_plus(param_5);
+        phi_217_ = vec2<i32>(_e52.x, _e52.y);
     } else {
-        let _e55 = lt_mask_pattern_cross(param_5);
-        phi_216_ = vec2<i32>(_e55.x, _e55.y);
+        let _e56 = lt_mask_pattern_cross(param_5);
+        phi_217_ = vec2<i32>(_e56.x, _e56.y);
     }
-    let _e60 = phi_216_;
-    return vec2<i32>(_e60.x, _e60.y);
+    let _e61 = phi_217_;
+    return vec2<i32>(_e61.x, _e61.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_237_: u32;
     var phi_238_: u32;
+    var phi_239_: u32;
 
-    let _e52 = (bitcast<i32>(param_7) + param_8);
-    if (_e52 < 0i) {
-        phi_238_ = 0u;
+    let _e53 = (bitcast<i32>(param_7) + param_8);
+    if (_e53 < 0i) {
+        phi_239_ = 0u;
     } else {
-        if (_e52 >= bitcast<i32>(param_9)) {
-            phi_237_ = (param_9 - 1u);
+        if (_e53 >= bitcast<i32>(param_9)) {
+            phi_238_ = (param_9 - 1u);
         } else {
-            phi_237_ = bitcast<u32>(_e52);
+            phi_238_ = bitcast<u32>(_e53);
         }
-        let _e59 = phi_237_;
-        phi_238_ = _e59;
+        let _e60 = phi_238_;
+        phi_239_ = _e60;
     }
-    let _e61 = phi_238_;
-    return _e61;
+    let _e62 = phi_239_;
+    return _e62;
 }
 
 fn function_() {
-    var phi_299_: bool;
     var phi_300_: bool;
     var phi_301_: bool;
     var phi_302_: bool;
-    var phi_306_: bool;
-    var phi_350_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_354_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_367_: bool;
-    var phi_572_: f32;
-    var phi_577_: f32;
-    var phi_578_: bool;
-    var phi_579_: f32;
-    var phi_580_: bool;
-    var phi_584_: f32;
-    var phi_607_: f32;
-    var phi_612_: f32;
-    var phi_613_: bool;
-    var phi_614_: f32;
-    var phi_615_: bool;
-    var phi_619_: f32;
-    var phi_640_: bool;
-    var phi_659_: vec2<u32>;
+    var phi_303_: bool;
+    var phi_307_: bool;
+    var phi_351_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_355_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_368_: bool;
+    var phi_557_: f32;
+    var phi_562_: f32;
+    var phi_563_: bool;
+    var phi_564_: f32;
+    var phi_565_: bool;
+    var phi_569_: f32;
+    var phi_592_: f32;
+    var phi_597_: f32;
+    var phi_598_: bool;
+    var phi_599_: f32;
+    var phi_600_: bool;
+    var phi_604_: f32;
+    var phi_625_: bool;
+    var phi_644_: vec2<u32>;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_648_: vec2<u32>;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: vec2<u32>;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
     var phi_660_: bool;
     var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: vec2<u32>;
+    var phi_662_: vec2<u32>;
+    var phi_663_: bool;
     var phi_664_: bool;
     var phi_665_: bool;
     var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: bool;
-    var phi_669_: bool;
-    var phi_670_: vec2<u32>;
-    var phi_671_: bool;
-    var phi_672_: bool;
-    var phi_673_: bool;
-    var phi_674_: bool;
     var phi_675_: bool;
     var phi_676_: bool;
-    var phi_677_: vec2<u32>;
+    var phi_677_: bool;
     var phi_678_: bool;
-    var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_690_: bool;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: vec2<u32>;
-    var phi_741_: bool;
-    var phi_742_: bool;
-    var phi_744_: bool;
-    var phi_745_: lt_mask_Reprojection;
-    var phi_746_: lt_mask_Reprojection;
-    var phi_747_: bool;
+    var phi_682_: bool;
+    var phi_683_: bool;
+    var phi_684_: vec2<u32>;
+    var phi_726_: bool;
+    var phi_727_: bool;
+    var phi_729_: bool;
+    var phi_730_: lt_mask_Reprojection;
+    var phi_731_: lt_mask_Reprojection;
+    var phi_732_: bool;
+    var phi_736_: bool;
+    var phi_737_: lt_mask_Reprojection;
     var phi_751_: bool;
-    var phi_752_: lt_mask_Reprojection;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
     var phi_766_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_786_: bool;
-    var phi_791_: bool;
-    var phi_806_: u32;
-    var phi_808_: u32;
-    var phi_811_: lt_mask_Neighbourhood;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_832_: u32;
-    var phi_833_: u32;
-    var phi_892_: vec2<i32>;
-    var phi_908_: vec2<i32>;
-    var phi_931_: u32;
-    var phi_948_: bool;
-    var phi_949_: bool;
-    var phi_956_: bool;
-    var phi_957_: bool;
-    var phi_975_: bool;
-    var phi_976_: bool;
-    var phi_977_: bool;
-    var phi_809_: u32;
-    var phi_812_: lt_mask_Neighbourhood;
-    var phi_980_: lt_mask_Neighbourhood;
-    var phi_981_: lt_mask_Neighbourhood;
+    var phi_767_: bool;
+    var phi_771_: bool;
+    var phi_776_: bool;
+    var phi_791_: u32;
+    var phi_793_: u32;
+    var phi_796_: lt_mask_Neighbourhood;
+    var phi_808_: bool;
+    var phi_809_: bool;
+    var phi_817_: u32;
+    var phi_818_: u32;
+    var phi_877_: vec2<i32>;
+    var phi_893_: vec2<i32>;
+    var phi_916_: u32;
+    var phi_933_: bool;
+    var phi_934_: bool;
+    var phi_941_: bool;
+    var phi_942_: bool;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_962_: bool;
+    var phi_794_: u32;
+    var phi_797_: lt_mask_Neighbourhood;
+    var phi_965_: lt_mask_Neighbourhood;
+    var phi_966_: lt_mask_Neighbourhood;
+    var phi_991_: bool;
+    var phi_992_: bool;
+    var phi_1005_: bool;
     var phi_1006_: bool;
     var phi_1007_: bool;
-    var phi_1020_: bool;
-    var phi_1021_: bool;
-    var phi_1022_: bool;
-    var phi_1029_: u32;
-    var phi_1030_: u32;
-    var phi_1031_: u32;
-    var phi_1032_: u32;
-    var phi_1033_: u32;
-    var phi_1041_: bool;
-    var phi_1049_: u32;
-    var phi_1054_: u32;
-    var phi_1058_: u32;
-    var phi_1059_: u32;
-    var phi_1063_: f32;
-    var phi_1065_: mask_Masked;
-    var phi_1071_: bool;
-    var phi_1072_: u32;
-    var phi_1083_: u32;
+    var phi_1014_: u32;
+    var phi_1015_: u32;
+    var phi_1016_: u32;
+    var phi_1017_: u32;
+    var phi_1018_: u32;
+    var phi_1026_: bool;
+    var phi_1034_: u32;
+    var phi_1039_: u32;
+    var phi_1043_: u32;
+    var phi_1044_: u32;
+    var phi_1048_: f32;
+    var phi_1050_: mask_Masked;
+    var phi_1056_: bool;
+    var phi_1057_: u32;
+    var phi_1068_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e48 = id_1;
-    let _e49 = local_2;
-    let _e61 = p.member.current.size[0u];
-    let _e63 = p.member.current.size[1u];
-    let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
-    if (bitcast<i32>(_e64.root) != 0i) {
-        let _e72 = p.member.current.size[0u];
-        let _e75 = samples.member[_e64.first_primitive].position;
-        let _e77 = visibility.member[_e64.first_primitive];
-        let _e81 = p.member.light;
-        let _e84 = samples.member[_e64.first_primitive].normal[0u];
-        let _e86 = global[0u];
-        if (_e84 == _e86) {
-            let _e89 = samples.member[_e64.first_primitive].normal[1u];
-            let _e91 = global[1u];
-            if (_e89 == _e91) {
-                let _e94 = samples.member[_e64.first_primitive].normal[2u];
-                let _e96 = global[2u];
-                phi_299_ = (_e94 == _e96);
-                phi_300_ = false;
+    let _e49 = id_1;
+    let _e50 = local_2;
+    let _e62 = p.member.current.size[0u];
+    let _e64 = p.member.current.size[1u];
+    let _e65 = lt_shaders_entry_pixel_index(_e49, _e62, _e64);
+    if (bitcast<i32>(_e65.root) != 0i) {
+        let _e73 = p.member.current.size[0u];
+        let _e76 = samples.member[_e65.first_primitive].position;
+        let _e78 = visibility.member[_e65.first_primitive];
+        let _e82 = p.member.light;
+        let _e85 = samples.member[_e65.first_primitive].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[_e65.first_primitive].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[_e65.first_primitive].normal[2u];
+                let _e97 = global[2u];
+                phi_300_ = (_e95 == _e97);
+                phi_301_ = false;
             } else {
-                phi_299_ = bool();
-                phi_300_ = true;
+                phi_300_ = bool();
+                phi_301_ = true;
             }
-            let _e99 = phi_299_;
-            let _e101 = phi_300_;
-            phi_301_ = _e99;
-            phi_302_ = _e101;
+            let _e100 = phi_300_;
+            let _e102 = phi_301_;
+            phi_302_ = _e100;
+            phi_303_ = _e102;
         } else {
-            phi_301_ = bool();
-            phi_302_ = true;
+            phi_302_ = bool();
+            phi_303_ = true;
         }
-        let _e103 = phi_301_;
-        let _e105 = phi_302_;
-        if _e105 {
-            phi_306_ = false;
+        let _e104 = phi_302_;
+        let _e106 = phi_303_;
+        if _e106 {
+            phi_307_ = false;
         } else {
-            phi_306_ = _e103;
+            phi_307_ = _e104;
         }
-        let _e107 = phi_306_;
-        if !(_e107) {
-            let _e110 = samples.member[_e64.first_primitive].normal;
-            let _e112 = samples.member[_e64.first_primitive].position;
-            if ((((_e110.x * (_e81.x - (_e112.x * _e81.w))) + (_e110.y * (_e81.y - (_e112.y * _e81.w)))) + (_e110.z * (_e81.z - (_e112.z * _e81.w)))) > 0f) {
-                let _e136 = samples.member[_e64.first_primitive].flags;
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e144.unnamed.visibility, false), _e144.unnamed_1);
-                phi_350_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e150.unnamed, ((_e136 & 1u) == 0u));
+        let _e108 = phi_307_;
+        if !(_e108) {
+            let _e111 = samples.member[_e65.first_primitive].normal;
+            let _e113 = samples.member[_e65.first_primitive].position;
+            if ((((_e111.x * (_e82.x - (_e113.x * _e82.w))) + (_e111.y * (_e82.y - (_e113.y * _e82.w)))) + (_e111.z * (_e82.z - (_e113.z * _e82.w)))) > 0f) {
+                let _e137 = samples.member[_e65.first_primitive].flags;
+                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e145.unnamed.visibility, false), _e145.unnamed_1);
+                phi_351_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e151.unnamed, ((_e137 & 1u) == 0u));
             } else {
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e159.unnamed.visibility, false), _e159.unnamed_1);
-                phi_350_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e165.unnamed, true);
+                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+                phi_351_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
             }
-            let _e170 = phi_350_;
-            phi_354_ = _e170;
+            let _e171 = phi_351_;
+            phi_355_ = _e171;
         } else {
-            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e176.unnamed.visibility, false), _e176.unnamed_1);
-            phi_354_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e182.unnamed, true);
+            let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e177.unnamed.visibility, false), _e177.unnamed_1);
+            phi_355_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e183.unnamed, true);
         }
-        let _e187 = phi_354_;
-        if _e187.unnamed_1 {
-            phi_1065_ = mask_Masked(_e187.unnamed.visibility, 0u, false);
+        let _e188 = phi_355_;
+        if _e188.unnamed_1 {
+            phi_1050_ = mask_Masked(_e188.unnamed.visibility, 0u, false);
         } else {
-            let _e192 = (_e77 < 0.5f);
-            if (_e77 > 0f) {
-                phi_367_ = (_e77 < 1f);
+            let _e193 = (_e78 < 0.5f);
+            if (_e78 > 0f) {
+                phi_368_ = (_e78 < 1f);
             } else {
-                phi_367_ = false;
+                phi_368_ = false;
             }
-            let _e196 = phi_367_;
-            let _e198 = samples.member[_e64.first_primitive].position;
-            let _e202 = p.member.previous.eye;
-            let _e205 = (_e75.x - _e202.x);
-            let _e208 = (_e75.y - _e202.y);
-            let _e211 = (_e75.z - _e202.z);
-            let _e213 = p.member.previous.forward;
-            let _e221 = (((_e205 * _e213.x) + (_e208 * _e213.y)) + (_e211 * _e213.z));
-            let _e223 = p.member.previous.right;
-            let _e233 = p.member.previous.right;
-            let _e248 = p.member.previous.up;
-            let _e258 = p.member.previous.up;
-            let _e276 = p.member.previous.size[0u];
-            let _e283 = p.member.previous.size[1u];
-            let _e287 = p.member.current.eye;
-            let _e290 = (_e198.x - _e287.x);
-            let _e293 = (_e198.y - _e287.y);
-            let _e296 = (_e198.z - _e287.z);
-            let _e298 = p.member.current.forward;
-            let _e306 = (((_e290 * _e298.x) + (_e293 * _e298.y)) + (_e296 * _e298.z));
-            let _e308 = p.member.current.right;
-            let _e318 = p.member.current.right;
-            let _e333 = p.member.current.up;
-            let _e343 = p.member.current.up;
+            let _e197 = phi_368_;
+            let _e199 = samples.member[_e65.first_primitive].position;
+            let _e203 = p.member.previous.eye;
+            let _e206 = (_e76.x - _e203.x);
+            let _e209 = (_e76.y - _e203.y);
+            let _e212 = (_e76.z - _e203.z);
+            let _e214 = p.member.previous.forward;
+            let _e222 = (((_e206 * _e214.x) + (_e209 * _e214.y)) + (_e212 * _e214.z));
+            let _e224 = p.member.previous.right;
+            let _e234 = p.member.previous.right;
+            let _e249 = p.member.previous.up;
+            let _e259 = p.member.previous.up;
+            let _e274 = p.member.current.eye;
+            let _e277 = (_e199.x - _e274.x);
+            let _e280 = (_e199.y - _e274.y);
+            let _e283 = (_e199.z - _e274.z);
+            let _e285 = p.member.current.forward;
+            let _e293 = (((_e277 * _e285.x) + (_e280 * _e285.y)) + (_e283 * _e285.z));
+            let _e295 = p.member.current.right;
+            let _e305 = p.member.current.right;
+            let _e320 = p.member.current.up;
+            let _e330 = p.member.current.up;
+            let _e349 = p.member.current.size[0u];
+            let _e351 = (((((((_e206 * _e224.x) + (_e209 * _e224.y)) + (_e212 * _e224.z)) / ((((_e234.x * _e234.x) + (_e234.y * _e234.y)) + (_e234.z * _e234.z)) * _e222)) - ((((_e277 * _e295.x) + (_e280 * _e295.y)) + (_e283 * _e295.z)) / ((((_e305.x * _e305.x) + (_e305.y * _e305.y)) + (_e305.z * _e305.z)) * _e293))) * 0.5f) * f32(_e349));
+            let _e355 = p.member.current.size[1u];
+            let _e357 = (((((((_e206 * _e249.x) + (_e209 * _e249.y)) + (_e212 * _e249.z)) / ((((_e259.x * _e259.x) + (_e259.y * _e259.y)) + (_e259.z * _e259.z)) * _e222)) - ((((_e277 * _e320.x) + (_e280 * _e320.y)) + (_e283 * _e320.z)) / ((((_e330.x * _e330.x) + (_e330.y * _e330.y)) + (_e330.z * _e330.z)) * _e293))) * -0.5f) * f32(_e355));
             let _e361 = p.member.current.size[0u];
-            let _e368 = p.member.current.size[1u];
-            let _e371 = ((((((((_e205 * _e223.x) + (_e208 * _e223.y)) + (_e211 * _e223.z)) / ((((_e233.x * _e233.x) + (_e233.y * _e233.y)) + (_e233.z * _e233.z)) * _e221)) * 0.5f) + 0.5f) * f32(_e276)) - (((((((_e290 * _e308.x) + (_e293 * _e308.y)) + (_e296 * _e308.z)) / ((((_e318.x * _e318.x) + (_e318.y * _e318.y)) + (_e318.z * _e318.z)) * _e306)) * 0.5f) + 0.5f) * f32(_e361)));
-            let _e372 = (((0.5f - (((((_e205 * _e248.x) + (_e208 * _e248.y)) + (_e211 * _e248.z)) / ((((_e258.x * _e258.x) + (_e258.y * _e258.y)) + (_e258.z * _e258.z)) * _e221)) * 0.5f)) * f32(_e283)) - ((0.5f - (((((_e290 * _e333.x) + (_e293 * _e333.y)) + (_e296 * _e333.z)) / ((((_e343.x * _e343.x) + (_e343.y * _e343.y)) + (_e343.z * _e343.z)) * _e306)) * 0.5f)) * f32(_e368)));
-            let _e376 = p.member.current.size[0u];
-            let _e378 = p.member.current.size[1u];
-            let _e382 = ((f32(_e48.x) + 0.5f) + _e371);
-            if (_e382 > -8388608f) {
-                let _e394 = f32(select(0i, select(select(i32(_e382), i32(-2147483648), (_e382 < bitcast<f32>(3472883712u))), 2147483647i, (_e382 > bitcast<f32>(1325400063u))), (_e382 == _e382)));
-                if (_e394 > _e382) {
-                    phi_572_ = 1f;
+            let _e363 = p.member.current.size[1u];
+            let _e367 = ((f32(_e49.x) + 0.5f) + _e351);
+            if (_e367 > -8388608f) {
+                let _e379 = f32(select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < bitcast<f32>(3472883712u))), 2147483647i, (_e367 > bitcast<f32>(1325400063u))), (_e367 == _e367)));
+                if (_e379 > _e367) {
+                    phi_557_ = 1f;
                 } else {
-                    phi_572_ = 0f;
+                    phi_557_ = 0f;
                 }
-                let _e397 = phi_572_;
-                if (_e382 < 8388608f) {
-                    phi_577_ = (_e394 - _e397);
-                    phi_578_ = false;
+                let _e382 = phi_557_;
+                if (_e367 < 8388608f) {
+                    phi_562_ = (_e379 - _e382);
+                    phi_563_ = false;
                 } else {
-                    phi_577_ = f32();
-                    phi_578_ = true;
+                    phi_562_ = f32();
+                    phi_563_ = true;
                 }
-                let _e400 = phi_577_;
-                let _e402 = phi_578_;
-                phi_579_ = _e400;
-                phi_580_ = _e402;
+                let _e385 = phi_562_;
+                let _e387 = phi_563_;
+                phi_564_ = _e385;
+                phi_565_ = _e387;
             } else {
-                phi_579_ = f32();
-                phi_580_ = true;
+                phi_564_ = f32();
+                phi_565_ = true;
             }
-            let _e404 = phi_579_;
-            let _e406 = phi_580_;
-            if _e406 {
-                phi_584_ = _e382;
+            let _e389 = phi_564_;
+            let _e391 = phi_565_;
+            if _e391 {
+                phi_569_ = _e367;
             } else {
-                phi_584_ = _e404;
+                phi_569_ = _e389;
             }
-            let _e408 = phi_584_;
-            let _e411 = ((f32(_e48.y) + 0.5f) + _e372);
-            if (_e411 > -8388608f) {
-                let _e423 = f32(select(0i, select(select(i32(_e411), i32(-2147483648), (_e411 < bitcast<f32>(3472883712u))), 2147483647i, (_e411 > bitcast<f32>(1325400063u))), (_e411 == _e411)));
-                if (_e423 > _e411) {
-                    phi_607_ = 1f;
+            let _e393 = phi_569_;
+            let _e396 = ((f32(_e49.y) + 0.5f) + _e357);
+            if (_e396 > -8388608f) {
+                let _e408 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
+                if (_e408 > _e396) {
+                    phi_592_ = 1f;
                 } else {
-                    phi_607_ = 0f;
+                    phi_592_ = 0f;
                 }
-                let _e426 = phi_607_;
-                if (_e411 < 8388608f) {
-                    phi_612_ = (_e423 - _e426);
-                    phi_613_ = false;
+                let _e411 = phi_592_;
+                if (_e396 < 8388608f) {
+                    phi_597_ = (_e408 - _e411);
+                    phi_598_ = false;
                 } else {
-                    phi_612_ = f32();
-                    phi_613_ = true;
+                    phi_597_ = f32();
+                    phi_598_ = true;
                 }
-                let _e429 = phi_612_;
-                let _e431 = phi_613_;
-                phi_614_ = _e429;
-                phi_615_ = _e431;
+                let _e414 = phi_597_;
+                let _e416 = phi_598_;
+                phi_599_ = _e414;
+                phi_600_ = _e416;
             } else {
-                phi_614_ = f32();
-                phi_615_ = true;
+                phi_599_ = f32();
+                phi_600_ = true;
             }
-            let _e433 = phi_614_;
-            let _e435 = phi_615_;
-            if _e435 {
-                phi_619_ = _e411;
+            let _e418 = phi_599_;
+            let _e420 = phi_600_;
+            if _e420 {
+                phi_604_ = _e396;
             } else {
-                phi_619_ = _e433;
+                phi_604_ = _e418;
             }
-            let _e437 = phi_619_;
-            if (_e408 >= 0f) {
-                if (_e437 >= 0f) {
-                    if (_e408 < f32(_e376)) {
-                        let _e443 = (_e437 < f32(_e378));
-                        if (_e371 == 0f) {
-                            phi_640_ = (_e372 == 0f);
+            let _e422 = phi_604_;
+            if (_e393 >= 0f) {
+                if (_e422 >= 0f) {
+                    if (_e393 < f32(_e361)) {
+                        let _e428 = (_e422 < f32(_e363));
+                        if (_e351 == 0f) {
+                            phi_625_ = (_e357 == 0f);
                         } else {
-                            phi_640_ = false;
+                            phi_625_ = false;
                         }
-                        let _e447 = phi_640_;
-                        if _e443 {
-                            phi_659_ = vec2<u32>(select(select(u32(_e408), 0u, (_e408 < bitcast<f32>(0u))), 4294967295u, (_e408 > bitcast<f32>(1333788671u))), select(select(u32(_e437), 0u, (_e437 < bitcast<f32>(0u))), 4294967295u, (_e437 > bitcast<f32>(1333788671u))));
-                            phi_660_ = false;
+                        let _e432 = phi_625_;
+                        if _e428 {
+                            phi_644_ = vec2<u32>(select(select(u32(_e393), 0u, (_e393 < bitcast<f32>(0u))), 4294967295u, (_e393 > bitcast<f32>(1333788671u))), select(select(u32(_e422), 0u, (_e422 < bitcast<f32>(0u))), 4294967295u, (_e422 > bitcast<f32>(1333788671u))));
+                            phi_645_ = false;
                         } else {
-                            phi_659_ = vec2<u32>();
-                            phi_660_ = true;
+                            phi_644_ = vec2<u32>();
+                            phi_645_ = true;
                         }
-                        let _e464 = phi_659_;
-                        let _e466 = phi_660_;
-                        phi_661_ = _e447;
-                        phi_662_ = _e443;
-                        phi_663_ = _e464;
-                        phi_664_ = _e447;
-                        phi_665_ = _e443;
-                        phi_666_ = false;
-                        phi_667_ = _e466;
+                        let _e449 = phi_644_;
+                        let _e451 = phi_645_;
+                        phi_646_ = _e432;
+                        phi_647_ = _e428;
+                        phi_648_ = _e449;
+                        phi_649_ = _e432;
+                        phi_650_ = _e428;
+                        phi_651_ = false;
+                        phi_652_ = _e451;
                     } else {
-                        phi_661_ = bool();
-                        phi_662_ = bool();
-                        phi_663_ = vec2<u32>();
-                        phi_664_ = bool();
-                        phi_665_ = bool();
-                        phi_666_ = true;
-                        phi_667_ = false;
+                        phi_646_ = bool();
+                        phi_647_ = bool();
+                        phi_648_ = vec2<u32>();
+                        phi_649_ = bool();
+                        phi_650_ = bool();
+                        phi_651_ = true;
+                        phi_652_ = false;
                     }
-                    let _e468 = phi_661_;
-                    let _e470 = phi_662_;
-                    let _e472 = phi_663_;
-                    let _e474 = phi_664_;
-                    let _e476 = phi_665_;
-                    let _e478 = phi_666_;
-                    let _e480 = phi_667_;
-                    phi_668_ = _e468;
-                    phi_669_ = _e470;
-                    phi_670_ = _e472;
-                    phi_671_ = _e474;
-                    phi_672_ = _e476;
-                    phi_673_ = _e478;
-                    phi_674_ = _e480;
+                    let _e453 = phi_646_;
+                    let _e455 = phi_647_;
+                    let _e457 = phi_648_;
+                    let _e459 = phi_649_;
+                    let _e461 = phi_650_;
+                    let _e463 = phi_651_;
+                    let _e465 = phi_652_;
+                    phi_653_ = _e453;
+                    phi_654_ = _e455;
+                    phi_655_ = _e457;
+                    phi_656_ = _e459;
+                    phi_657_ = _e461;
+                    phi_658_ = _e463;
+                    phi_659_ = _e465;
                 } else {
-                    phi_668_ = bool();
-                    phi_669_ = bool();
-                    phi_670_ = vec2<u32>();
-                    phi_671_ = bool();
-                    phi_672_ = bool();
-                    phi_673_ = true;
-                    phi_674_ = false;
+                    phi_653_ = bool();
+                    phi_654_ = bool();
+                    phi_655_ = vec2<u32>();
+                    phi_656_ = bool();
+                    phi_657_ = bool();
+                    phi_658_ = true;
+                    phi_659_ = false;
                 }
-                let _e482 = phi_668_;
-                let _e484 = phi_669_;
-                let _e486 = phi_670_;
-                let _e488 = phi_671_;
-                let _e490 = phi_672_;
-                let _e492 = phi_673_;
-                let _e494 = phi_674_;
-                phi_675_ = _e482;
-                phi_676_ = _e484;
-                phi_677_ = _e486;
-                phi_678_ = _e488;
-                phi_679_ = _e490;
-                phi_680_ = _e492;
-                phi_681_ = _e494;
+                let _e467 = phi_653_;
+                let _e469 = phi_654_;
+                let _e471 = phi_655_;
+                let _e473 = phi_656_;
+                let _e475 = phi_657_;
+                let _e477 = phi_658_;
+                let _e479 = phi_659_;
+                phi_660_ = _e467;
+                phi_661_ = _e469;
+                phi_662_ = _e471;
+                phi_663_ = _e473;
+                phi_664_ = _e475;
+                phi_665_ = _e477;
+                phi_666_ = _e479;
             } else {
-                phi_675_ = bool();
-                phi_676_ = bool();
-                phi_677_ = vec2<u32>();
-                phi_678_ = bool();
-                phi_679_ = bool();
-                phi_680_ = true;
-                phi_681_ = false;
+                phi_660_ = bool();
+                phi_661_ = bool();
+                phi_662_ = vec2<u32>();
+                phi_663_ = bool();
+                phi_664_ = bool();
+                phi_665_ = true;
+                phi_666_ = false;
             }
-            let _e496 = phi_675_;
-            let _e498 = phi_676_;
-            let _e500 = phi_677_;
-            let _e502 = phi_678_;
-            let _e504 = phi_679_;
-            let _e506 = phi_680_;
-            let _e508 = phi_681_;
-            if _e506 {
-                if (_e371 == 0f) {
-                    phi_690_ = (_e372 == 0f);
+            let _e481 = phi_660_;
+            let _e483 = phi_661_;
+            let _e485 = phi_662_;
+            let _e487 = phi_663_;
+            let _e489 = phi_664_;
+            let _e491 = phi_665_;
+            let _e493 = phi_666_;
+            if _e491 {
+                if (_e351 == 0f) {
+                    phi_675_ = (_e357 == 0f);
                 } else {
-                    phi_690_ = false;
+                    phi_675_ = false;
                 }
-                let _e512 = phi_690_;
-                phi_691_ = _e512;
-                phi_692_ = false;
-                phi_693_ = true;
+                let _e497 = phi_675_;
+                phi_676_ = _e497;
+                phi_677_ = false;
+                phi_678_ = true;
             } else {
-                phi_691_ = _e502;
-                phi_692_ = _e504;
-                phi_693_ = _e508;
+                phi_676_ = _e487;
+                phi_677_ = _e489;
+                phi_678_ = _e493;
             }
-            let _e514 = phi_691_;
-            let _e516 = phi_692_;
-            let _e518 = phi_693_;
-            if _e518 {
-                phi_697_ = _e514;
-                phi_698_ = _e516;
-                phi_699_ = vec2<u32>(_e48.x, _e48.y);
+            let _e499 = phi_676_;
+            let _e501 = phi_677_;
+            let _e503 = phi_678_;
+            if _e503 {
+                phi_682_ = _e499;
+                phi_683_ = _e501;
+                phi_684_ = vec2<u32>(_e49.x, _e49.y);
             } else {
-                phi_697_ = _e496;
-                phi_698_ = _e498;
-                phi_699_ = _e500;
+                phi_682_ = _e481;
+                phi_683_ = _e483;
+                phi_684_ = _e485;
             }
-            let _e520 = phi_697_;
-            let _e522 = phi_698_;
-            let _e524 = phi_699_;
-            let _e534 = lt_mask_Reprojection(vec2<u32>(_e524.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e541 = lt_mask_Reprojection(vec2<u32>(_e534.pixel.x, _e524.y), _e534.is_valid, _e534.has_moved);
-            let _e545 = lt_mask_Reprojection(_e541.pixel, _e522, _e541.has_moved);
-            let _e549 = lt_mask_Reprojection(_e545.pixel, _e545.is_valid, !(_e520));
-            if _e522 {
-                let _e552 = p.member.previous.eye;
-                let _e563 = p.member.previous.forward;
-                let _e572 = (((((_e75.x - _e552.x) * _e563.x) + ((_e75.y - _e552.y) * _e563.y)) + ((_e75.z - _e552.z) * _e563.z)) > 0f);
-                let _e576 = lt_mask_Reprojection(_e549.pixel, _e572, _e549.has_moved);
-                if _e572 {
-                    let _e578 = p.member.flags;
-                    phi_741_ = ((_e578 & 1u) != 0u);
-                    phi_742_ = false;
+            let _e505 = phi_682_;
+            let _e507 = phi_683_;
+            let _e509 = phi_684_;
+            let _e519 = lt_mask_Reprojection(vec2<u32>(_e509.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e526 = lt_mask_Reprojection(vec2<u32>(_e519.pixel.x, _e509.y), _e519.is_valid, _e519.has_moved);
+            let _e530 = lt_mask_Reprojection(_e526.pixel, _e507, _e526.has_moved);
+            let _e534 = lt_mask_Reprojection(_e530.pixel, _e530.is_valid, !(_e505));
+            if _e507 {
+                let _e537 = p.member.previous.eye;
+                let _e548 = p.member.previous.forward;
+                let _e557 = (((((_e76.x - _e537.x) * _e548.x) + ((_e76.y - _e537.y) * _e548.y)) + ((_e76.z - _e537.z) * _e548.z)) > 0f);
+                let _e561 = lt_mask_Reprojection(_e534.pixel, _e557, _e534.has_moved);
+                if _e557 {
+                    let _e563 = p.member.flags;
+                    phi_726_ = ((_e563 & 1u) != 0u);
+                    phi_727_ = false;
                 } else {
-                    phi_741_ = bool();
-                    phi_742_ = true;
+                    phi_726_ = bool();
+                    phi_727_ = true;
                 }
-                let _e582 = phi_741_;
-                let _e584 = phi_742_;
-                phi_744_ = _e582;
-                phi_745_ = _e576;
-                phi_746_ = _e576;
-                phi_747_ = _e584;
+                let _e567 = phi_726_;
+                let _e569 = phi_727_;
+                phi_729_ = _e567;
+                phi_730_ = _e561;
+                phi_731_ = _e561;
+                phi_732_ = _e569;
             } else {
-                phi_744_ = bool();
-                phi_745_ = lt_mask_Reprojection();
-                phi_746_ = lt_mask_Reprojection(_e549.pixel, false, _e549.has_moved);
-                phi_747_ = true;
+                phi_729_ = bool();
+                phi_730_ = lt_mask_Reprojection();
+                phi_731_ = lt_mask_Reprojection(_e534.pixel, false, _e534.has_moved);
+                phi_732_ = true;
             }
-            let _e590 = phi_744_;
-            let _e592 = phi_745_;
-            let _e594 = phi_746_;
-            let _e596 = phi_747_;
-            if _e596 {
+            let _e575 = phi_729_;
+            let _e577 = phi_730_;
+            let _e579 = phi_731_;
+            let _e581 = phi_732_;
+            if _e581 {
+                phi_736_ = false;
+                phi_737_ = _e579;
+            } else {
+                phi_736_ = _e575;
+                phi_737_ = _e577;
+            }
+            let _e583 = phi_736_;
+            let _e585 = phi_737_;
+            let _e589 = lt_mask_Reprojection(_e585.pixel, _e583, _e585.has_moved);
+            let _e591 = p.member.flags;
+            if _e589.has_moved {
+                let _e596 = p.member.flags;
+                phi_751_ = ((_e596 & 4u) == 0u);
+            } else {
                 phi_751_ = false;
-                phi_752_ = _e594;
-            } else {
-                phi_751_ = _e590;
-                phi_752_ = _e592;
             }
-            let _e598 = phi_751_;
-            let _e600 = phi_752_;
-            let _e604 = lt_mask_Reprojection(_e600.pixel, _e598, _e600.has_moved);
-            let _e606 = p.member.flags;
-            if _e604.has_moved {
-                let _e611 = p.member.flags;
-                phi_766_ = ((_e611 & 4u) == 0u);
-            } else {
-                phi_766_ = false;
-            }
-            let _e615 = phi_766_;
-            if ((_e606 & 2u) != 0u) {
+            let _e600 = phi_751_;
+            if ((_e591 & 2u) != 0u) {
                 if false {
-                    phi_779_ = bool();
-                    phi_780_ = true;
+                    phi_764_ = bool();
+                    phi_765_ = true;
                 } else {
                     if true {
-                        phi_777_ = !(_e615);
-                        phi_778_ = false;
+                        phi_762_ = !(_e600);
+                        phi_763_ = false;
                     } else {
-                        phi_777_ = bool();
-                        phi_778_ = true;
+                        phi_762_ = bool();
+                        phi_763_ = true;
                     }
-                    let _e618 = phi_777_;
-                    let _e620 = phi_778_;
-                    phi_779_ = _e618;
-                    phi_780_ = _e620;
+                    let _e603 = phi_762_;
+                    let _e605 = phi_763_;
+                    phi_764_ = _e603;
+                    phi_765_ = _e605;
                 }
-                let _e622 = phi_779_;
-                let _e624 = phi_780_;
-                phi_781_ = _e622;
-                phi_782_ = _e624;
+                let _e607 = phi_764_;
+                let _e609 = phi_765_;
+                phi_766_ = _e607;
+                phi_767_ = _e609;
             } else {
-                phi_781_ = bool();
-                phi_782_ = true;
+                phi_766_ = bool();
+                phi_767_ = true;
             }
-            let _e626 = phi_781_;
-            let _e628 = phi_782_;
-            if _e628 {
-                phi_786_ = false;
+            let _e611 = phi_766_;
+            let _e613 = phi_767_;
+            if _e613 {
+                phi_771_ = false;
             } else {
-                phi_786_ = _e626;
+                phi_771_ = _e611;
             }
-            let _e630 = phi_786_;
-            let _e631 = lt_mask_Neighbourhood(false, true);
-            if _e196 {
-                phi_791_ = _e630;
+            let _e615 = phi_771_;
+            let _e616 = lt_mask_Neighbourhood(false, true);
+            if _e197 {
+                phi_776_ = _e615;
             } else {
-                phi_791_ = false;
+                phi_776_ = false;
             }
-            let _e633 = phi_791_;
-            if _e633 {
-                if _e598 {
-                    if _e604.has_moved {
-                        let _e636 = p.member.moving_pattern;
-                        phi_806_ = _e636;
+            let _e618 = phi_776_;
+            if _e618 {
+                if _e583 {
+                    if _e589.has_moved {
+                        let _e621 = p.member.moving_pattern;
+                        phi_791_ = _e621;
                     } else {
-                        let _e638 = p.member.still_pattern;
-                        phi_806_ = _e638;
+                        let _e623 = p.member.still_pattern;
+                        phi_791_ = _e623;
                     }
-                    let _e640 = phi_806_;
-                    phi_808_ = 0u;
-                    phi_811_ = _e631;
+                    let _e625 = phi_791_;
+                    phi_793_ = 0u;
+                    phi_796_ = _e616;
                     loop {
-                        let _e642 = phi_808_;
-                        let _e644 = phi_811_;
-                        local_1 = _e644;
-                        if (1u <= _e640) {
-                            if (_e640 <= 4u) {
-                                phi_823_ = false;
+                        let _e627 = phi_793_;
+                        let _e629 = phi_796_;
+                        local_1 = _e629;
+                        if (1u <= _e625) {
+                            if (_e625 <= 4u) {
+                                phi_808_ = false;
                             } else {
-                                phi_823_ = true;
+                                phi_808_ = true;
                             }
-                            let _e648 = phi_823_;
-                            phi_824_ = _e648;
+                            let _e633 = phi_808_;
+                            phi_809_ = _e633;
                         } else {
-                            phi_824_ = true;
+                            phi_809_ = true;
                         }
-                        let _e650 = phi_824_;
-                        if _e650 {
-                            switch bitcast<i32>(_e640) {
+                        let _e635 = phi_809_;
+                        if _e635 {
+                            switch bitcast<i32>(_e625) {
                                 case 5: {
-                                    phi_832_ = 4u;
+                                    phi_817_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_832_ = 25u;
+                                    phi_817_ = 25u;
                                     break;
                                 }
                                 default: {
-                                    phi_832_ = 9u;
+                                    phi_817_ = 9u;
                                     break;
                                 }
                             }
-                            let _e653 = phi_832_;
-                            phi_833_ = _e653;
+                            let _e638 = phi_817_;
+                            phi_818_ = _e638;
                         } else {
-                            phi_833_ = 5u;
+                            phi_818_ = 5u;
                         }
-                        let _e655 = phi_833_;
-                        let _e656 = (_e642 < _e655);
-                        if _e656 {
-                            let _e662 = p.member.frame;
-                            let _e666 = p.member.current.size[0u];
-                            let _e668 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e640) {
+                        let _e640 = phi_818_;
+                        let _e641 = (_e627 < _e640);
+                        if _e641 {
+                            let _e647 = p.member.frame;
+                            let _e651 = p.member.current.size[0u];
+                            let _e653 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e625) {
                                 case 1: {
-                                    let _e678 = lt_mask_pattern_plus(_e642);
-                                    phi_908_ = vec2<i32>(_e678.x, _e678.y);
+                                    let _e663 = lt_mask_pattern_plus(_e627);
+                                    phi_893_ = vec2<i32>(_e663.x, _e663.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e682 = lt_mask_pattern_cross(_e642);
-                                    phi_908_ = vec2<i32>(_e682.x, _e682.y);
+                                    let _e667 = lt_mask_pattern_cross(_e627);
+                                    phi_893_ = vec2<i32>(_e667.x, _e667.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e688 = lt_mask_pattern_plus_or_cross(_e642, ((_e604.pixel.x + _e604.pixel.y) & 1u));
-                                    phi_908_ = vec2<i32>(_e688.x, _e688.y);
+                                    let _e673 = lt_mask_pattern_plus_or_cross(_e627, ((_e589.pixel.x + _e589.pixel.y) & 1u));
+                                    phi_893_ = vec2<i32>(_e673.x, _e673.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e693 = lt_mask_pattern_plus_or_cross(_e642, (_e662 & 1u));
-                                    phi_908_ = vec2<i32>(_e693.x, _e693.y);
+                                    let _e678 = lt_mask_pattern_plus_or_cross(_e627, (_e647 & 1u));
+                                    phi_893_ = vec2<i32>(_e678.x, _e678.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e662 & 3u)) {
+                                    switch bitcast<i32>((_e647 & 3u)) {
                                         case 0: {
-                                            phi_892_ = vec2(-1i);
+                                            phi_877_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_892_ = vec2(0i);
+                                            phi_877_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_892_ = vec2<i32>(0i, -1i);
+                                            phi_877_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_892_ = vec2<i32>(-1i, 0i);
+                                            phi_877_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e704 = phi_892_;
-                                    phi_908_ = (_e704 + vec2<i32>(bitcast<i32>((_e642 & 1u)), bitcast<i32>(((_e642 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e689 = phi_877_;
+                                    phi_893_ = (_e689 + vec2<i32>(bitcast<i32>((_e627 & 1u)), bitcast<i32>(((_e627 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_908_ = vec2<i32>((bitcast<i32>((_e642 % 5u)) - 2i), (bitcast<i32>(((_e642 / 5u) % 5u)) - 2i));
+                                    phi_893_ = vec2<i32>((bitcast<i32>((_e627 % 5u)) - 2i), (bitcast<i32>(((_e627 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 default: {
-                                    phi_908_ = vec2<i32>((bitcast<i32>((_e642 % 3u)) - 1i), (bitcast<i32>(((_e642 / 3u) % 3u)) - 1i));
+                                    phi_893_ = vec2<i32>((bitcast<i32>((_e627 % 3u)) - 1i), (bitcast<i32>(((_e627 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e722 = phi_908_;
-                            let _e725 = lt_mask_pattern_step_clamped(_e604.pixel.x, _e722.x, _e666);
-                            let _e726 = lt_mask_pattern_step_clamped(_e604.pixel.y, _e722.y, _e668);
-                            let _e728 = ((_e726 * _e72) + _e725);
-                            if (_e728 < arrayLength((&last_bits.member))) {
+                            let _e707 = phi_893_;
+                            let _e710 = lt_mask_pattern_step_clamped(_e589.pixel.x, _e707.x, _e651);
+                            let _e711 = lt_mask_pattern_step_clamped(_e589.pixel.y, _e707.y, _e653);
+                            let _e713 = ((_e711 * _e73) + _e710);
+                            if (_e713 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e732 = last_bits.member[(0u + _e728)];
-                            if ((_e732 & 2u) == 0u) {
-                                phi_931_ = (_e732 & 1u);
+                            let _e717 = last_bits.member[(0u + _e713)];
+                            if ((_e717 & 2u) == 0u) {
+                                phi_916_ = (_e717 & 1u);
                             } else {
-                                phi_931_ = (_e732 & 7u);
+                                phi_916_ = (_e717 & 7u);
                             }
-                            let _e738 = phi_931_;
-                            if _e644.any_expands {
-                                phi_957_ = true;
+                            let _e723 = phi_916_;
+                            if _e629.any_expands {
+                                phi_942_ = true;
                             } else {
-                                if ((_e738 & 2u) != 0u) {
-                                    if (((_e738 & 4u) != 0u) != _e192) {
-                                        phi_948_ = false;
+                                if ((_e723 & 2u) != 0u) {
+                                    if (((_e723 & 4u) != 0u) != _e193) {
+                                        phi_933_ = false;
                                     } else {
-                                        phi_948_ = true;
+                                        phi_933_ = true;
                                     }
-                                    let _e747 = phi_948_;
-                                    phi_949_ = _e747;
+                                    let _e732 = phi_933_;
+                                    phi_934_ = _e732;
                                 } else {
-                                    phi_949_ = true;
+                                    phi_934_ = true;
                                 }
-                                let _e749 = phi_949_;
-                                if _e749 {
-                                    phi_956_ = (((_e738 & 1u) != 0u) != _e192);
+                                let _e734 = phi_934_;
+                                if _e734 {
+                                    phi_941_ = (((_e723 & 1u) != 0u) != _e193);
                                 } else {
-                                    phi_956_ = true;
+                                    phi_941_ = true;
                                 }
-                                let _e754 = phi_956_;
-                                phi_957_ = _e754;
+                                let _e739 = phi_941_;
+                                phi_942_ = _e739;
                             }
-                            let _e756 = phi_957_;
-                            if _e644.all_remove {
-                                if (((_e738 & 1u) != 0u) == _e192) {
-                                    if ((_e738 & 2u) != 0u) {
-                                        phi_975_ = (((_e738 & 4u) != 0u) == _e192);
+                            let _e741 = phi_942_;
+                            if _e629.all_remove {
+                                if (((_e723 & 1u) != 0u) == _e193) {
+                                    if ((_e723 & 2u) != 0u) {
+                                        phi_960_ = (((_e723 & 4u) != 0u) == _e193);
                                     } else {
-                                        phi_975_ = true;
+                                        phi_960_ = true;
                                     }
-                                    let _e766 = phi_975_;
-                                    phi_976_ = _e766;
+                                    let _e751 = phi_960_;
+                                    phi_961_ = _e751;
                                 } else {
-                                    phi_976_ = false;
+                                    phi_961_ = false;
                                 }
-                                let _e768 = phi_976_;
-                                phi_977_ = _e768;
+                                let _e753 = phi_961_;
+                                phi_962_ = _e753;
                             } else {
-                                phi_977_ = false;
+                                phi_962_ = false;
                             }
-                            let _e770 = phi_977_;
-                            phi_809_ = (_e642 + 1u);
-                            phi_812_ = lt_mask_Neighbourhood(_e756, _e770);
+                            let _e755 = phi_962_;
+                            phi_794_ = (_e627 + 1u);
+                            phi_797_ = lt_mask_Neighbourhood(_e741, _e755);
                         } else {
-                            phi_809_ = u32();
-                            phi_812_ = lt_mask_Neighbourhood();
+                            phi_794_ = u32();
+                            phi_797_ = lt_mask_Neighbourhood();
                         }
-                        let _e774 = phi_809_;
-                        let _e776 = phi_812_;
+                        let _e759 = phi_794_;
+                        let _e761 = phi_797_;
                         continue;
                         continuing {
-                            phi_808_ = _e774;
-                            phi_811_ = _e776;
-                            break if !(_e656);
+                            phi_793_ = _e759;
+                            phi_796_ = _e761;
+                            break if !(_e641);
                         }
                     }
-                    let _e941 = local_1;
-                    phi_980_ = _e941;
+                    let _e926 = local_1;
+                    phi_965_ = _e926;
                 } else {
-                    phi_980_ = _e631;
+                    phi_965_ = _e616;
                 }
-                let _e779 = phi_980_;
-                phi_981_ = _e779;
+                let _e764 = phi_965_;
+                phi_966_ = _e764;
             } else {
-                phi_981_ = _e631;
+                phi_966_ = _e616;
             }
-            let _e781 = phi_981_;
-            if (_e77 != 0.5f) {
-                if _e598 {
-                    if _e196 {
-                        phi_1007_ = true;
+            let _e766 = phi_966_;
+            if (_e78 != 0.5f) {
+                if _e583 {
+                    if _e197 {
+                        phi_992_ = true;
                     } else {
-                        if _e781.any_expands {
-                            phi_1006_ = false;
+                        if _e766.any_expands {
+                            phi_991_ = false;
                         } else {
-                            phi_1006_ = true;
+                            phi_991_ = true;
                         }
-                        let _e786 = phi_1006_;
-                        phi_1007_ = _e786;
+                        let _e771 = phi_991_;
+                        phi_992_ = _e771;
                     }
-                    let _e788 = phi_1007_;
-                    if _e788 {
-                        if _e196 {
-                            if _e630 {
-                                if _e781.all_remove {
-                                    phi_1020_ = false;
+                    let _e773 = phi_992_;
+                    if _e773 {
+                        if _e197 {
+                            if _e615 {
+                                if _e766.all_remove {
+                                    phi_1005_ = false;
                                 } else {
-                                    phi_1020_ = true;
+                                    phi_1005_ = true;
                                 }
-                                let _e790 = phi_1020_;
-                                phi_1021_ = _e790;
+                                let _e775 = phi_1005_;
+                                phi_1006_ = _e775;
                             } else {
-                                phi_1021_ = true;
+                                phi_1006_ = true;
                             }
-                            let _e792 = phi_1021_;
-                            phi_1022_ = _e792;
+                            let _e777 = phi_1006_;
+                            phi_1007_ = _e777;
                         } else {
-                            phi_1022_ = true;
+                            phi_1007_ = true;
                         }
-                        let _e794 = phi_1022_;
-                        if _e794 {
-                            if _e196 {
-                                phi_1029_ = 1u;
+                        let _e779 = phi_1007_;
+                        if _e779 {
+                            if _e197 {
+                                phi_1014_ = 1u;
                             } else {
-                                phi_1029_ = 0u;
+                                phi_1014_ = 0u;
                             }
-                            let _e796 = phi_1029_;
-                            phi_1030_ = _e796;
+                            let _e781 = phi_1014_;
+                            phi_1015_ = _e781;
                         } else {
-                            phi_1030_ = 5u;
+                            phi_1015_ = 5u;
                         }
-                        let _e798 = phi_1030_;
-                        phi_1031_ = _e798;
+                        let _e783 = phi_1015_;
+                        phi_1016_ = _e783;
                     } else {
-                        phi_1031_ = 4u;
+                        phi_1016_ = 4u;
                     }
-                    let _e800 = phi_1031_;
-                    phi_1032_ = _e800;
+                    let _e785 = phi_1016_;
+                    phi_1017_ = _e785;
                 } else {
-                    phi_1032_ = 3u;
+                    phi_1017_ = 3u;
                 }
-                let _e802 = phi_1032_;
-                phi_1033_ = _e802;
+                let _e787 = phi_1017_;
+                phi_1018_ = _e787;
             } else {
-                phi_1033_ = 2u;
+                phi_1018_ = 2u;
             }
-            let _e804 = phi_1033_;
-            if !((_e804 == 0u)) {
-                phi_1041_ = !((_e804 == 5u));
+            let _e789 = phi_1018_;
+            if !((_e789 == 0u)) {
+                phi_1026_ = !((_e789 == 5u));
             } else {
-                phi_1041_ = false;
+                phi_1026_ = false;
             }
-            let _e810 = phi_1041_;
-            if _e810 {
-                if _e192 {
-                    phi_1049_ = (2u | 1u);
+            let _e795 = phi_1026_;
+            if _e795 {
+                if _e193 {
+                    phi_1034_ = (2u | 1u);
                 } else {
-                    phi_1049_ = 2u;
+                    phi_1034_ = 2u;
                 }
-                let _e813 = phi_1049_;
+                let _e798 = phi_1034_;
                 if false {
-                    phi_1054_ = (_e813 | 4u);
+                    phi_1039_ = (_e798 | 4u);
                 } else {
-                    phi_1054_ = _e813;
+                    phi_1039_ = _e798;
                 }
-                let _e816 = phi_1054_;
-                phi_1059_ = _e816;
+                let _e801 = phi_1039_;
+                phi_1044_ = _e801;
             } else {
-                if _e192 {
-                    phi_1058_ = 1u;
+                if _e193 {
+                    phi_1043_ = 1u;
                 } else {
-                    phi_1058_ = 0u;
+                    phi_1043_ = 0u;
                 }
-                let _e818 = phi_1058_;
-                phi_1059_ = _e818;
+                let _e803 = phi_1043_;
+                phi_1044_ = _e803;
             }
-            let _e820 = phi_1059_;
-            if _e192 {
-                phi_1063_ = 0f;
+            let _e805 = phi_1044_;
+            if _e193 {
+                phi_1048_ = 0f;
             } else {
-                phi_1063_ = 1f;
+                phi_1048_ = 1f;
             }
-            let _e822 = phi_1063_;
-            phi_1065_ = mask_Masked(_e822, _e820, _e810);
+            let _e807 = phi_1048_;
+            phi_1050_ = mask_Masked(_e807, _e805, _e795);
         }
-        let _e825 = phi_1065_;
-        visibility.member[_e64.first_primitive] = _e825.visibility;
-        bits.member[_e64.first_primitive] = _e825.bits;
-        phi_1071_ = _e825.needs_ray;
-        phi_1072_ = _e64.first_primitive;
+        let _e810 = phi_1050_;
+        visibility.member[_e65.first_primitive] = _e810.visibility;
+        bits.member[_e65.first_primitive] = _e810.bits;
+        phi_1056_ = _e810.needs_ray;
+        phi_1057_ = _e65.first_primitive;
     } else {
-        phi_1071_ = false;
-        phi_1072_ = 0u;
+        phi_1056_ = false;
+        phi_1057_ = 0u;
     }
-    let _e832 = phi_1071_;
-    let _e834 = phi_1072_;
-    if (_e49 == 0u) {
+    let _e817 = phi_1056_;
+    let _e819 = phi_1057_;
+    if (_e50 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e832 {
-        let _e838 = atomicAdd((&shared_[0u]), 1u);
-        phi_1083_ = _e838;
+    if _e817 {
+        let _e823 = atomicAdd((&shared_[0u]), 1u);
+        phi_1068_ = _e823;
     } else {
-        phi_1083_ = 0u;
+        phi_1068_ = 0u;
     }
-    let _e840 = phi_1083_;
+    let _e825 = phi_1068_;
     workgroupBarrier();
-    if (_e49 == 0u) {
-        let _e844 = atomicLoad((&shared_[0u]));
-        let _e845 = atomicAdd((&list.member[3u]), _e844);
-        atomicStore((&shared_[1u]), _e845);
+    if (_e50 == 0u) {
+        let _e829 = atomicLoad((&shared_[0u]));
+        let _e830 = atomicAdd((&list.member[3u]), _e829);
+        atomicStore((&shared_[1u]), _e830);
     }
     workgroupBarrier();
-    if _e832 {
-        let _e848 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e848) + _e840)]), _e834);
+    if _e817 {
+        let _e833 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e833) + _e825)]), _e819);
     }
     return;
 }

@@ -114,971 +114,969 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_167_: lt_bvh_traverse_Tree;
-    var phi_168_: bool;
-    var phi_169_: lt_bvh_traverse_Tree;
-    var phi_170_: bool;
-    var phi_175_: lt_bvh_traverse_Tree;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
+    var phi_176_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_167_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_168_ = false;
+            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_169_ = false;
         } else {
-            phi_167_ = lt_bvh_traverse_Tree();
-            phi_168_ = true;
+            phi_168_ = lt_bvh_traverse_Tree();
+            phi_169_ = true;
         }
-        let _e66 = phi_167_;
-        let _e68 = phi_168_;
-        phi_169_ = _e66;
-        phi_170_ = _e68;
+        let _e67 = phi_168_;
+        let _e69 = phi_169_;
+        phi_170_ = _e67;
+        phi_171_ = _e69;
     } else {
-        phi_169_ = lt_bvh_traverse_Tree();
-        phi_170_ = true;
+        phi_170_ = lt_bvh_traverse_Tree();
+        phi_171_ = true;
     }
-    let _e70 = phi_169_;
-    let _e72 = phi_170_;
-    if _e72 {
-        phi_175_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e71 = phi_170_;
+    let _e73 = phi_171_;
+    if _e73 {
+        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_175_ = _e70;
+        phi_176_ = _e71;
     }
-    let _e77 = phi_175_;
-    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
+    let _e78 = phi_176_;
+    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_193_: vec2<i32>;
+    var phi_194_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_193_ = vec2(0i);
+            phi_194_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_193_ = vec2<i32>(0i, -1i);
+            phi_194_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_193_ = vec2<i32>(-1i, 0i);
+            phi_194_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_193_ = vec2<i32>(1i, 0i);
+            phi_194_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_193_ = vec2<i32>(0i, 1i);
+            phi_194_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e62 = phi_193_;
-    return vec2<i32>(_e62.x, _e62.y);
+    let _e63 = phi_194_;
+    return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_211_: vec2<i32>;
+    var phi_212_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_211_ = vec2(0i);
+            phi_212_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_211_ = vec2(-1i);
+            phi_212_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_211_ = vec2<i32>(1i, -1i);
+            phi_212_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_211_ = vec2<i32>(-1i, 1i);
+            phi_212_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_211_ = vec2(1i);
+            phi_212_ = vec2(1i);
             break;
         }
     }
-    let _e62 = phi_211_;
-    return vec2<i32>(_e62.x, _e62.y);
+    let _e63 = phi_212_;
+    return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_230_: vec2<i32>;
+    var phi_231_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e56 = lt_mask_pattern_plus(param_5);
-        phi_230_ = vec2<i32>(_e56.x, _e56.y);
+        let _e57 = lt_mask_pattern_plus(param_5);
+        phi_231_ = vec2<i32>(_e57.x, _e57.y);
     } else {
-        let _e60 = lt_mask_pattern_cross(param_5);
-        phi_230_ = vec2<i32>(_e60.x, _e60.y);
+        let _e61 = lt_mask_pattern_cross(param_5);
+        phi_231_ = vec2<i32>(_e61.x, _e61.y);
     }
-    let _e65 = phi_230_;
-    return vec2<i32>(_e65.x, _e65.y);
+    let _e66 = phi_231_;
+    return vec2<i32>(_e66.x, _e66.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_251_: u32;
     var phi_252_: u32;
+    var phi_253_: u32;
 
-    let _e57 = (bitcast<i32>(param_7) + param_8);
-    if (_e57 < 0i) {
-        phi_252_ = 0u;
+    let _e58 = (bitcast<i32>(param_7) + param_8);
+    if (_e58 < 0i) {
+        phi_253_ = 0u;
     } else {
-        if (_e57 >= bitcast<i32>(param_9)) {
-            phi_251_ = (param_9 - 1u);
+        if (_e58 >= bitcast<i32>(param_9)) {
+            phi_252_ = (param_9 - 1u);
         } else {
-            phi_251_ = bitcast<u32>(_e57);
+            phi_252_ = bitcast<u32>(_e58);
         }
-        let _e64 = phi_251_;
-        phi_252_ = _e64;
+        let _e65 = phi_252_;
+        phi_253_ = _e65;
     }
-    let _e66 = phi_252_;
-    return _e66;
+    let _e67 = phi_253_;
+    return _e67;
 }
 
 fn function_() {
-    var phi_322_: bool;
     var phi_323_: bool;
     var phi_324_: bool;
     var phi_325_: bool;
-    var phi_329_: bool;
-    var phi_373_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_377_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_390_: bool;
-    var phi_592_: f32;
-    var phi_597_: f32;
-    var phi_598_: bool;
-    var phi_599_: f32;
-    var phi_600_: bool;
-    var phi_604_: f32;
-    var phi_627_: f32;
-    var phi_632_: f32;
-    var phi_633_: bool;
-    var phi_634_: f32;
-    var phi_635_: bool;
-    var phi_639_: f32;
-    var phi_660_: bool;
-    var phi_679_: vec2<u32>;
+    var phi_326_: bool;
+    var phi_330_: bool;
+    var phi_374_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_378_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_391_: bool;
+    var phi_577_: f32;
+    var phi_582_: f32;
+    var phi_583_: bool;
+    var phi_584_: f32;
+    var phi_585_: bool;
+    var phi_589_: f32;
+    var phi_612_: f32;
+    var phi_617_: f32;
+    var phi_618_: bool;
+    var phi_619_: f32;
+    var phi_620_: bool;
+    var phi_624_: f32;
+    var phi_645_: bool;
+    var phi_664_: vec2<u32>;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_668_: vec2<u32>;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_672_: bool;
+    var phi_673_: bool;
+    var phi_674_: bool;
+    var phi_675_: vec2<u32>;
+    var phi_676_: bool;
+    var phi_677_: bool;
+    var phi_678_: bool;
+    var phi_679_: bool;
     var phi_680_: bool;
     var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: vec2<u32>;
+    var phi_682_: vec2<u32>;
+    var phi_683_: bool;
     var phi_684_: bool;
     var phi_685_: bool;
     var phi_686_: bool;
-    var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_689_: bool;
-    var phi_690_: vec2<u32>;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
     var phi_695_: bool;
     var phi_696_: bool;
-    var phi_697_: vec2<u32>;
+    var phi_697_: bool;
     var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_717_: bool;
-    var phi_718_: bool;
-    var phi_719_: vec2<u32>;
-    var phi_802_: bool;
-    var phi_806_: f32;
-    var phi_810_: lt_mask_Reprojection;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_822_: bool;
-    var phi_823_: lt_mask_Reprojection;
-    var phi_824_: lt_mask_Reprojection;
-    var phi_825_: bool;
-    var phi_829_: bool;
-    var phi_830_: lt_mask_Reprojection;
-    var phi_858_: u32;
-    var phi_860_: u32;
-    var phi_863_: lt_mask_Neighbourhood;
-    var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_884_: u32;
-    var phi_885_: u32;
-    var phi_944_: vec2<i32>;
-    var phi_960_: vec2<i32>;
-    var phi_983_: u32;
-    var phi_1000_: bool;
-    var phi_1001_: bool;
-    var phi_1008_: bool;
-    var phi_1009_: bool;
-    var phi_1027_: bool;
-    var phi_1028_: bool;
-    var phi_1029_: bool;
-    var phi_861_: u32;
-    var phi_864_: lt_mask_Neighbourhood;
-    var phi_1032_: lt_mask_Neighbourhood;
-    var phi_1033_: lt_mask_Neighbourhood;
-    var phi_1034_: lt_mask_Neighbourhood;
+    var phi_702_: bool;
+    var phi_703_: bool;
+    var phi_704_: vec2<u32>;
+    var phi_787_: bool;
+    var phi_791_: f32;
+    var phi_795_: lt_mask_Reprojection;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_807_: bool;
+    var phi_808_: lt_mask_Reprojection;
+    var phi_809_: lt_mask_Reprojection;
+    var phi_810_: bool;
+    var phi_814_: bool;
+    var phi_815_: lt_mask_Reprojection;
+    var phi_843_: u32;
+    var phi_845_: u32;
+    var phi_848_: lt_mask_Neighbourhood;
+    var phi_860_: bool;
+    var phi_861_: bool;
+    var phi_869_: u32;
+    var phi_870_: u32;
+    var phi_929_: vec2<i32>;
+    var phi_945_: vec2<i32>;
+    var phi_968_: u32;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_993_: bool;
+    var phi_994_: bool;
+    var phi_1012_: bool;
+    var phi_1013_: bool;
+    var phi_1014_: bool;
+    var phi_846_: u32;
+    var phi_849_: lt_mask_Neighbourhood;
+    var phi_1017_: lt_mask_Neighbourhood;
+    var phi_1018_: lt_mask_Neighbourhood;
+    var phi_1019_: lt_mask_Neighbourhood;
+    var phi_1044_: bool;
+    var phi_1045_: bool;
+    var phi_1058_: bool;
     var phi_1059_: bool;
     var phi_1060_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1082_: u32;
-    var phi_1083_: u32;
-    var phi_1084_: u32;
-    var phi_1085_: u32;
-    var phi_1086_: u32;
-    var phi_1094_: bool;
-    var phi_1102_: u32;
-    var phi_1107_: u32;
-    var phi_1111_: u32;
-    var phi_1112_: u32;
-    var phi_1116_: f32;
-    var phi_1118_: mask_Masked;
-    var phi_1146_: bool;
-    var phi_1147_: bool;
-    var phi_1148_: bool;
-    var phi_1149_: bool;
-    var phi_1153_: bool;
-    var phi_1181_: f32;
-    var phi_1184_: bool;
-    var phi_1185_: u32;
-    var phi_1196_: u32;
+    var phi_1067_: u32;
+    var phi_1068_: u32;
+    var phi_1069_: u32;
+    var phi_1070_: u32;
+    var phi_1071_: u32;
+    var phi_1079_: bool;
+    var phi_1087_: u32;
+    var phi_1092_: u32;
+    var phi_1096_: u32;
+    var phi_1097_: u32;
+    var phi_1101_: f32;
+    var phi_1103_: mask_Masked;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1138_: bool;
+    var phi_1166_: f32;
+    var phi_1169_: bool;
+    var phi_1170_: u32;
+    var phi_1181_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e53 = id_1;
-    let _e54 = local_2;
-    let _e71 = p.member.current.size[0u];
-    let _e73 = p.member.current.size[1u];
-    let _e74 = lt_shaders_entry_pixel_index(_e53, _e71, _e73);
-    if (bitcast<i32>(_e74.root) != 0i) {
-        let _e82 = p.member.current.size[0u];
-        let _e85 = past.member[_e74.first_primitive];
-        let _e90 = visibility.member[_e74.first_primitive];
-        let _e94 = p.member.light;
-        let _e97 = samples.member[_e74.first_primitive].normal[0u];
-        let _e99 = global[0u];
-        if (_e97 == _e99) {
-            let _e102 = samples.member[_e74.first_primitive].normal[1u];
-            let _e104 = global[1u];
-            if (_e102 == _e104) {
-                let _e107 = samples.member[_e74.first_primitive].normal[2u];
-                let _e109 = global[2u];
-                phi_322_ = (_e107 == _e109);
-                phi_323_ = false;
+    let _e54 = id_1;
+    let _e55 = local_2;
+    let _e72 = p.member.current.size[0u];
+    let _e74 = p.member.current.size[1u];
+    let _e75 = lt_shaders_entry_pixel_index(_e54, _e72, _e74);
+    if (bitcast<i32>(_e75.root) != 0i) {
+        let _e83 = p.member.current.size[0u];
+        let _e86 = past.member[_e75.first_primitive];
+        let _e91 = visibility.member[_e75.first_primitive];
+        let _e95 = p.member.light;
+        let _e98 = samples.member[_e75.first_primitive].normal[0u];
+        let _e100 = global[0u];
+        if (_e98 == _e100) {
+            let _e103 = samples.member[_e75.first_primitive].normal[1u];
+            let _e105 = global[1u];
+            if (_e103 == _e105) {
+                let _e108 = samples.member[_e75.first_primitive].normal[2u];
+                let _e110 = global[2u];
+                phi_323_ = (_e108 == _e110);
+                phi_324_ = false;
             } else {
-                phi_322_ = bool();
-                phi_323_ = true;
+                phi_323_ = bool();
+                phi_324_ = true;
             }
-            let _e112 = phi_322_;
-            let _e114 = phi_323_;
-            phi_324_ = _e112;
-            phi_325_ = _e114;
+            let _e113 = phi_323_;
+            let _e115 = phi_324_;
+            phi_325_ = _e113;
+            phi_326_ = _e115;
         } else {
-            phi_324_ = bool();
-            phi_325_ = true;
+            phi_325_ = bool();
+            phi_326_ = true;
         }
-        let _e116 = phi_324_;
-        let _e118 = phi_325_;
-        if _e118 {
-            phi_329_ = false;
+        let _e117 = phi_325_;
+        let _e119 = phi_326_;
+        if _e119 {
+            phi_330_ = false;
         } else {
-            phi_329_ = _e116;
+            phi_330_ = _e117;
         }
-        let _e120 = phi_329_;
-        if !(_e120) {
-            let _e123 = samples.member[_e74.first_primitive].normal;
-            let _e125 = samples.member[_e74.first_primitive].position;
-            if ((((_e123.x * (_e94.x - (_e125.x * _e94.w))) + (_e123.y * (_e94.y - (_e125.y * _e94.w)))) + (_e123.z * (_e94.z - (_e125.z * _e94.w)))) > 0f) {
-                let _e149 = samples.member[_e74.first_primitive].flags;
-                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-                phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, ((_e149 & 1u) == 0u));
+        let _e121 = phi_330_;
+        if !(_e121) {
+            let _e124 = samples.member[_e75.first_primitive].normal;
+            let _e126 = samples.member[_e75.first_primitive].position;
+            if ((((_e124.x * (_e95.x - (_e126.x * _e95.w))) + (_e124.y * (_e95.y - (_e126.y * _e95.w)))) + (_e124.z * (_e95.z - (_e126.z * _e95.w)))) > 0f) {
+                let _e150 = samples.member[_e75.first_primitive].flags;
+                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
+                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, ((_e150 & 1u) == 0u));
             } else {
-                let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e172.unnamed.visibility, false), _e172.unnamed_1);
-                phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e178.unnamed, true);
+                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, true);
             }
-            let _e183 = phi_373_;
-            phi_377_ = _e183;
+            let _e184 = phi_374_;
+            phi_378_ = _e184;
         } else {
-            let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e189.unnamed.visibility, false), _e189.unnamed_1);
-            phi_377_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e195.unnamed, true);
+            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
+            phi_378_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, true);
         }
-        let _e200 = phi_377_;
-        if _e200.unnamed_1 {
-            phi_1118_ = mask_Masked(_e200.unnamed.visibility, 0u, false);
+        let _e201 = phi_378_;
+        if _e201.unnamed_1 {
+            phi_1103_ = mask_Masked(_e201.unnamed.visibility, 0u, false);
         } else {
-            let _e205 = (_e90 < 0.5f);
-            if (_e90 > 0f) {
-                phi_390_ = (_e90 < 1f);
+            let _e206 = (_e91 < 0.5f);
+            if (_e91 > 0f) {
+                phi_391_ = (_e91 < 1f);
             } else {
-                phi_390_ = false;
+                phi_391_ = false;
             }
-            let _e209 = phi_390_;
-            let _e211 = samples.member[_e74.first_primitive].position;
-            let _e215 = p.member.previous.eye;
-            let _e217 = (_e85.x - _e215.x);
-            let _e219 = (_e85.y - _e215.y);
-            let _e221 = (_e85.z - _e215.z);
-            let _e223 = p.member.previous.forward;
-            let _e231 = (((_e217 * _e223.x) + (_e219 * _e223.y)) + (_e221 * _e223.z));
-            let _e233 = p.member.previous.right;
-            let _e243 = p.member.previous.right;
-            let _e258 = p.member.previous.up;
-            let _e268 = p.member.previous.up;
-            let _e286 = p.member.previous.size[0u];
-            let _e293 = p.member.previous.size[1u];
-            let _e297 = p.member.current.eye;
-            let _e300 = (_e211.x - _e297.x);
-            let _e303 = (_e211.y - _e297.y);
-            let _e306 = (_e211.z - _e297.z);
-            let _e308 = p.member.current.forward;
-            let _e316 = (((_e300 * _e308.x) + (_e303 * _e308.y)) + (_e306 * _e308.z));
-            let _e318 = p.member.current.right;
-            let _e328 = p.member.current.right;
-            let _e343 = p.member.current.up;
-            let _e353 = p.member.current.up;
+            let _e210 = phi_391_;
+            let _e212 = samples.member[_e75.first_primitive].position;
+            let _e216 = p.member.previous.eye;
+            let _e218 = (_e86.x - _e216.x);
+            let _e220 = (_e86.y - _e216.y);
+            let _e222 = (_e86.z - _e216.z);
+            let _e224 = p.member.previous.forward;
+            let _e232 = (((_e218 * _e224.x) + (_e220 * _e224.y)) + (_e222 * _e224.z));
+            let _e234 = p.member.previous.right;
+            let _e244 = p.member.previous.right;
+            let _e259 = p.member.previous.up;
+            let _e269 = p.member.previous.up;
+            let _e284 = p.member.current.eye;
+            let _e287 = (_e212.x - _e284.x);
+            let _e290 = (_e212.y - _e284.y);
+            let _e293 = (_e212.z - _e284.z);
+            let _e295 = p.member.current.forward;
+            let _e303 = (((_e287 * _e295.x) + (_e290 * _e295.y)) + (_e293 * _e295.z));
+            let _e305 = p.member.current.right;
+            let _e315 = p.member.current.right;
+            let _e330 = p.member.current.up;
+            let _e340 = p.member.current.up;
+            let _e359 = p.member.current.size[0u];
+            let _e361 = (((((((_e218 * _e234.x) + (_e220 * _e234.y)) + (_e222 * _e234.z)) / ((((_e244.x * _e244.x) + (_e244.y * _e244.y)) + (_e244.z * _e244.z)) * _e232)) - ((((_e287 * _e305.x) + (_e290 * _e305.y)) + (_e293 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e303))) * 0.5f) * f32(_e359));
+            let _e365 = p.member.current.size[1u];
+            let _e367 = (((((((_e218 * _e259.x) + (_e220 * _e259.y)) + (_e222 * _e259.z)) / ((((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)) * _e232)) - ((((_e287 * _e330.x) + (_e290 * _e330.y)) + (_e293 * _e330.z)) / ((((_e340.x * _e340.x) + (_e340.y * _e340.y)) + (_e340.z * _e340.z)) * _e303))) * -0.5f) * f32(_e365));
             let _e371 = p.member.current.size[0u];
-            let _e378 = p.member.current.size[1u];
-            let _e381 = ((((((((_e217 * _e233.x) + (_e219 * _e233.y)) + (_e221 * _e233.z)) / ((((_e243.x * _e243.x) + (_e243.y * _e243.y)) + (_e243.z * _e243.z)) * _e231)) * 0.5f) + 0.5f) * f32(_e286)) - (((((((_e300 * _e318.x) + (_e303 * _e318.y)) + (_e306 * _e318.z)) / ((((_e328.x * _e328.x) + (_e328.y * _e328.y)) + (_e328.z * _e328.z)) * _e316)) * 0.5f) + 0.5f) * f32(_e371)));
-            let _e382 = (((0.5f - (((((_e217 * _e258.x) + (_e219 * _e258.y)) + (_e221 * _e258.z)) / ((((_e268.x * _e268.x) + (_e268.y * _e268.y)) + (_e268.z * _e268.z)) * _e231)) * 0.5f)) * f32(_e293)) - ((0.5f - (((((_e300 * _e343.x) + (_e303 * _e343.y)) + (_e306 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e316)) * 0.5f)) * f32(_e378)));
-            let _e386 = p.member.current.size[0u];
-            let _e388 = p.member.current.size[1u];
-            let _e392 = ((f32(_e53.x) + 0.5f) + _e381);
-            if (_e392 > -8388608f) {
-                let _e404 = f32(select(0i, select(select(i32(_e392), i32(-2147483648), (_e392 < bitcast<f32>(3472883712u))), 2147483647i, (_e392 > bitcast<f32>(1325400063u))), (_e392 == _e392)));
-                if (_e404 > _e392) {
-                    phi_592_ = 1f;
+            let _e373 = p.member.current.size[1u];
+            let _e377 = ((f32(_e54.x) + 0.5f) + _e361);
+            if (_e377 > -8388608f) {
+                let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
+                if (_e389 > _e377) {
+                    phi_577_ = 1f;
                 } else {
-                    phi_592_ = 0f;
+                    phi_577_ = 0f;
                 }
-                let _e407 = phi_592_;
-                if (_e392 < 8388608f) {
-                    phi_597_ = (_e404 - _e407);
-                    phi_598_ = false;
+                let _e392 = phi_577_;
+                if (_e377 < 8388608f) {
+                    phi_582_ = (_e389 - _e392);
+                    phi_583_ = false;
                 } else {
-                    phi_597_ = f32();
-                    phi_598_ = true;
+                    phi_582_ = f32();
+                    phi_583_ = true;
                 }
-                let _e410 = phi_597_;
-                let _e412 = phi_598_;
-                phi_599_ = _e410;
-                phi_600_ = _e412;
+                let _e395 = phi_582_;
+                let _e397 = phi_583_;
+                phi_584_ = _e395;
+                phi_585_ = _e397;
             } else {
-                phi_599_ = f32();
-                phi_600_ = true;
+                phi_584_ = f32();
+                phi_585_ = true;
             }
-            let _e414 = phi_599_;
-            let _e416 = phi_600_;
-            if _e416 {
-                phi_604_ = _e392;
+            let _e399 = phi_584_;
+            let _e401 = phi_585_;
+            if _e401 {
+                phi_589_ = _e377;
             } else {
-                phi_604_ = _e414;
+                phi_589_ = _e399;
             }
-            let _e418 = phi_604_;
-            let _e421 = ((f32(_e53.y) + 0.5f) + _e382);
-            if (_e421 > -8388608f) {
-                let _e433 = f32(select(0i, select(select(i32(_e421), i32(-2147483648), (_e421 < bitcast<f32>(3472883712u))), 2147483647i, (_e421 > bitcast<f32>(1325400063u))), (_e421 == _e421)));
-                if (_e433 > _e421) {
-                    phi_627_ = 1f;
+            let _e403 = phi_589_;
+            let _e406 = ((f32(_e54.y) + 0.5f) + _e367);
+            if (_e406 > -8388608f) {
+                let _e418 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
+                if (_e418 > _e406) {
+                    phi_612_ = 1f;
                 } else {
-                    phi_627_ = 0f;
+                    phi_612_ = 0f;
                 }
-                let _e436 = phi_627_;
-                if (_e421 < 8388608f) {
-                    phi_632_ = (_e433 - _e436);
-                    phi_633_ = false;
+                let _e421 = phi_612_;
+                if (_e406 < 8388608f) {
+                    phi_617_ = (_e418 - _e421);
+                    phi_618_ = false;
                 } else {
-                    phi_632_ = f32();
-                    phi_633_ = true;
+                    phi_617_ = f32();
+                    phi_618_ = true;
                 }
-                let _e439 = phi_632_;
-                let _e441 = phi_633_;
-                phi_634_ = _e439;
-                phi_635_ = _e441;
+                let _e424 = phi_617_;
+                let _e426 = phi_618_;
+                phi_619_ = _e424;
+                phi_620_ = _e426;
             } else {
-                phi_634_ = f32();
-                phi_635_ = true;
+                phi_619_ = f32();
+                phi_620_ = true;
             }
-            let _e443 = phi_634_;
-            let _e445 = phi_635_;
-            if _e445 {
-                phi_639_ = _e421;
+            let _e428 = phi_619_;
+            let _e430 = phi_620_;
+            if _e430 {
+                phi_624_ = _e406;
             } else {
-                phi_639_ = _e443;
+                phi_624_ = _e428;
             }
-            let _e447 = phi_639_;
-            if (_e418 >= 0f) {
-                if (_e447 >= 0f) {
-                    if (_e418 < f32(_e386)) {
-                        let _e453 = (_e447 < f32(_e388));
-                        if (_e381 == 0f) {
-                            phi_660_ = (_e382 == 0f);
+            let _e432 = phi_624_;
+            if (_e403 >= 0f) {
+                if (_e432 >= 0f) {
+                    if (_e403 < f32(_e371)) {
+                        let _e438 = (_e432 < f32(_e373));
+                        if (_e361 == 0f) {
+                            phi_645_ = (_e367 == 0f);
                         } else {
-                            phi_660_ = false;
+                            phi_645_ = false;
                         }
-                        let _e457 = phi_660_;
-                        if _e453 {
-                            phi_679_ = vec2<u32>(select(select(u32(_e418), 0u, (_e418 < bitcast<f32>(0u))), 4294967295u, (_e418 > bitcast<f32>(1333788671u))), select(select(u32(_e447), 0u, (_e447 < bitcast<f32>(0u))), 4294967295u, (_e447 > bitcast<f32>(1333788671u))));
-                            phi_680_ = false;
+                        let _e442 = phi_645_;
+                        if _e438 {
+                            phi_664_ = vec2<u32>(select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))), select(select(u32(_e432), 0u, (_e432 < bitcast<f32>(0u))), 4294967295u, (_e432 > bitcast<f32>(1333788671u))));
+                            phi_665_ = false;
                         } else {
-                            phi_679_ = vec2<u32>();
-                            phi_680_ = true;
+                            phi_664_ = vec2<u32>();
+                            phi_665_ = true;
                         }
-                        let _e474 = phi_679_;
-                        let _e476 = phi_680_;
-                        phi_681_ = _e457;
-                        phi_682_ = _e453;
-                        phi_683_ = _e474;
-                        phi_684_ = _e457;
-                        phi_685_ = _e453;
-                        phi_686_ = false;
-                        phi_687_ = _e476;
+                        let _e459 = phi_664_;
+                        let _e461 = phi_665_;
+                        phi_666_ = _e442;
+                        phi_667_ = _e438;
+                        phi_668_ = _e459;
+                        phi_669_ = _e442;
+                        phi_670_ = _e438;
+                        phi_671_ = false;
+                        phi_672_ = _e461;
                     } else {
-                        phi_681_ = bool();
-                        phi_682_ = bool();
-                        phi_683_ = vec2<u32>();
-                        phi_684_ = bool();
-                        phi_685_ = bool();
-                        phi_686_ = true;
-                        phi_687_ = false;
+                        phi_666_ = bool();
+                        phi_667_ = bool();
+                        phi_668_ = vec2<u32>();
+                        phi_669_ = bool();
+                        phi_670_ = bool();
+                        phi_671_ = true;
+                        phi_672_ = false;
                     }
-                    let _e478 = phi_681_;
-                    let _e480 = phi_682_;
-                    let _e482 = phi_683_;
-                    let _e484 = phi_684_;
-                    let _e486 = phi_685_;
-                    let _e488 = phi_686_;
-                    let _e490 = phi_687_;
-                    phi_688_ = _e478;
-                    phi_689_ = _e480;
-                    phi_690_ = _e482;
-                    phi_691_ = _e484;
-                    phi_692_ = _e486;
-                    phi_693_ = _e488;
-                    phi_694_ = _e490;
+                    let _e463 = phi_666_;
+                    let _e465 = phi_667_;
+                    let _e467 = phi_668_;
+                    let _e469 = phi_669_;
+                    let _e471 = phi_670_;
+                    let _e473 = phi_671_;
+                    let _e475 = phi_672_;
+                    phi_673_ = _e463;
+                    phi_674_ = _e465;
+                    phi_675_ = _e467;
+                    phi_676_ = _e469;
+                    phi_677_ = _e471;
+                    phi_678_ = _e473;
+                    phi_679_ = _e475;
                 } else {
-                    phi_688_ = bool();
-                    phi_689_ = bool();
-                    phi_690_ = vec2<u32>();
-                    phi_691_ = bool();
-                    phi_692_ = bool();
-                    phi_693_ = true;
-                    phi_694_ = false;
+                    phi_673_ = bool();
+                    phi_674_ = bool();
+                    phi_675_ = vec2<u32>();
+                    phi_676_ = bool();
+                    phi_677_ = bool();
+                    phi_678_ = true;
+                    phi_679_ = false;
                 }
-                let _e492 = phi_688_;
-                let _e494 = phi_689_;
-                let _e496 = phi_690_;
-                let _e498 = phi_691_;
-                let _e500 = phi_692_;
-                let _e502 = phi_693_;
-                let _e504 = phi_694_;
-                phi_695_ = _e492;
-                phi_696_ = _e494;
-                phi_697_ = _e496;
-                phi_698_ = _e498;
-                phi_699_ = _e500;
-                phi_700_ = _e502;
-                phi_701_ = _e504;
+                let _e477 = phi_673_;
+                let _e479 = phi_674_;
+                let _e481 = phi_675_;
+                let _e483 = phi_676_;
+                let _e485 = phi_677_;
+                let _e487 = phi_678_;
+                let _e489 = phi_679_;
+                phi_680_ = _e477;
+                phi_681_ = _e479;
+                phi_682_ = _e481;
+                phi_683_ = _e483;
+                phi_684_ = _e485;
+                phi_685_ = _e487;
+                phi_686_ = _e489;
             } else {
-                phi_695_ = bool();
-                phi_696_ = bool();
-                phi_697_ = vec2<u32>();
-                phi_698_ = bool();
-                phi_699_ = bool();
-                phi_700_ = true;
-                phi_701_ = false;
+                phi_680_ = bool();
+                phi_681_ = bool();
+                phi_682_ = vec2<u32>();
+                phi_683_ = bool();
+                phi_684_ = bool();
+                phi_685_ = true;
+                phi_686_ = false;
             }
-            let _e506 = phi_695_;
-            let _e508 = phi_696_;
-            let _e510 = phi_697_;
-            let _e512 = phi_698_;
-            let _e514 = phi_699_;
-            let _e516 = phi_700_;
-            let _e518 = phi_701_;
-            if _e516 {
-                if (_e381 == 0f) {
-                    phi_710_ = (_e382 == 0f);
+            let _e491 = phi_680_;
+            let _e493 = phi_681_;
+            let _e495 = phi_682_;
+            let _e497 = phi_683_;
+            let _e499 = phi_684_;
+            let _e501 = phi_685_;
+            let _e503 = phi_686_;
+            if _e501 {
+                if (_e361 == 0f) {
+                    phi_695_ = (_e367 == 0f);
                 } else {
-                    phi_710_ = false;
+                    phi_695_ = false;
                 }
-                let _e522 = phi_710_;
-                phi_711_ = _e522;
-                phi_712_ = false;
-                phi_713_ = true;
+                let _e507 = phi_695_;
+                phi_696_ = _e507;
+                phi_697_ = false;
+                phi_698_ = true;
             } else {
-                phi_711_ = _e512;
-                phi_712_ = _e514;
-                phi_713_ = _e518;
+                phi_696_ = _e497;
+                phi_697_ = _e499;
+                phi_698_ = _e503;
             }
-            let _e524 = phi_711_;
-            let _e526 = phi_712_;
-            let _e528 = phi_713_;
-            if _e528 {
-                phi_717_ = _e524;
-                phi_718_ = _e526;
-                phi_719_ = vec2<u32>(_e53.x, _e53.y);
+            let _e509 = phi_696_;
+            let _e511 = phi_697_;
+            let _e513 = phi_698_;
+            if _e513 {
+                phi_702_ = _e509;
+                phi_703_ = _e511;
+                phi_704_ = vec2<u32>(_e54.x, _e54.y);
             } else {
-                phi_717_ = _e506;
-                phi_718_ = _e508;
-                phi_719_ = _e510;
+                phi_702_ = _e491;
+                phi_703_ = _e493;
+                phi_704_ = _e495;
             }
-            let _e530 = phi_717_;
-            let _e532 = phi_718_;
-            let _e534 = phi_719_;
-            let _e544 = lt_mask_Reprojection(vec2<u32>(_e534.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e551 = lt_mask_Reprojection(vec2<u32>(_e544.pixel.x, _e534.y), _e544.is_valid, _e544.has_moved);
-            let _e555 = lt_mask_Reprojection(_e551.pixel, _e532, _e551.has_moved);
-            let _e559 = lt_mask_Reprojection(_e555.pixel, _e555.is_valid, !(_e530));
-            if _e532 {
-                let _e562 = p.member.previous.eye;
-                let _e570 = p.member.previous.forward;
-                let _e579 = (((((_e85.x - _e562.x) * _e570.x) + ((_e85.y - _e562.y) * _e570.y)) + ((_e85.z - _e562.z) * _e570.z)) > 0f);
-                let _e583 = lt_mask_Reprojection(_e559.pixel, _e579, _e559.has_moved);
-                if _e579 {
-                    let _e586 = p.member.previous.eye;
-                    let _e594 = p.member.previous.forward;
-                    let _e602 = ((((_e85.x - _e586.x) * _e594.x) + ((_e85.y - _e586.y) * _e594.y)) + ((_e85.z - _e586.z) * _e594.z));
-                    let _e604 = ((_e534.y * _e82) + _e534.x);
-                    if (_e604 < arrayLength((&last_depths.member))) {
+            let _e515 = phi_702_;
+            let _e517 = phi_703_;
+            let _e519 = phi_704_;
+            let _e529 = lt_mask_Reprojection(vec2<u32>(_e519.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e536 = lt_mask_Reprojection(vec2<u32>(_e529.pixel.x, _e519.y), _e529.is_valid, _e529.has_moved);
+            let _e540 = lt_mask_Reprojection(_e536.pixel, _e517, _e536.has_moved);
+            let _e544 = lt_mask_Reprojection(_e540.pixel, _e540.is_valid, !(_e515));
+            if _e517 {
+                let _e547 = p.member.previous.eye;
+                let _e555 = p.member.previous.forward;
+                let _e564 = (((((_e86.x - _e547.x) * _e555.x) + ((_e86.y - _e547.y) * _e555.y)) + ((_e86.z - _e547.z) * _e555.z)) > 0f);
+                let _e568 = lt_mask_Reprojection(_e544.pixel, _e564, _e544.has_moved);
+                if _e564 {
+                    let _e571 = p.member.previous.eye;
+                    let _e579 = p.member.previous.forward;
+                    let _e587 = ((((_e86.x - _e571.x) * _e579.x) + ((_e86.y - _e571.y) * _e579.y)) + ((_e86.z - _e571.z) * _e579.z));
+                    let _e589 = ((_e519.y * _e83) + _e519.x);
+                    if (_e589 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e608 = last_depths.member[(0u + _e604)];
-                    let _e610 = p.member.depth_tolerance;
-                    let _e613 = abs(_e602);
-                    let _e614 = abs(_e608);
-                    if ((bitcast<u32>(_e614) & 2147483647u) > 2139095040u) {
-                        phi_802_ = true;
+                    let _e593 = last_depths.member[(0u + _e589)];
+                    let _e595 = p.member.depth_tolerance;
+                    let _e598 = abs(_e587);
+                    let _e599 = abs(_e593);
+                    if ((bitcast<u32>(_e599) & 2147483647u) > 2139095040u) {
+                        phi_787_ = true;
                     } else {
-                        let _e618 = (_e614 > _e613);
-                        if _e618 {
+                        let _e603 = (_e599 > _e598);
+                        if _e603 {
                         }
-                        phi_802_ = _e618;
+                        phi_787_ = _e603;
                     }
-                    let _e620 = phi_802_;
-                    if _e620 {
-                        phi_806_ = _e614;
+                    let _e605 = phi_787_;
+                    if _e605 {
+                        phi_791_ = _e599;
                     } else {
-                        phi_806_ = _e613;
+                        phi_791_ = _e598;
                     }
-                    let _e622 = phi_806_;
-                    phi_810_ = lt_mask_Reprojection(_e583.pixel, (abs((_e602 - _e608)) <= (_e610 * _e622)), _e583.has_moved);
+                    let _e607 = phi_791_;
+                    phi_795_ = lt_mask_Reprojection(_e568.pixel, (abs((_e587 - _e593)) <= (_e595 * _e607)), _e568.has_moved);
                 } else {
-                    phi_810_ = _e583;
+                    phi_795_ = _e568;
                 }
-                let _e630 = phi_810_;
-                if _e630.is_valid {
-                    let _e633 = p.member.flags;
-                    phi_819_ = ((_e633 & 1u) != 0u);
-                    phi_820_ = false;
+                let _e615 = phi_795_;
+                if _e615.is_valid {
+                    let _e618 = p.member.flags;
+                    phi_804_ = ((_e618 & 1u) != 0u);
+                    phi_805_ = false;
                 } else {
-                    phi_819_ = bool();
-                    phi_820_ = true;
+                    phi_804_ = bool();
+                    phi_805_ = true;
                 }
-                let _e637 = phi_819_;
-                let _e639 = phi_820_;
-                phi_822_ = _e637;
-                phi_823_ = _e630;
-                phi_824_ = _e630;
-                phi_825_ = _e639;
+                let _e622 = phi_804_;
+                let _e624 = phi_805_;
+                phi_807_ = _e622;
+                phi_808_ = _e615;
+                phi_809_ = _e615;
+                phi_810_ = _e624;
             } else {
-                phi_822_ = bool();
-                phi_823_ = lt_mask_Reprojection();
-                phi_824_ = lt_mask_Reprojection(_e559.pixel, false, _e559.has_moved);
-                phi_825_ = true;
+                phi_807_ = bool();
+                phi_808_ = lt_mask_Reprojection();
+                phi_809_ = lt_mask_Reprojection(_e544.pixel, false, _e544.has_moved);
+                phi_810_ = true;
             }
-            let _e645 = phi_822_;
-            let _e647 = phi_823_;
-            let _e649 = phi_824_;
-            let _e651 = phi_825_;
-            if _e651 {
-                phi_829_ = false;
-                phi_830_ = _e649;
+            let _e630 = phi_807_;
+            let _e632 = phi_808_;
+            let _e634 = phi_809_;
+            let _e636 = phi_810_;
+            if _e636 {
+                phi_814_ = false;
+                phi_815_ = _e634;
             } else {
-                phi_829_ = _e645;
-                phi_830_ = _e647;
+                phi_814_ = _e630;
+                phi_815_ = _e632;
             }
-            let _e653 = phi_829_;
-            let _e655 = phi_830_;
-            let _e659 = lt_mask_Reprojection(_e655.pixel, _e653, _e655.has_moved);
-            if _e659.has_moved {
+            let _e638 = phi_814_;
+            let _e640 = phi_815_;
+            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
+            if _e644.has_moved {
             }
-            let _e665 = lt_mask_Neighbourhood(false, true);
-            if _e209 {
-                phi_1034_ = _e665;
+            let _e650 = lt_mask_Neighbourhood(false, true);
+            if _e210 {
+                phi_1019_ = _e650;
             } else {
                 if true {
-                    if _e653 {
-                        if _e659.has_moved {
-                            let _e668 = p.member.moving_pattern;
-                            phi_858_ = _e668;
+                    if _e638 {
+                        if _e644.has_moved {
+                            let _e653 = p.member.moving_pattern;
+                            phi_843_ = _e653;
                         } else {
-                            let _e670 = p.member.still_pattern;
-                            phi_858_ = _e670;
+                            let _e655 = p.member.still_pattern;
+                            phi_843_ = _e655;
                         }
-                        let _e672 = phi_858_;
-                        phi_860_ = 0u;
-                        phi_863_ = _e665;
+                        let _e657 = phi_843_;
+                        phi_845_ = 0u;
+                        phi_848_ = _e650;
                         loop {
-                            let _e674 = phi_860_;
-                            let _e676 = phi_863_;
-                            local_1 = _e676;
-                            if (1u <= _e672) {
-                                if (_e672 <= 4u) {
-                                    phi_875_ = false;
+                            let _e659 = phi_845_;
+                            let _e661 = phi_848_;
+                            local_1 = _e661;
+                            if (1u <= _e657) {
+                                if (_e657 <= 4u) {
+                                    phi_860_ = false;
                                 } else {
-                                    phi_875_ = true;
+                                    phi_860_ = true;
                                 }
-                                let _e680 = phi_875_;
-                                phi_876_ = _e680;
+                                let _e665 = phi_860_;
+                                phi_861_ = _e665;
                             } else {
-                                phi_876_ = true;
+                                phi_861_ = true;
                             }
-                            let _e682 = phi_876_;
-                            if _e682 {
-                                switch bitcast<i32>(_e672) {
+                            let _e667 = phi_861_;
+                            if _e667 {
+                                switch bitcast<i32>(_e657) {
                                     case 5: {
-                                        phi_884_ = 4u;
+                                        phi_869_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_884_ = 25u;
+                                        phi_869_ = 25u;
                                         break;
                                     }
                                     default: {
-                                        phi_884_ = 9u;
+                                        phi_869_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e685 = phi_884_;
-                                phi_885_ = _e685;
+                                let _e670 = phi_869_;
+                                phi_870_ = _e670;
                             } else {
-                                phi_885_ = 5u;
+                                phi_870_ = 5u;
                             }
-                            let _e687 = phi_885_;
-                            let _e688 = (_e674 < _e687);
-                            if _e688 {
-                                let _e694 = p.member.frame;
-                                let _e698 = p.member.current.size[0u];
-                                let _e700 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e672) {
+                            let _e672 = phi_870_;
+                            let _e673 = (_e659 < _e672);
+                            if _e673 {
+                                let _e679 = p.member.frame;
+                                let _e683 = p.member.current.size[0u];
+                                let _e685 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e657) {
                                     case 1: {
-                                        let _e710 = lt_mask_pattern_plus(_e674);
-                                        phi_960_ = vec2<i32>(_e710.x, _e710.y);
+                                        let _e695 = lt_mask_pattern_plus(_e659);
+                                        phi_945_ = vec2<i32>(_e695.x, _e695.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e714 = lt_mask_pattern_cross(_e674);
-                                        phi_960_ = vec2<i32>(_e714.x, _e714.y);
+                                        let _e699 = lt_mask_pattern_cross(_e659);
+                                        phi_945_ = vec2<i32>(_e699.x, _e699.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e720 = lt_mask_pattern_plus_or_cross(_e674, ((_e659.pixel.x + _e659.pixel.y) & 1u));
-                                        phi_960_ = vec2<i32>(_e720.x, _e720.y);
+                                        let _e705 = lt_mask_pattern_plus_or_cross(_e659, ((_e644.pixel.x + _e644.pixel.y) & 1u));
+                                        phi_945_ = vec2<i32>(_e705.x, _e705.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e725 = lt_mask_pattern_plus_or_cross(_e674, (_e694 & 1u));
-                                        phi_960_ = vec2<i32>(_e725.x, _e725.y);
+                                        let _e710 = lt_mask_pattern_plus_or_cross(_e659, (_e679 & 1u));
+                                        phi_945_ = vec2<i32>(_e710.x, _e710.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e694 & 3u)) {
+                                        switch bitcast<i32>((_e679 & 3u)) {
                                             case 0: {
-                                                phi_944_ = vec2(-1i);
+                                                phi_929_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_944_ = vec2(0i);
+                                                phi_929_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_944_ = vec2<i32>(0i, -1i);
+                                                phi_929_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_944_ = vec2<i32>(-1i, 0i);
+                                                phi_929_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e736 = phi_944_;
-                                        phi_960_ = (_e736 + vec2<i32>(bitcast<i32>((_e674 & 1u)), bitcast<i32>(((_e674 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e721 = phi_929_;
+                                        phi_945_ = (_e721 + vec2<i32>(bitcast<i32>((_e659 & 1u)), bitcast<i32>(((_e659 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_960_ = vec2<i32>((bitcast<i32>((_e674 % 5u)) - 2i), (bitcast<i32>(((_e674 / 5u) % 5u)) - 2i));
+                                        phi_945_ = vec2<i32>((bitcast<i32>((_e659 % 5u)) - 2i), (bitcast<i32>(((_e659 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     default: {
-                                        phi_960_ = vec2<i32>((bitcast<i32>((_e674 % 3u)) - 1i), (bitcast<i32>(((_e674 / 3u) % 3u)) - 1i));
+                                        phi_945_ = vec2<i32>((bitcast<i32>((_e659 % 3u)) - 1i), (bitcast<i32>(((_e659 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e754 = phi_960_;
-                                let _e757 = lt_mask_pattern_step_clamped(_e659.pixel.x, _e754.x, _e698);
-                                let _e758 = lt_mask_pattern_step_clamped(_e659.pixel.y, _e754.y, _e700);
-                                let _e760 = ((_e758 * _e82) + _e757);
-                                if (_e760 < arrayLength((&last_bits.member))) {
+                                let _e739 = phi_945_;
+                                let _e742 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e739.x, _e683);
+                                let _e743 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e739.y, _e685);
+                                let _e745 = ((_e743 * _e83) + _e742);
+                                if (_e745 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e764 = last_bits.member[(0u + _e760)];
-                                if ((_e764 & 2u) == 0u) {
-                                    phi_983_ = (_e764 & 1u);
+                                let _e749 = last_bits.member[(0u + _e745)];
+                                if ((_e749 & 2u) == 0u) {
+                                    phi_968_ = (_e749 & 1u);
                                 } else {
-                                    phi_983_ = (_e764 & 7u);
+                                    phi_968_ = (_e749 & 7u);
                                 }
-                                let _e770 = phi_983_;
-                                if _e676.any_expands {
-                                    phi_1009_ = true;
+                                let _e755 = phi_968_;
+                                if _e661.any_expands {
+                                    phi_994_ = true;
                                 } else {
-                                    if ((_e770 & 2u) != 0u) {
-                                        if (((_e770 & 4u) != 0u) != _e205) {
-                                            phi_1000_ = false;
+                                    if ((_e755 & 2u) != 0u) {
+                                        if (((_e755 & 4u) != 0u) != _e206) {
+                                            phi_985_ = false;
                                         } else {
-                                            phi_1000_ = true;
+                                            phi_985_ = true;
                                         }
-                                        let _e779 = phi_1000_;
-                                        phi_1001_ = _e779;
+                                        let _e764 = phi_985_;
+                                        phi_986_ = _e764;
                                     } else {
-                                        phi_1001_ = true;
+                                        phi_986_ = true;
                                     }
-                                    let _e781 = phi_1001_;
-                                    if _e781 {
-                                        phi_1008_ = (((_e770 & 1u) != 0u) != _e205);
+                                    let _e766 = phi_986_;
+                                    if _e766 {
+                                        phi_993_ = (((_e755 & 1u) != 0u) != _e206);
                                     } else {
-                                        phi_1008_ = true;
+                                        phi_993_ = true;
                                     }
-                                    let _e786 = phi_1008_;
-                                    phi_1009_ = _e786;
+                                    let _e771 = phi_993_;
+                                    phi_994_ = _e771;
                                 }
-                                let _e788 = phi_1009_;
-                                if _e676.all_remove {
-                                    if (((_e770 & 1u) != 0u) == _e205) {
-                                        if ((_e770 & 2u) != 0u) {
-                                            phi_1027_ = (((_e770 & 4u) != 0u) == _e205);
+                                let _e773 = phi_994_;
+                                if _e661.all_remove {
+                                    if (((_e755 & 1u) != 0u) == _e206) {
+                                        if ((_e755 & 2u) != 0u) {
+                                            phi_1012_ = (((_e755 & 4u) != 0u) == _e206);
                                         } else {
-                                            phi_1027_ = true;
+                                            phi_1012_ = true;
                                         }
-                                        let _e798 = phi_1027_;
-                                        phi_1028_ = _e798;
+                                        let _e783 = phi_1012_;
+                                        phi_1013_ = _e783;
                                     } else {
-                                        phi_1028_ = false;
+                                        phi_1013_ = false;
                                     }
-                                    let _e800 = phi_1028_;
-                                    phi_1029_ = _e800;
+                                    let _e785 = phi_1013_;
+                                    phi_1014_ = _e785;
                                 } else {
-                                    phi_1029_ = false;
+                                    phi_1014_ = false;
                                 }
-                                let _e802 = phi_1029_;
-                                phi_861_ = (_e674 + 1u);
-                                phi_864_ = lt_mask_Neighbourhood(_e788, _e802);
+                                let _e787 = phi_1014_;
+                                phi_846_ = (_e659 + 1u);
+                                phi_849_ = lt_mask_Neighbourhood(_e773, _e787);
                             } else {
-                                phi_861_ = u32();
-                                phi_864_ = lt_mask_Neighbourhood();
+                                phi_846_ = u32();
+                                phi_849_ = lt_mask_Neighbourhood();
                             }
-                            let _e806 = phi_861_;
-                            let _e808 = phi_864_;
+                            let _e791 = phi_846_;
+                            let _e793 = phi_849_;
                             continue;
                             continuing {
-                                phi_860_ = _e806;
-                                phi_863_ = _e808;
-                                break if !(_e688);
+                                phi_845_ = _e791;
+                                phi_848_ = _e793;
+                                break if !(_e673);
                             }
                         }
-                        let _e1023 = local_1;
-                        phi_1032_ = _e1023;
+                        let _e1008 = local_1;
+                        phi_1017_ = _e1008;
                     } else {
-                        phi_1032_ = _e665;
+                        phi_1017_ = _e650;
                     }
-                    let _e811 = phi_1032_;
-                    phi_1033_ = _e811;
+                    let _e796 = phi_1017_;
+                    phi_1018_ = _e796;
                 } else {
-                    phi_1033_ = _e665;
+                    phi_1018_ = _e650;
                 }
-                let _e813 = phi_1033_;
-                phi_1034_ = _e813;
+                let _e798 = phi_1018_;
+                phi_1019_ = _e798;
             }
-            let _e815 = phi_1034_;
-            if (_e90 != 0.5f) {
-                if _e653 {
-                    if _e209 {
-                        phi_1060_ = true;
+            let _e800 = phi_1019_;
+            if (_e91 != 0.5f) {
+                if _e638 {
+                    if _e210 {
+                        phi_1045_ = true;
                     } else {
-                        if _e815.any_expands {
-                            phi_1059_ = false;
+                        if _e800.any_expands {
+                            phi_1044_ = false;
                         } else {
-                            phi_1059_ = true;
+                            phi_1044_ = true;
                         }
-                        let _e820 = phi_1059_;
-                        phi_1060_ = _e820;
+                        let _e805 = phi_1044_;
+                        phi_1045_ = _e805;
                     }
-                    let _e822 = phi_1060_;
-                    if _e822 {
-                        if _e209 {
+                    let _e807 = phi_1045_;
+                    if _e807 {
+                        if _e210 {
                             if false {
-                                if _e815.all_remove {
-                                    phi_1073_ = false;
+                                if _e800.all_remove {
+                                    phi_1058_ = false;
                                 } else {
-                                    phi_1073_ = true;
+                                    phi_1058_ = true;
                                 }
-                                let _e824 = phi_1073_;
-                                phi_1074_ = _e824;
+                                let _e809 = phi_1058_;
+                                phi_1059_ = _e809;
                             } else {
-                                phi_1074_ = true;
+                                phi_1059_ = true;
                             }
-                            let _e826 = phi_1074_;
-                            phi_1075_ = _e826;
+                            let _e811 = phi_1059_;
+                            phi_1060_ = _e811;
                         } else {
-                            phi_1075_ = true;
+                            phi_1060_ = true;
                         }
-                        let _e828 = phi_1075_;
-                        if _e828 {
-                            if _e209 {
-                                phi_1082_ = 1u;
+                        let _e813 = phi_1060_;
+                        if _e813 {
+                            if _e210 {
+                                phi_1067_ = 1u;
                             } else {
-                                phi_1082_ = 0u;
+                                phi_1067_ = 0u;
                             }
-                            let _e830 = phi_1082_;
-                            phi_1083_ = _e830;
+                            let _e815 = phi_1067_;
+                            phi_1068_ = _e815;
                         } else {
-                            phi_1083_ = 5u;
+                            phi_1068_ = 5u;
                         }
-                        let _e832 = phi_1083_;
-                        phi_1084_ = _e832;
+                        let _e817 = phi_1068_;
+                        phi_1069_ = _e817;
                     } else {
-                        phi_1084_ = 4u;
+                        phi_1069_ = 4u;
                     }
-                    let _e834 = phi_1084_;
-                    phi_1085_ = _e834;
+                    let _e819 = phi_1069_;
+                    phi_1070_ = _e819;
                 } else {
-                    phi_1085_ = 3u;
+                    phi_1070_ = 3u;
                 }
-                let _e836 = phi_1085_;
-                phi_1086_ = _e836;
+                let _e821 = phi_1070_;
+                phi_1071_ = _e821;
             } else {
-                phi_1086_ = 2u;
+                phi_1071_ = 2u;
             }
-            let _e838 = phi_1086_;
-            if !((_e838 == 0u)) {
-                phi_1094_ = !((_e838 == 5u));
+            let _e823 = phi_1071_;
+            if !((_e823 == 0u)) {
+                phi_1079_ = !((_e823 == 5u));
             } else {
-                phi_1094_ = false;
+                phi_1079_ = false;
             }
-            let _e844 = phi_1094_;
-            if _e844 {
-                if _e205 {
-                    phi_1102_ = (2u | 1u);
+            let _e829 = phi_1079_;
+            if _e829 {
+                if _e206 {
+                    phi_1087_ = (2u | 1u);
                 } else {
-                    phi_1102_ = 2u;
+                    phi_1087_ = 2u;
                 }
-                let _e847 = phi_1102_;
+                let _e832 = phi_1087_;
                 if false {
-                    phi_1107_ = (_e847 | 4u);
+                    phi_1092_ = (_e832 | 4u);
                 } else {
-                    phi_1107_ = _e847;
+                    phi_1092_ = _e832;
                 }
-                let _e850 = phi_1107_;
-                phi_1112_ = _e850;
+                let _e835 = phi_1092_;
+                phi_1097_ = _e835;
             } else {
-                if _e205 {
-                    phi_1111_ = 1u;
+                if _e206 {
+                    phi_1096_ = 1u;
                 } else {
-                    phi_1111_ = 0u;
+                    phi_1096_ = 0u;
                 }
-                let _e852 = phi_1111_;
-                phi_1112_ = _e852;
+                let _e837 = phi_1096_;
+                phi_1097_ = _e837;
             }
-            let _e854 = phi_1112_;
-            if _e205 {
-                phi_1116_ = 0f;
+            let _e839 = phi_1097_;
+            if _e206 {
+                phi_1101_ = 0f;
             } else {
-                phi_1116_ = 1f;
+                phi_1101_ = 1f;
             }
-            let _e856 = phi_1116_;
-            phi_1118_ = mask_Masked(_e856, _e854, _e844);
+            let _e841 = phi_1101_;
+            phi_1103_ = mask_Masked(_e841, _e839, _e829);
         }
-        let _e859 = phi_1118_;
-        visibility.member[_e74.first_primitive] = _e859.visibility;
-        bits.member[_e74.first_primitive] = _e859.bits;
-        let _e867 = samples.member[_e74.first_primitive].normal[0u];
-        let _e869 = global[0u];
-        if (_e867 == _e869) {
-            let _e872 = samples.member[_e74.first_primitive].normal[1u];
-            let _e874 = global[1u];
-            if (_e872 == _e874) {
-                let _e877 = samples.member[_e74.first_primitive].normal[2u];
-                let _e879 = global[2u];
-                phi_1146_ = (_e877 == _e879);
-                phi_1147_ = false;
+        let _e844 = phi_1103_;
+        visibility.member[_e75.first_primitive] = _e844.visibility;
+        bits.member[_e75.first_primitive] = _e844.bits;
+        let _e852 = samples.member[_e75.first_primitive].normal[0u];
+        let _e854 = global[0u];
+        if (_e852 == _e854) {
+            let _e857 = samples.member[_e75.first_primitive].normal[1u];
+            let _e859 = global[1u];
+            if (_e857 == _e859) {
+                let _e862 = samples.member[_e75.first_primitive].normal[2u];
+                let _e864 = global[2u];
+                phi_1131_ = (_e862 == _e864);
+                phi_1132_ = false;
             } else {
-                phi_1146_ = bool();
-                phi_1147_ = true;
+                phi_1131_ = bool();
+                phi_1132_ = true;
             }
-            let _e882 = phi_1146_;
-            let _e884 = phi_1147_;
-            phi_1148_ = _e882;
-            phi_1149_ = _e884;
+            let _e867 = phi_1131_;
+            let _e869 = phi_1132_;
+            phi_1133_ = _e867;
+            phi_1134_ = _e869;
         } else {
-            phi_1148_ = bool();
-            phi_1149_ = true;
+            phi_1133_ = bool();
+            phi_1134_ = true;
         }
-        let _e886 = phi_1148_;
-        let _e888 = phi_1149_;
-        if _e888 {
-            phi_1153_ = false;
+        let _e871 = phi_1133_;
+        let _e873 = phi_1134_;
+        if _e873 {
+            phi_1138_ = false;
         } else {
-            phi_1153_ = _e886;
+            phi_1138_ = _e871;
         }
-        let _e890 = phi_1153_;
-        if !(_e890) {
-            let _e893 = samples.member[_e74.first_primitive].position;
-            let _e895 = p.member.current.eye;
-            let _e906 = p.member.current.forward;
-            phi_1181_ = ((((_e893.x - _e895.x) * _e906.x) + ((_e893.y - _e895.y) * _e906.y)) + ((_e893.z - _e895.z) * _e906.z));
+        let _e875 = phi_1138_;
+        if !(_e875) {
+            let _e878 = samples.member[_e75.first_primitive].position;
+            let _e880 = p.member.current.eye;
+            let _e891 = p.member.current.forward;
+            phi_1166_ = ((((_e878.x - _e880.x) * _e891.x) + ((_e878.y - _e880.y) * _e891.y)) + ((_e878.z - _e880.z) * _e891.z));
         } else {
-            phi_1181_ = 0f;
+            phi_1166_ = 0f;
         }
-        let _e916 = phi_1181_;
-        depths.member[_e74.first_primitive] = _e916;
-        phi_1184_ = _e859.needs_ray;
-        phi_1185_ = _e74.first_primitive;
+        let _e901 = phi_1166_;
+        depths.member[_e75.first_primitive] = _e901;
+        phi_1169_ = _e844.needs_ray;
+        phi_1170_ = _e75.first_primitive;
     } else {
-        phi_1184_ = false;
-        phi_1185_ = 0u;
+        phi_1169_ = false;
+        phi_1170_ = 0u;
     }
-    let _e920 = phi_1184_;
-    let _e922 = phi_1185_;
-    if (_e54 == 0u) {
+    let _e905 = phi_1169_;
+    let _e907 = phi_1170_;
+    if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e920 {
-        let _e926 = atomicAdd((&shared_[0u]), 1u);
-        phi_1196_ = _e926;
+    if _e905 {
+        let _e911 = atomicAdd((&shared_[0u]), 1u);
+        phi_1181_ = _e911;
     } else {
-        phi_1196_ = 0u;
+        phi_1181_ = 0u;
     }
-    let _e928 = phi_1196_;
+    let _e913 = phi_1181_;
     workgroupBarrier();
-    if (_e54 == 0u) {
-        let _e932 = atomicLoad((&shared_[0u]));
-        let _e933 = atomicAdd((&list.member[3u]), _e932);
-        atomicStore((&shared_[1u]), _e933);
+    if (_e55 == 0u) {
+        let _e917 = atomicLoad((&shared_[0u]));
+        let _e918 = atomicAdd((&list.member[3u]), _e917);
+        atomicStore((&shared_[1u]), _e918);
     }
     workgroupBarrier();
-    if _e920 {
-        let _e936 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e936) + _e928)]), _e922);
+    if _e905 {
+        let _e921 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e921) + _e913)]), _e907);
     }
     return;
 }

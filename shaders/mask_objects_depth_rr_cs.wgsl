@@ -114,1018 +114,1016 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_167_: lt_bvh_traverse_Tree;
-    var phi_168_: bool;
-    var phi_169_: lt_bvh_traverse_Tree;
-    var phi_170_: bool;
-    var phi_175_: lt_bvh_traverse_Tree;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
+    var phi_176_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_167_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_168_ = false;
+            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_169_ = false;
         } else {
-            phi_167_ = lt_bvh_traverse_Tree();
-            phi_168_ = true;
+            phi_168_ = lt_bvh_traverse_Tree();
+            phi_169_ = true;
         }
-        let _e66 = phi_167_;
-        let _e68 = phi_168_;
-        phi_169_ = _e66;
-        phi_170_ = _e68;
+        let _e67 = phi_168_;
+        let _e69 = phi_169_;
+        phi_170_ = _e67;
+        phi_171_ = _e69;
     } else {
-        phi_169_ = lt_bvh_traverse_Tree();
-        phi_170_ = true;
+        phi_170_ = lt_bvh_traverse_Tree();
+        phi_171_ = true;
     }
-    let _e70 = phi_169_;
-    let _e72 = phi_170_;
-    if _e72 {
-        phi_175_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e71 = phi_170_;
+    let _e73 = phi_171_;
+    if _e73 {
+        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_175_ = _e70;
+        phi_176_ = _e71;
     }
-    let _e77 = phi_175_;
-    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
+    let _e78 = phi_176_;
+    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_193_: vec2<i32>;
+    var phi_194_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_193_ = vec2(0i);
+            phi_194_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_193_ = vec2<i32>(0i, -1i);
+            phi_194_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_193_ = vec2<i32>(-1i, 0i);
+            phi_194_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_193_ = vec2<i32>(1i, 0i);
+            phi_194_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_193_ = vec2<i32>(0i, 1i);
+            phi_194_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e62 = phi_193_;
-    return vec2<i32>(_e62.x, _e62.y);
+    let _e63 = phi_194_;
+    return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_211_: vec2<i32>;
+    var phi_212_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_211_ = vec2(0i);
+            phi_212_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_211_ = vec2(-1i);
+            phi_212_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_211_ = vec2<i32>(1i, -1i);
+            phi_212_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_211_ = vec2<i32>(-1i, 1i);
+            phi_212_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_211_ = vec2(1i);
+            phi_212_ = vec2(1i);
             break;
         }
     }
-    let _e62 = phi_211_;
-    return vec2<i32>(_e62.x, _e62.y);
+    let _e63 = phi_212_;
+    return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_230_: vec2<i32>;
+    var phi_231_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e56 = lt_mask_pattern_plus(param_5);
-        phi_230_ = vec2<i32>(_e56.x, _e56.y);
+        let _e57 = lt_mask_pattern_plus(param_5);
+        phi_231_ = vec2<i32>(_e57.x, _e57.y);
     } else {
-        let _e60 = lt_mask_pattern_cross(param_5);
-        phi_230_ = vec2<i32>(_e60.x, _e60.y);
+        let _e61 = lt_mask_pattern_cross(param_5);
+        phi_231_ = vec2<i32>(_e61.x, _e61.y);
     }
-    let _e65 = phi_230_;
-    return vec2<i32>(_e65.x, _e65.y);
+    let _e66 = phi_231_;
+    return vec2<i32>(_e66.x, _e66.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_251_: u32;
     var phi_252_: u32;
+    var phi_253_: u32;
 
-    let _e57 = (bitcast<i32>(param_7) + param_8);
-    if (_e57 < 0i) {
-        phi_252_ = 0u;
+    let _e58 = (bitcast<i32>(param_7) + param_8);
+    if (_e58 < 0i) {
+        phi_253_ = 0u;
     } else {
-        if (_e57 >= bitcast<i32>(param_9)) {
-            phi_251_ = (param_9 - 1u);
+        if (_e58 >= bitcast<i32>(param_9)) {
+            phi_252_ = (param_9 - 1u);
         } else {
-            phi_251_ = bitcast<u32>(_e57);
+            phi_252_ = bitcast<u32>(_e58);
         }
-        let _e64 = phi_251_;
-        phi_252_ = _e64;
+        let _e65 = phi_252_;
+        phi_253_ = _e65;
     }
-    let _e66 = phi_252_;
-    return _e66;
+    let _e67 = phi_253_;
+    return _e67;
 }
 
 fn function_() {
-    var phi_322_: bool;
     var phi_323_: bool;
     var phi_324_: bool;
     var phi_325_: bool;
-    var phi_329_: bool;
-    var phi_373_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_377_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_390_: bool;
-    var phi_592_: f32;
-    var phi_597_: f32;
-    var phi_598_: bool;
-    var phi_599_: f32;
-    var phi_600_: bool;
-    var phi_604_: f32;
-    var phi_627_: f32;
-    var phi_632_: f32;
-    var phi_633_: bool;
-    var phi_634_: f32;
-    var phi_635_: bool;
-    var phi_639_: f32;
-    var phi_660_: bool;
-    var phi_679_: vec2<u32>;
+    var phi_326_: bool;
+    var phi_330_: bool;
+    var phi_374_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_378_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_391_: bool;
+    var phi_577_: f32;
+    var phi_582_: f32;
+    var phi_583_: bool;
+    var phi_584_: f32;
+    var phi_585_: bool;
+    var phi_589_: f32;
+    var phi_612_: f32;
+    var phi_617_: f32;
+    var phi_618_: bool;
+    var phi_619_: f32;
+    var phi_620_: bool;
+    var phi_624_: f32;
+    var phi_645_: bool;
+    var phi_664_: vec2<u32>;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_668_: vec2<u32>;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_672_: bool;
+    var phi_673_: bool;
+    var phi_674_: bool;
+    var phi_675_: vec2<u32>;
+    var phi_676_: bool;
+    var phi_677_: bool;
+    var phi_678_: bool;
+    var phi_679_: bool;
     var phi_680_: bool;
     var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: vec2<u32>;
+    var phi_682_: vec2<u32>;
+    var phi_683_: bool;
     var phi_684_: bool;
     var phi_685_: bool;
     var phi_686_: bool;
-    var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_689_: bool;
-    var phi_690_: vec2<u32>;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_694_: bool;
     var phi_695_: bool;
     var phi_696_: bool;
-    var phi_697_: vec2<u32>;
+    var phi_697_: bool;
     var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_717_: bool;
-    var phi_718_: bool;
-    var phi_719_: vec2<u32>;
-    var phi_802_: bool;
-    var phi_806_: f32;
-    var phi_810_: lt_mask_Reprojection;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_822_: bool;
-    var phi_823_: lt_mask_Reprojection;
-    var phi_824_: lt_mask_Reprojection;
-    var phi_825_: bool;
+    var phi_702_: bool;
+    var phi_703_: bool;
+    var phi_704_: vec2<u32>;
+    var phi_787_: bool;
+    var phi_791_: f32;
+    var phi_795_: lt_mask_Reprojection;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_807_: bool;
+    var phi_808_: lt_mask_Reprojection;
+    var phi_809_: lt_mask_Reprojection;
+    var phi_810_: bool;
+    var phi_814_: bool;
+    var phi_815_: lt_mask_Reprojection;
     var phi_829_: bool;
-    var phi_830_: lt_mask_Reprojection;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
     var phi_844_: bool;
-    var phi_855_: bool;
-    var phi_856_: bool;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: bool;
-    var phi_864_: bool;
-    var phi_869_: bool;
-    var phi_884_: u32;
-    var phi_886_: u32;
-    var phi_889_: lt_mask_Neighbourhood;
-    var phi_901_: bool;
-    var phi_902_: bool;
-    var phi_910_: u32;
-    var phi_911_: u32;
-    var phi_970_: vec2<i32>;
-    var phi_986_: vec2<i32>;
-    var phi_1009_: u32;
-    var phi_1026_: bool;
-    var phi_1027_: bool;
-    var phi_1034_: bool;
-    var phi_1035_: bool;
-    var phi_1053_: bool;
-    var phi_1054_: bool;
-    var phi_1055_: bool;
-    var phi_887_: u32;
-    var phi_890_: lt_mask_Neighbourhood;
-    var phi_1058_: lt_mask_Neighbourhood;
-    var phi_1059_: lt_mask_Neighbourhood;
+    var phi_845_: bool;
+    var phi_849_: bool;
+    var phi_854_: bool;
+    var phi_869_: u32;
+    var phi_871_: u32;
+    var phi_874_: lt_mask_Neighbourhood;
+    var phi_886_: bool;
+    var phi_887_: bool;
+    var phi_895_: u32;
+    var phi_896_: u32;
+    var phi_955_: vec2<i32>;
+    var phi_971_: vec2<i32>;
+    var phi_994_: u32;
+    var phi_1011_: bool;
+    var phi_1012_: bool;
+    var phi_1019_: bool;
+    var phi_1020_: bool;
+    var phi_1038_: bool;
+    var phi_1039_: bool;
+    var phi_1040_: bool;
+    var phi_872_: u32;
+    var phi_875_: lt_mask_Neighbourhood;
+    var phi_1043_: lt_mask_Neighbourhood;
+    var phi_1044_: lt_mask_Neighbourhood;
+    var phi_1069_: bool;
+    var phi_1070_: bool;
+    var phi_1083_: bool;
     var phi_1084_: bool;
     var phi_1085_: bool;
-    var phi_1098_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1107_: u32;
-    var phi_1108_: u32;
-    var phi_1109_: u32;
-    var phi_1110_: u32;
-    var phi_1111_: u32;
-    var phi_1119_: bool;
-    var phi_1127_: u32;
-    var phi_1132_: u32;
-    var phi_1136_: u32;
-    var phi_1137_: u32;
-    var phi_1141_: f32;
-    var phi_1143_: mask_Masked;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1178_: bool;
-    var phi_1206_: f32;
-    var phi_1209_: bool;
-    var phi_1210_: u32;
-    var phi_1221_: u32;
+    var phi_1092_: u32;
+    var phi_1093_: u32;
+    var phi_1094_: u32;
+    var phi_1095_: u32;
+    var phi_1096_: u32;
+    var phi_1104_: bool;
+    var phi_1112_: u32;
+    var phi_1117_: u32;
+    var phi_1121_: u32;
+    var phi_1122_: u32;
+    var phi_1126_: f32;
+    var phi_1128_: mask_Masked;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1158_: bool;
+    var phi_1159_: bool;
+    var phi_1163_: bool;
+    var phi_1191_: f32;
+    var phi_1194_: bool;
+    var phi_1195_: u32;
+    var phi_1206_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e53 = id_1;
-    let _e54 = local_2;
-    let _e71 = p.member.current.size[0u];
-    let _e73 = p.member.current.size[1u];
-    let _e74 = lt_shaders_entry_pixel_index(_e53, _e71, _e73);
-    if (bitcast<i32>(_e74.root) != 0i) {
-        let _e82 = p.member.current.size[0u];
-        let _e85 = past.member[_e74.first_primitive];
-        let _e90 = visibility.member[_e74.first_primitive];
-        let _e94 = p.member.light;
-        let _e97 = samples.member[_e74.first_primitive].normal[0u];
-        let _e99 = global[0u];
-        if (_e97 == _e99) {
-            let _e102 = samples.member[_e74.first_primitive].normal[1u];
-            let _e104 = global[1u];
-            if (_e102 == _e104) {
-                let _e107 = samples.member[_e74.first_primitive].normal[2u];
-                let _e109 = global[2u];
-                phi_322_ = (_e107 == _e109);
-                phi_323_ = false;
+    let _e54 = id_1;
+    let _e55 = local_2;
+    let _e72 = p.member.current.size[0u];
+    let _e74 = p.member.current.size[1u];
+    let _e75 = lt_shaders_entry_pixel_index(_e54, _e72, _e74);
+    if (bitcast<i32>(_e75.root) != 0i) {
+        let _e83 = p.member.current.size[0u];
+        let _e86 = past.member[_e75.first_primitive];
+        let _e91 = visibility.member[_e75.first_primitive];
+        let _e95 = p.member.light;
+        let _e98 = samples.member[_e75.first_primitive].normal[0u];
+        let _e100 = global[0u];
+        if (_e98 == _e100) {
+            let _e103 = samples.member[_e75.first_primitive].normal[1u];
+            let _e105 = global[1u];
+            if (_e103 == _e105) {
+                let _e108 = samples.member[_e75.first_primitive].normal[2u];
+                let _e110 = global[2u];
+                phi_323_ = (_e108 == _e110);
+                phi_324_ = false;
             } else {
-                phi_322_ = bool();
-                phi_323_ = true;
+                phi_323_ = bool();
+                phi_324_ = true;
             }
-            let _e112 = phi_322_;
-            let _e114 = phi_323_;
-            phi_324_ = _e112;
-            phi_325_ = _e114;
+            let _e113 = phi_323_;
+            let _e115 = phi_324_;
+            phi_325_ = _e113;
+            phi_326_ = _e115;
         } else {
-            phi_324_ = bool();
-            phi_325_ = true;
+            phi_325_ = bool();
+            phi_326_ = true;
         }
-        let _e116 = phi_324_;
-        let _e118 = phi_325_;
-        if _e118 {
-            phi_329_ = false;
+        let _e117 = phi_325_;
+        let _e119 = phi_326_;
+        if _e119 {
+            phi_330_ = false;
         } else {
-            phi_329_ = _e116;
+            phi_330_ = _e117;
         }
-        let _e120 = phi_329_;
-        if !(_e120) {
-            let _e123 = samples.member[_e74.first_primitive].normal;
-            let _e125 = samples.member[_e74.first_primitive].position;
-            if ((((_e123.x * (_e94.x - (_e125.x * _e94.w))) + (_e123.y * (_e94.y - (_e125.y * _e94.w)))) + (_e123.z * (_e94.z - (_e125.z * _e94.w)))) > 0f) {
-                let _e149 = samples.member[_e74.first_primitive].flags;
-                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-                phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, ((_e149 & 1u) == 0u));
+        let _e121 = phi_330_;
+        if !(_e121) {
+            let _e124 = samples.member[_e75.first_primitive].normal;
+            let _e126 = samples.member[_e75.first_primitive].position;
+            if ((((_e124.x * (_e95.x - (_e126.x * _e95.w))) + (_e124.y * (_e95.y - (_e126.y * _e95.w)))) + (_e124.z * (_e95.z - (_e126.z * _e95.w)))) > 0f) {
+                let _e150 = samples.member[_e75.first_primitive].flags;
+                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
+                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, ((_e150 & 1u) == 0u));
             } else {
-                let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e172.unnamed.visibility, false), _e172.unnamed_1);
-                phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e178.unnamed, true);
+                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, true);
             }
-            let _e183 = phi_373_;
-            phi_377_ = _e183;
+            let _e184 = phi_374_;
+            phi_378_ = _e184;
         } else {
-            let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e189.unnamed.visibility, false), _e189.unnamed_1);
-            phi_377_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e195.unnamed, true);
+            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
+            phi_378_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, true);
         }
-        let _e200 = phi_377_;
-        if _e200.unnamed_1 {
-            phi_1143_ = mask_Masked(_e200.unnamed.visibility, 0u, false);
+        let _e201 = phi_378_;
+        if _e201.unnamed_1 {
+            phi_1128_ = mask_Masked(_e201.unnamed.visibility, 0u, false);
         } else {
-            let _e205 = (_e90 < 0.5f);
-            if (_e90 > 0f) {
-                phi_390_ = (_e90 < 1f);
+            let _e206 = (_e91 < 0.5f);
+            if (_e91 > 0f) {
+                phi_391_ = (_e91 < 1f);
             } else {
-                phi_390_ = false;
+                phi_391_ = false;
             }
-            let _e209 = phi_390_;
-            let _e211 = samples.member[_e74.first_primitive].position;
-            let _e215 = p.member.previous.eye;
-            let _e217 = (_e85.x - _e215.x);
-            let _e219 = (_e85.y - _e215.y);
-            let _e221 = (_e85.z - _e215.z);
-            let _e223 = p.member.previous.forward;
-            let _e231 = (((_e217 * _e223.x) + (_e219 * _e223.y)) + (_e221 * _e223.z));
-            let _e233 = p.member.previous.right;
-            let _e243 = p.member.previous.right;
-            let _e258 = p.member.previous.up;
-            let _e268 = p.member.previous.up;
-            let _e286 = p.member.previous.size[0u];
-            let _e293 = p.member.previous.size[1u];
-            let _e297 = p.member.current.eye;
-            let _e300 = (_e211.x - _e297.x);
-            let _e303 = (_e211.y - _e297.y);
-            let _e306 = (_e211.z - _e297.z);
-            let _e308 = p.member.current.forward;
-            let _e316 = (((_e300 * _e308.x) + (_e303 * _e308.y)) + (_e306 * _e308.z));
-            let _e318 = p.member.current.right;
-            let _e328 = p.member.current.right;
-            let _e343 = p.member.current.up;
-            let _e353 = p.member.current.up;
+            let _e210 = phi_391_;
+            let _e212 = samples.member[_e75.first_primitive].position;
+            let _e216 = p.member.previous.eye;
+            let _e218 = (_e86.x - _e216.x);
+            let _e220 = (_e86.y - _e216.y);
+            let _e222 = (_e86.z - _e216.z);
+            let _e224 = p.member.previous.forward;
+            let _e232 = (((_e218 * _e224.x) + (_e220 * _e224.y)) + (_e222 * _e224.z));
+            let _e234 = p.member.previous.right;
+            let _e244 = p.member.previous.right;
+            let _e259 = p.member.previous.up;
+            let _e269 = p.member.previous.up;
+            let _e284 = p.member.current.eye;
+            let _e287 = (_e212.x - _e284.x);
+            let _e290 = (_e212.y - _e284.y);
+            let _e293 = (_e212.z - _e284.z);
+            let _e295 = p.member.current.forward;
+            let _e303 = (((_e287 * _e295.x) + (_e290 * _e295.y)) + (_e293 * _e295.z));
+            let _e305 = p.member.current.right;
+            let _e315 = p.member.current.right;
+            let _e330 = p.member.current.up;
+            let _e340 = p.member.current.up;
+            let _e359 = p.member.current.size[0u];
+            let _e361 = (((((((_e218 * _e234.x) + (_e220 * _e234.y)) + (_e222 * _e234.z)) / ((((_e244.x * _e244.x) + (_e244.y * _e244.y)) + (_e244.z * _e244.z)) * _e232)) - ((((_e287 * _e305.x) + (_e290 * _e305.y)) + (_e293 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e303))) * 0.5f) * f32(_e359));
+            let _e365 = p.member.current.size[1u];
+            let _e367 = (((((((_e218 * _e259.x) + (_e220 * _e259.y)) + (_e222 * _e259.z)) / ((((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)) * _e232)) - ((((_e287 * _e330.x) + (_e290 * _e330.y)) + (_e293 * _e330.z)) / ((((_e340.x * _e340.x) + (_e340.y * _e340.y)) + (_e340.z * _e340.z)) * _e303))) * -0.5f) * f32(_e365));
             let _e371 = p.member.current.size[0u];
-            let _e378 = p.member.current.size[1u];
-            let _e381 = ((((((((_e217 * _e233.x) + (_e219 * _e233.y)) + (_e221 * _e233.z)) / ((((_e243.x * _e243.x) + (_e243.y * _e243.y)) + (_e243.z * _e243.z)) * _e231)) * 0.5f) + 0.5f) * f32(_e286)) - (((((((_e300 * _e318.x) + (_e303 * _e318.y)) + (_e306 * _e318.z)) / ((((_e328.x * _e328.x) + (_e328.y * _e328.y)) + (_e328.z * _e328.z)) * _e316)) * 0.5f) + 0.5f) * f32(_e371)));
-            let _e382 = (((0.5f - (((((_e217 * _e258.x) + (_e219 * _e258.y)) + (_e221 * _e258.z)) / ((((_e268.x * _e268.x) + (_e268.y * _e268.y)) + (_e268.z * _e268.z)) * _e231)) * 0.5f)) * f32(_e293)) - ((0.5f - (((((_e300 * _e343.x) + (_e303 * _e343.y)) + (_e306 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e316)) * 0.5f)) * f32(_e378)));
-            let _e386 = p.member.current.size[0u];
-            let _e388 = p.member.current.size[1u];
-            let _e392 = ((f32(_e53.x) + 0.5f) + _e381);
-            if (_e392 > -8388608f) {
-                let _e404 = f32(select(0i, select(select(i32(_e392), i32(-2147483648), (_e392 < bitcast<f32>(3472883712u))), 2147483647i, (_e392 > bitcast<f32>(1325400063u))), (_e392 == _e392)));
-                if (_e404 > _e392) {
-                    phi_592_ = 1f;
+            let _e373 = p.member.current.size[1u];
+            let _e377 = ((f32(_e54.x) + 0.5f) + _e361);
+            if (_e377 > -8388608f) {
+                let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
+                if (_e389 > _e377) {
+                    phi_577_ = 1f;
                 } else {
-                    phi_592_ = 0f;
+                    phi_577_ = 0f;
                 }
-                let _e407 = phi_592_;
-                if (_e392 < 8388608f) {
-                    phi_597_ = (_e404 - _e407);
-                    phi_598_ = false;
+                let _e392 = phi_577_;
+                if (_e377 < 8388608f) {
+                    phi_582_ = (_e389 - _e392);
+                    phi_583_ = false;
                 } else {
-                    phi_597_ = f32();
-                    phi_598_ = true;
+                    phi_582_ = f32();
+                    phi_583_ = true;
                 }
-                let _e410 = phi_597_;
-                let _e412 = phi_598_;
-                phi_599_ = _e410;
-                phi_600_ = _e412;
+                let _e395 = phi_582_;
+                let _e397 = phi_583_;
+                phi_584_ = _e395;
+                phi_585_ = _e397;
             } else {
-                phi_599_ = f32();
-                phi_600_ = true;
+                phi_584_ = f32();
+                phi_585_ = true;
             }
-            let _e414 = phi_599_;
-            let _e416 = phi_600_;
-            if _e416 {
-                phi_604_ = _e392;
+            let _e399 = phi_584_;
+            let _e401 = phi_585_;
+            if _e401 {
+                phi_589_ = _e377;
             } else {
-                phi_604_ = _e414;
+                phi_589_ = _e399;
             }
-            let _e418 = phi_604_;
-            let _e421 = ((f32(_e53.y) + 0.5f) + _e382);
-            if (_e421 > -8388608f) {
-                let _e433 = f32(select(0i, select(select(i32(_e421), i32(-2147483648), (_e421 < bitcast<f32>(3472883712u))), 2147483647i, (_e421 > bitcast<f32>(1325400063u))), (_e421 == _e421)));
-                if (_e433 > _e421) {
-                    phi_627_ = 1f;
+            let _e403 = phi_589_;
+            let _e406 = ((f32(_e54.y) + 0.5f) + _e367);
+            if (_e406 > -8388608f) {
+                let _e418 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
+                if (_e418 > _e406) {
+                    phi_612_ = 1f;
                 } else {
-                    phi_627_ = 0f;
+                    phi_612_ = 0f;
                 }
-                let _e436 = phi_627_;
-                if (_e421 < 8388608f) {
-                    phi_632_ = (_e433 - _e436);
-                    phi_633_ = false;
+                let _e421 = phi_612_;
+                if (_e406 < 8388608f) {
+                    phi_617_ = (_e418 - _e421);
+                    phi_618_ = false;
                 } else {
-                    phi_632_ = f32();
-                    phi_633_ = true;
+                    phi_617_ = f32();
+                    phi_618_ = true;
                 }
-                let _e439 = phi_632_;
-                let _e441 = phi_633_;
-                phi_634_ = _e439;
-                phi_635_ = _e441;
+                let _e424 = phi_617_;
+                let _e426 = phi_618_;
+                phi_619_ = _e424;
+                phi_620_ = _e426;
             } else {
-                phi_634_ = f32();
-                phi_635_ = true;
+                phi_619_ = f32();
+                phi_620_ = true;
             }
-            let _e443 = phi_634_;
-            let _e445 = phi_635_;
-            if _e445 {
-                phi_639_ = _e421;
+            let _e428 = phi_619_;
+            let _e430 = phi_620_;
+            if _e430 {
+                phi_624_ = _e406;
             } else {
-                phi_639_ = _e443;
+                phi_624_ = _e428;
             }
-            let _e447 = phi_639_;
-            if (_e418 >= 0f) {
-                if (_e447 >= 0f) {
-                    if (_e418 < f32(_e386)) {
-                        let _e453 = (_e447 < f32(_e388));
-                        if (_e381 == 0f) {
-                            phi_660_ = (_e382 == 0f);
+            let _e432 = phi_624_;
+            if (_e403 >= 0f) {
+                if (_e432 >= 0f) {
+                    if (_e403 < f32(_e371)) {
+                        let _e438 = (_e432 < f32(_e373));
+                        if (_e361 == 0f) {
+                            phi_645_ = (_e367 == 0f);
                         } else {
-                            phi_660_ = false;
+                            phi_645_ = false;
                         }
-                        let _e457 = phi_660_;
-                        if _e453 {
-                            phi_679_ = vec2<u32>(select(select(u32(_e418), 0u, (_e418 < bitcast<f32>(0u))), 4294967295u, (_e418 > bitcast<f32>(1333788671u))), select(select(u32(_e447), 0u, (_e447 < bitcast<f32>(0u))), 4294967295u, (_e447 > bitcast<f32>(1333788671u))));
-                            phi_680_ = false;
+                        let _e442 = phi_645_;
+                        if _e438 {
+                            phi_664_ = vec2<u32>(select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))), select(select(u32(_e432), 0u, (_e432 < bitcast<f32>(0u))), 4294967295u, (_e432 > bitcast<f32>(1333788671u))));
+                            phi_665_ = false;
                         } else {
-                            phi_679_ = vec2<u32>();
-                            phi_680_ = true;
+                            phi_664_ = vec2<u32>();
+                            phi_665_ = true;
                         }
-                        let _e474 = phi_679_;
-                        let _e476 = phi_680_;
-                        phi_681_ = _e457;
-                        phi_682_ = _e453;
-                        phi_683_ = _e474;
-                        phi_684_ = _e457;
-                        phi_685_ = _e453;
-                        phi_686_ = false;
-                        phi_687_ = _e476;
+                        let _e459 = phi_664_;
+                        let _e461 = phi_665_;
+                        phi_666_ = _e442;
+                        phi_667_ = _e438;
+                        phi_668_ = _e459;
+                        phi_669_ = _e442;
+                        phi_670_ = _e438;
+                        phi_671_ = false;
+                        phi_672_ = _e461;
                     } else {
-                        phi_681_ = bool();
-                        phi_682_ = bool();
-                        phi_683_ = vec2<u32>();
-                        phi_684_ = bool();
-                        phi_685_ = bool();
-                        phi_686_ = true;
-                        phi_687_ = false;
+                        phi_666_ = bool();
+                        phi_667_ = bool();
+                        phi_668_ = vec2<u32>();
+                        phi_669_ = bool();
+                        phi_670_ = bool();
+                        phi_671_ = true;
+                        phi_672_ = false;
                     }
-                    let _e478 = phi_681_;
-                    let _e480 = phi_682_;
-                    let _e482 = phi_683_;
-                    let _e484 = phi_684_;
-                    let _e486 = phi_685_;
-                    let _e488 = phi_686_;
-                    let _e490 = phi_687_;
-                    phi_688_ = _e478;
-                    phi_689_ = _e480;
-                    phi_690_ = _e482;
-                    phi_691_ = _e484;
-                    phi_692_ = _e486;
-                    phi_693_ = _e488;
-                    phi_694_ = _e490;
+                    let _e463 = phi_666_;
+                    let _e465 = phi_667_;
+                    let _e467 = phi_668_;
+                    let _e469 = phi_669_;
+                    let _e471 = phi_670_;
+                    let _e473 = phi_671_;
+                    let _e475 = phi_672_;
+                    phi_673_ = _e463;
+                    phi_674_ = _e465;
+                    phi_675_ = _e467;
+                    phi_676_ = _e469;
+                    phi_677_ = _e471;
+                    phi_678_ = _e473;
+                    phi_679_ = _e475;
                 } else {
-                    phi_688_ = bool();
-                    phi_689_ = bool();
-                    phi_690_ = vec2<u32>();
-                    phi_691_ = bool();
-                    phi_692_ = bool();
-                    phi_693_ = true;
-                    phi_694_ = false;
+                    phi_673_ = bool();
+                    phi_674_ = bool();
+                    phi_675_ = vec2<u32>();
+                    phi_676_ = bool();
+                    phi_677_ = bool();
+                    phi_678_ = true;
+                    phi_679_ = false;
                 }
-                let _e492 = phi_688_;
-                let _e494 = phi_689_;
-                let _e496 = phi_690_;
-                let _e498 = phi_691_;
-                let _e500 = phi_692_;
-                let _e502 = phi_693_;
-                let _e504 = phi_694_;
-                phi_695_ = _e492;
-                phi_696_ = _e494;
-                phi_697_ = _e496;
-                phi_698_ = _e498;
-                phi_699_ = _e500;
-                phi_700_ = _e502;
-                phi_701_ = _e504;
+                let _e477 = phi_673_;
+                let _e479 = phi_674_;
+                let _e481 = phi_675_;
+                let _e483 = phi_676_;
+                let _e485 = phi_677_;
+                let _e487 = phi_678_;
+                let _e489 = phi_679_;
+                phi_680_ = _e477;
+                phi_681_ = _e479;
+                phi_682_ = _e481;
+                phi_683_ = _e483;
+                phi_684_ = _e485;
+                phi_685_ = _e487;
+                phi_686_ = _e489;
             } else {
-                phi_695_ = bool();
-                phi_696_ = bool();
-                phi_697_ = vec2<u32>();
-                phi_698_ = bool();
-                phi_699_ = bool();
-                phi_700_ = true;
-                phi_701_ = false;
+                phi_680_ = bool();
+                phi_681_ = bool();
+                phi_682_ = vec2<u32>();
+                phi_683_ = bool();
+                phi_684_ = bool();
+                phi_685_ = true;
+                phi_686_ = false;
             }
-            let _e506 = phi_695_;
-            let _e508 = phi_696_;
-            let _e510 = phi_697_;
-            let _e512 = phi_698_;
-            let _e514 = phi_699_;
-            let _e516 = phi_700_;
-            let _e518 = phi_701_;
-            if _e516 {
-                if (_e381 == 0f) {
-                    phi_710_ = (_e382 == 0f);
+            let _e491 = phi_680_;
+            let _e493 = phi_681_;
+            let _e495 = phi_682_;
+            let _e497 = phi_683_;
+            let _e499 = phi_684_;
+            let _e501 = phi_685_;
+            let _e503 = phi_686_;
+            if _e501 {
+                if (_e361 == 0f) {
+                    phi_695_ = (_e367 == 0f);
                 } else {
-                    phi_710_ = false;
+                    phi_695_ = false;
                 }
-                let _e522 = phi_710_;
-                phi_711_ = _e522;
-                phi_712_ = false;
-                phi_713_ = true;
+                let _e507 = phi_695_;
+                phi_696_ = _e507;
+                phi_697_ = false;
+                phi_698_ = true;
             } else {
-                phi_711_ = _e512;
-                phi_712_ = _e514;
-                phi_713_ = _e518;
+                phi_696_ = _e497;
+                phi_697_ = _e499;
+                phi_698_ = _e503;
             }
-            let _e524 = phi_711_;
-            let _e526 = phi_712_;
-            let _e528 = phi_713_;
-            if _e528 {
-                phi_717_ = _e524;
-                phi_718_ = _e526;
-                phi_719_ = vec2<u32>(_e53.x, _e53.y);
+            let _e509 = phi_696_;
+            let _e511 = phi_697_;
+            let _e513 = phi_698_;
+            if _e513 {
+                phi_702_ = _e509;
+                phi_703_ = _e511;
+                phi_704_ = vec2<u32>(_e54.x, _e54.y);
             } else {
-                phi_717_ = _e506;
-                phi_718_ = _e508;
-                phi_719_ = _e510;
+                phi_702_ = _e491;
+                phi_703_ = _e493;
+                phi_704_ = _e495;
             }
-            let _e530 = phi_717_;
-            let _e532 = phi_718_;
-            let _e534 = phi_719_;
-            let _e544 = lt_mask_Reprojection(vec2<u32>(_e534.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e551 = lt_mask_Reprojection(vec2<u32>(_e544.pixel.x, _e534.y), _e544.is_valid, _e544.has_moved);
-            let _e555 = lt_mask_Reprojection(_e551.pixel, _e532, _e551.has_moved);
-            let _e559 = lt_mask_Reprojection(_e555.pixel, _e555.is_valid, !(_e530));
-            if _e532 {
-                let _e562 = p.member.previous.eye;
-                let _e570 = p.member.previous.forward;
-                let _e579 = (((((_e85.x - _e562.x) * _e570.x) + ((_e85.y - _e562.y) * _e570.y)) + ((_e85.z - _e562.z) * _e570.z)) > 0f);
-                let _e583 = lt_mask_Reprojection(_e559.pixel, _e579, _e559.has_moved);
-                if _e579 {
-                    let _e586 = p.member.previous.eye;
-                    let _e594 = p.member.previous.forward;
-                    let _e602 = ((((_e85.x - _e586.x) * _e594.x) + ((_e85.y - _e586.y) * _e594.y)) + ((_e85.z - _e586.z) * _e594.z));
-                    let _e604 = ((_e534.y * _e82) + _e534.x);
-                    if (_e604 < arrayLength((&last_depths.member))) {
+            let _e515 = phi_702_;
+            let _e517 = phi_703_;
+            let _e519 = phi_704_;
+            let _e529 = lt_mask_Reprojection(vec2<u32>(_e519.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e536 = lt_mask_Reprojection(vec2<u32>(_e529.pixel.x, _e519.y), _e529.is_valid, _e529.has_moved);
+            let _e540 = lt_mask_Reprojection(_e536.pixel, _e517, _e536.has_moved);
+            let _e544 = lt_mask_Reprojection(_e540.pixel, _e540.is_valid, !(_e515));
+            if _e517 {
+                let _e547 = p.member.previous.eye;
+                let _e555 = p.member.previous.forward;
+                let _e564 = (((((_e86.x - _e547.x) * _e555.x) + ((_e86.y - _e547.y) * _e555.y)) + ((_e86.z - _e547.z) * _e555.z)) > 0f);
+                let _e568 = lt_mask_Reprojection(_e544.pixel, _e564, _e544.has_moved);
+                if _e564 {
+                    let _e571 = p.member.previous.eye;
+                    let _e579 = p.member.previous.forward;
+                    let _e587 = ((((_e86.x - _e571.x) * _e579.x) + ((_e86.y - _e571.y) * _e579.y)) + ((_e86.z - _e571.z) * _e579.z));
+                    let _e589 = ((_e519.y * _e83) + _e519.x);
+                    if (_e589 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e608 = last_depths.member[(0u + _e604)];
-                    let _e610 = p.member.depth_tolerance;
-                    let _e613 = abs(_e602);
-                    let _e614 = abs(_e608);
-                    if ((bitcast<u32>(_e614) & 2147483647u) > 2139095040u) {
-                        phi_802_ = true;
+                    let _e593 = last_depths.member[(0u + _e589)];
+                    let _e595 = p.member.depth_tolerance;
+                    let _e598 = abs(_e587);
+                    let _e599 = abs(_e593);
+                    if ((bitcast<u32>(_e599) & 2147483647u) > 2139095040u) {
+                        phi_787_ = true;
                     } else {
-                        let _e618 = (_e614 > _e613);
-                        if _e618 {
+                        let _e603 = (_e599 > _e598);
+                        if _e603 {
                         }
-                        phi_802_ = _e618;
+                        phi_787_ = _e603;
                     }
-                    let _e620 = phi_802_;
-                    if _e620 {
-                        phi_806_ = _e614;
+                    let _e605 = phi_787_;
+                    if _e605 {
+                        phi_791_ = _e599;
                     } else {
-                        phi_806_ = _e613;
+                        phi_791_ = _e598;
                     }
-                    let _e622 = phi_806_;
-                    phi_810_ = lt_mask_Reprojection(_e583.pixel, (abs((_e602 - _e608)) <= (_e610 * _e622)), _e583.has_moved);
+                    let _e607 = phi_791_;
+                    phi_795_ = lt_mask_Reprojection(_e568.pixel, (abs((_e587 - _e593)) <= (_e595 * _e607)), _e568.has_moved);
                 } else {
-                    phi_810_ = _e583;
+                    phi_795_ = _e568;
                 }
-                let _e630 = phi_810_;
-                if _e630.is_valid {
-                    let _e633 = p.member.flags;
-                    phi_819_ = ((_e633 & 1u) != 0u);
-                    phi_820_ = false;
+                let _e615 = phi_795_;
+                if _e615.is_valid {
+                    let _e618 = p.member.flags;
+                    phi_804_ = ((_e618 & 1u) != 0u);
+                    phi_805_ = false;
                 } else {
-                    phi_819_ = bool();
-                    phi_820_ = true;
+                    phi_804_ = bool();
+                    phi_805_ = true;
                 }
-                let _e637 = phi_819_;
-                let _e639 = phi_820_;
-                phi_822_ = _e637;
-                phi_823_ = _e630;
-                phi_824_ = _e630;
-                phi_825_ = _e639;
+                let _e622 = phi_804_;
+                let _e624 = phi_805_;
+                phi_807_ = _e622;
+                phi_808_ = _e615;
+                phi_809_ = _e615;
+                phi_810_ = _e624;
             } else {
-                phi_822_ = bool();
-                phi_823_ = lt_mask_Reprojection();
-                phi_824_ = lt_mask_Reprojection(_e559.pixel, false, _e559.has_moved);
-                phi_825_ = true;
+                phi_807_ = bool();
+                phi_808_ = lt_mask_Reprojection();
+                phi_809_ = lt_mask_Reprojection(_e544.pixel, false, _e544.has_moved);
+                phi_810_ = true;
             }
-            let _e645 = phi_822_;
-            let _e647 = phi_823_;
-            let _e649 = phi_824_;
-            let _e651 = phi_825_;
-            if _e651 {
+            let _e630 = phi_807_;
+            let _e632 = phi_808_;
+            let _e634 = phi_809_;
+            let _e636 = phi_810_;
+            if _e636 {
+                phi_814_ = false;
+                phi_815_ = _e634;
+            } else {
+                phi_814_ = _e630;
+                phi_815_ = _e632;
+            }
+            let _e638 = phi_814_;
+            let _e640 = phi_815_;
+            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
+            let _e646 = p.member.flags;
+            if _e644.has_moved {
+                let _e651 = p.member.flags;
+                phi_829_ = ((_e651 & 4u) == 0u);
+            } else {
                 phi_829_ = false;
-                phi_830_ = _e649;
-            } else {
-                phi_829_ = _e645;
-                phi_830_ = _e647;
             }
-            let _e653 = phi_829_;
-            let _e655 = phi_830_;
-            let _e659 = lt_mask_Reprojection(_e655.pixel, _e653, _e655.has_moved);
-            let _e661 = p.member.flags;
-            if _e659.has_moved {
-                let _e666 = p.member.flags;
-                phi_844_ = ((_e666 & 4u) == 0u);
-            } else {
-                phi_844_ = false;
-            }
-            let _e670 = phi_844_;
-            if ((_e661 & 2u) != 0u) {
+            let _e655 = phi_829_;
+            if ((_e646 & 2u) != 0u) {
                 if false {
-                    phi_857_ = bool();
-                    phi_858_ = true;
+                    phi_842_ = bool();
+                    phi_843_ = true;
                 } else {
                     if true {
-                        phi_855_ = !(_e670);
-                        phi_856_ = false;
+                        phi_840_ = !(_e655);
+                        phi_841_ = false;
                     } else {
-                        phi_855_ = bool();
-                        phi_856_ = true;
+                        phi_840_ = bool();
+                        phi_841_ = true;
                     }
-                    let _e673 = phi_855_;
-                    let _e675 = phi_856_;
-                    phi_857_ = _e673;
-                    phi_858_ = _e675;
+                    let _e658 = phi_840_;
+                    let _e660 = phi_841_;
+                    phi_842_ = _e658;
+                    phi_843_ = _e660;
                 }
-                let _e677 = phi_857_;
-                let _e679 = phi_858_;
-                phi_859_ = _e677;
-                phi_860_ = _e679;
+                let _e662 = phi_842_;
+                let _e664 = phi_843_;
+                phi_844_ = _e662;
+                phi_845_ = _e664;
             } else {
-                phi_859_ = bool();
-                phi_860_ = true;
+                phi_844_ = bool();
+                phi_845_ = true;
             }
-            let _e681 = phi_859_;
-            let _e683 = phi_860_;
-            if _e683 {
-                phi_864_ = false;
+            let _e666 = phi_844_;
+            let _e668 = phi_845_;
+            if _e668 {
+                phi_849_ = false;
             } else {
-                phi_864_ = _e681;
+                phi_849_ = _e666;
             }
-            let _e685 = phi_864_;
-            let _e686 = lt_mask_Neighbourhood(false, true);
-            if _e209 {
-                phi_869_ = _e685;
+            let _e670 = phi_849_;
+            let _e671 = lt_mask_Neighbourhood(false, true);
+            if _e210 {
+                phi_854_ = _e670;
             } else {
-                phi_869_ = false;
+                phi_854_ = false;
             }
-            let _e688 = phi_869_;
-            if _e688 {
-                if _e653 {
-                    if _e659.has_moved {
-                        let _e691 = p.member.moving_pattern;
-                        phi_884_ = _e691;
+            let _e673 = phi_854_;
+            if _e673 {
+                if _e638 {
+                    if _e644.has_moved {
+                        let _e676 = p.member.moving_pattern;
+                        phi_869_ = _e676;
                     } else {
-                        let _e693 = p.member.still_pattern;
-                        phi_884_ = _e693;
+                        let _e678 = p.member.still_pattern;
+                        phi_869_ = _e678;
                     }
-                    let _e695 = phi_884_;
-                    phi_886_ = 0u;
-                    phi_889_ = _e686;
+                    let _e680 = phi_869_;
+                    phi_871_ = 0u;
+                    phi_874_ = _e671;
                     loop {
-                        let _e697 = phi_886_;
-                        let _e699 = phi_889_;
-                        local_1 = _e699;
-                        if (1u <= _e695) {
-                            if (_e695 <= 4u) {
-                                phi_901_ = false;
+                        let _e682 = phi_871_;
+                        let _e684 = phi_874_;
+                        local_1 = _e684;
+                        if (1u <= _e680) {
+                            if (_e680 <= 4u) {
+                                phi_886_ = false;
                             } else {
-                                phi_901_ = true;
+                                phi_886_ = true;
                             }
-                            let _e703 = phi_901_;
-                            phi_902_ = _e703;
+                            let _e688 = phi_886_;
+                            phi_887_ = _e688;
                         } else {
-                            phi_902_ = true;
+                            phi_887_ = true;
                         }
-                        let _e705 = phi_902_;
-                        if _e705 {
-                            switch bitcast<i32>(_e695) {
+                        let _e690 = phi_887_;
+                        if _e690 {
+                            switch bitcast<i32>(_e680) {
                                 case 5: {
-                                    phi_910_ = 4u;
+                                    phi_895_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_910_ = 25u;
+                                    phi_895_ = 25u;
                                     break;
                                 }
                                 default: {
-                                    phi_910_ = 9u;
+                                    phi_895_ = 9u;
                                     break;
                                 }
                             }
-                            let _e708 = phi_910_;
-                            phi_911_ = _e708;
+                            let _e693 = phi_895_;
+                            phi_896_ = _e693;
                         } else {
-                            phi_911_ = 5u;
+                            phi_896_ = 5u;
                         }
-                        let _e710 = phi_911_;
-                        let _e711 = (_e697 < _e710);
-                        if _e711 {
-                            let _e717 = p.member.frame;
-                            let _e721 = p.member.current.size[0u];
-                            let _e723 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e695) {
+                        let _e695 = phi_896_;
+                        let _e696 = (_e682 < _e695);
+                        if _e696 {
+                            let _e702 = p.member.frame;
+                            let _e706 = p.member.current.size[0u];
+                            let _e708 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e680) {
                                 case 1: {
-                                    let _e733 = lt_mask_pattern_plus(_e697);
-                                    phi_986_ = vec2<i32>(_e733.x, _e733.y);
+                                    let _e718 = lt_mask_pattern_plus(_e682);
+                                    phi_971_ = vec2<i32>(_e718.x, _e718.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e737 = lt_mask_pattern_cross(_e697);
-                                    phi_986_ = vec2<i32>(_e737.x, _e737.y);
+                                    let _e722 = lt_mask_pattern_cross(_e682);
+                                    phi_971_ = vec2<i32>(_e722.x, _e722.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e743 = lt_mask_pattern_plus_or_cross(_e697, ((_e659.pixel.x + _e659.pixel.y) & 1u));
-                                    phi_986_ = vec2<i32>(_e743.x, _e743.y);
+                                    let _e728 = lt_mask_pattern_plus_or_cross(_e682, ((_e644.pixel.x + _e644.pixel.y) & 1u));
+                                    phi_971_ = vec2<i32>(_e728.x, _e728.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e748 = lt_mask_pattern_plus_or_cross(_e697, (_e717 & 1u));
-                                    phi_986_ = vec2<i32>(_e748.x, _e748.y);
+                                    let _e733 = lt_mask_pattern_plus_or_cross(_e682, (_e702 & 1u));
+                                    phi_971_ = vec2<i32>(_e733.x, _e733.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e717 & 3u)) {
+                                    switch bitcast<i32>((_e702 & 3u)) {
                                         case 0: {
-                                            phi_970_ = vec2(-1i);
+                                            phi_955_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_970_ = vec2(0i);
+                                            phi_955_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_970_ = vec2<i32>(0i, -1i);
+                                            phi_955_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_970_ = vec2<i32>(-1i, 0i);
+                                            phi_955_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e759 = phi_970_;
-                                    phi_986_ = (_e759 + vec2<i32>(bitcast<i32>((_e697 & 1u)), bitcast<i32>(((_e697 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e744 = phi_955_;
+                                    phi_971_ = (_e744 + vec2<i32>(bitcast<i32>((_e682 & 1u)), bitcast<i32>(((_e682 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_986_ = vec2<i32>((bitcast<i32>((_e697 % 5u)) - 2i), (bitcast<i32>(((_e697 / 5u) % 5u)) - 2i));
+                                    phi_971_ = vec2<i32>((bitcast<i32>((_e682 % 5u)) - 2i), (bitcast<i32>(((_e682 / 5u) % 5u)) - 2i));
                                     break;
                                 }
                                 default: {
-                                    phi_986_ = vec2<i32>((bitcast<i32>((_e697 % 3u)) - 1i), (bitcast<i32>(((_e697 / 3u) % 3u)) - 1i));
+                                    phi_971_ = vec2<i32>((bitcast<i32>((_e682 % 3u)) - 1i), (bitcast<i32>(((_e682 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e777 = phi_986_;
-                            let _e780 = lt_mask_pattern_step_clamped(_e659.pixel.x, _e777.x, _e721);
-                            let _e781 = lt_mask_pattern_step_clamped(_e659.pixel.y, _e777.y, _e723);
-                            let _e783 = ((_e781 * _e82) + _e780);
-                            if (_e783 < arrayLength((&last_bits.member))) {
+                            let _e762 = phi_971_;
+                            let _e765 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e762.x, _e706);
+                            let _e766 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e762.y, _e708);
+                            let _e768 = ((_e766 * _e83) + _e765);
+                            if (_e768 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e787 = last_bits.member[(0u + _e783)];
-                            if ((_e787 & 2u) == 0u) {
-                                phi_1009_ = (_e787 & 1u);
+                            let _e772 = last_bits.member[(0u + _e768)];
+                            if ((_e772 & 2u) == 0u) {
+                                phi_994_ = (_e772 & 1u);
                             } else {
-                                phi_1009_ = (_e787 & 7u);
+                                phi_994_ = (_e772 & 7u);
                             }
-                            let _e793 = phi_1009_;
-                            if _e699.any_expands {
-                                phi_1035_ = true;
+                            let _e778 = phi_994_;
+                            if _e684.any_expands {
+                                phi_1020_ = true;
                             } else {
-                                if ((_e793 & 2u) != 0u) {
-                                    if (((_e793 & 4u) != 0u) != _e205) {
-                                        phi_1026_ = false;
+                                if ((_e778 & 2u) != 0u) {
+                                    if (((_e778 & 4u) != 0u) != _e206) {
+                                        phi_1011_ = false;
                                     } else {
-                                        phi_1026_ = true;
+                                        phi_1011_ = true;
                                     }
-                                    let _e802 = phi_1026_;
-                                    phi_1027_ = _e802;
+                                    let _e787 = phi_1011_;
+                                    phi_1012_ = _e787;
                                 } else {
-                                    phi_1027_ = true;
+                                    phi_1012_ = true;
                                 }
-                                let _e804 = phi_1027_;
-                                if _e804 {
-                                    phi_1034_ = (((_e793 & 1u) != 0u) != _e205);
+                                let _e789 = phi_1012_;
+                                if _e789 {
+                                    phi_1019_ = (((_e778 & 1u) != 0u) != _e206);
                                 } else {
-                                    phi_1034_ = true;
+                                    phi_1019_ = true;
                                 }
-                                let _e809 = phi_1034_;
-                                phi_1035_ = _e809;
+                                let _e794 = phi_1019_;
+                                phi_1020_ = _e794;
                             }
-                            let _e811 = phi_1035_;
-                            if _e699.all_remove {
-                                if (((_e793 & 1u) != 0u) == _e205) {
-                                    if ((_e793 & 2u) != 0u) {
-                                        phi_1053_ = (((_e793 & 4u) != 0u) == _e205);
+                            let _e796 = phi_1020_;
+                            if _e684.all_remove {
+                                if (((_e778 & 1u) != 0u) == _e206) {
+                                    if ((_e778 & 2u) != 0u) {
+                                        phi_1038_ = (((_e778 & 4u) != 0u) == _e206);
                                     } else {
-                                        phi_1053_ = true;
+                                        phi_1038_ = true;
                                     }
-                                    let _e821 = phi_1053_;
-                                    phi_1054_ = _e821;
+                                    let _e806 = phi_1038_;
+                                    phi_1039_ = _e806;
                                 } else {
-                                    phi_1054_ = false;
+                                    phi_1039_ = false;
                                 }
-                                let _e823 = phi_1054_;
-                                phi_1055_ = _e823;
+                                let _e808 = phi_1039_;
+                                phi_1040_ = _e808;
                             } else {
-                                phi_1055_ = false;
+                                phi_1040_ = false;
                             }
-                            let _e825 = phi_1055_;
-                            phi_887_ = (_e697 + 1u);
-                            phi_890_ = lt_mask_Neighbourhood(_e811, _e825);
+                            let _e810 = phi_1040_;
+                            phi_872_ = (_e682 + 1u);
+                            phi_875_ = lt_mask_Neighbourhood(_e796, _e810);
                         } else {
-                            phi_887_ = u32();
-                            phi_890_ = lt_mask_Neighbourhood();
+                            phi_872_ = u32();
+                            phi_875_ = lt_mask_Neighbourhood();
                         }
-                        let _e829 = phi_887_;
-                        let _e831 = phi_890_;
+                        let _e814 = phi_872_;
+                        let _e816 = phi_875_;
                         continue;
                         continuing {
-                            phi_886_ = _e829;
-                            phi_889_ = _e831;
-                            break if !(_e711);
+                            phi_871_ = _e814;
+                            phi_874_ = _e816;
+                            break if !(_e696);
                         }
                     }
-                    let _e1053 = local_1;
-                    phi_1058_ = _e1053;
+                    let _e1038 = local_1;
+                    phi_1043_ = _e1038;
                 } else {
-                    phi_1058_ = _e686;
+                    phi_1043_ = _e671;
                 }
-                let _e834 = phi_1058_;
-                phi_1059_ = _e834;
+                let _e819 = phi_1043_;
+                phi_1044_ = _e819;
             } else {
-                phi_1059_ = _e686;
+                phi_1044_ = _e671;
             }
-            let _e836 = phi_1059_;
-            if (_e90 != 0.5f) {
-                if _e653 {
-                    if _e209 {
-                        phi_1085_ = true;
+            let _e821 = phi_1044_;
+            if (_e91 != 0.5f) {
+                if _e638 {
+                    if _e210 {
+                        phi_1070_ = true;
                     } else {
-                        if _e836.any_expands {
-                            phi_1084_ = false;
+                        if _e821.any_expands {
+                            phi_1069_ = false;
                         } else {
-                            phi_1084_ = true;
+                            phi_1069_ = true;
                         }
-                        let _e841 = phi_1084_;
-                        phi_1085_ = _e841;
+                        let _e826 = phi_1069_;
+                        phi_1070_ = _e826;
                     }
-                    let _e843 = phi_1085_;
-                    if _e843 {
-                        if _e209 {
-                            if _e685 {
-                                if _e836.all_remove {
-                                    phi_1098_ = false;
+                    let _e828 = phi_1070_;
+                    if _e828 {
+                        if _e210 {
+                            if _e670 {
+                                if _e821.all_remove {
+                                    phi_1083_ = false;
                                 } else {
-                                    phi_1098_ = true;
+                                    phi_1083_ = true;
                                 }
-                                let _e845 = phi_1098_;
-                                phi_1099_ = _e845;
+                                let _e830 = phi_1083_;
+                                phi_1084_ = _e830;
                             } else {
-                                phi_1099_ = true;
+                                phi_1084_ = true;
                             }
-                            let _e847 = phi_1099_;
-                            phi_1100_ = _e847;
+                            let _e832 = phi_1084_;
+                            phi_1085_ = _e832;
                         } else {
-                            phi_1100_ = true;
+                            phi_1085_ = true;
                         }
-                        let _e849 = phi_1100_;
-                        if _e849 {
-                            if _e209 {
-                                phi_1107_ = 1u;
+                        let _e834 = phi_1085_;
+                        if _e834 {
+                            if _e210 {
+                                phi_1092_ = 1u;
                             } else {
-                                phi_1107_ = 0u;
+                                phi_1092_ = 0u;
                             }
-                            let _e851 = phi_1107_;
-                            phi_1108_ = _e851;
+                            let _e836 = phi_1092_;
+                            phi_1093_ = _e836;
                         } else {
-                            phi_1108_ = 5u;
+                            phi_1093_ = 5u;
                         }
-                        let _e853 = phi_1108_;
-                        phi_1109_ = _e853;
+                        let _e838 = phi_1093_;
+                        phi_1094_ = _e838;
                     } else {
-                        phi_1109_ = 4u;
+                        phi_1094_ = 4u;
                     }
-                    let _e855 = phi_1109_;
-                    phi_1110_ = _e855;
+                    let _e840 = phi_1094_;
+                    phi_1095_ = _e840;
                 } else {
-                    phi_1110_ = 3u;
+                    phi_1095_ = 3u;
                 }
-                let _e857 = phi_1110_;
-                phi_1111_ = _e857;
+                let _e842 = phi_1095_;
+                phi_1096_ = _e842;
             } else {
-                phi_1111_ = 2u;
+                phi_1096_ = 2u;
             }
-            let _e859 = phi_1111_;
-            if !((_e859 == 0u)) {
-                phi_1119_ = !((_e859 == 5u));
+            let _e844 = phi_1096_;
+            if !((_e844 == 0u)) {
+                phi_1104_ = !((_e844 == 5u));
             } else {
-                phi_1119_ = false;
+                phi_1104_ = false;
             }
-            let _e865 = phi_1119_;
-            if _e865 {
-                if _e205 {
-                    phi_1127_ = (2u | 1u);
+            let _e850 = phi_1104_;
+            if _e850 {
+                if _e206 {
+                    phi_1112_ = (2u | 1u);
                 } else {
-                    phi_1127_ = 2u;
+                    phi_1112_ = 2u;
                 }
-                let _e868 = phi_1127_;
+                let _e853 = phi_1112_;
                 if false {
-                    phi_1132_ = (_e868 | 4u);
+                    phi_1117_ = (_e853 | 4u);
                 } else {
-                    phi_1132_ = _e868;
+                    phi_1117_ = _e853;
                 }
-                let _e871 = phi_1132_;
-                phi_1137_ = _e871;
+                let _e856 = phi_1117_;
+                phi_1122_ = _e856;
             } else {
-                if _e205 {
-                    phi_1136_ = 1u;
+                if _e206 {
+                    phi_1121_ = 1u;
                 } else {
-                    phi_1136_ = 0u;
+                    phi_1121_ = 0u;
                 }
-                let _e873 = phi_1136_;
-                phi_1137_ = _e873;
+                let _e858 = phi_1121_;
+                phi_1122_ = _e858;
             }
-            let _e875 = phi_1137_;
-            if _e205 {
-                phi_1141_ = 0f;
+            let _e860 = phi_1122_;
+            if _e206 {
+                phi_1126_ = 0f;
             } else {
-                phi_1141_ = 1f;
+                phi_1126_ = 1f;
             }
-            let _e877 = phi_1141_;
-            phi_1143_ = mask_Masked(_e877, _e875, _e865);
+            let _e862 = phi_1126_;
+            phi_1128_ = mask_Masked(_e862, _e860, _e850);
         }
-        let _e880 = phi_1143_;
-        visibility.member[_e74.first_primitive] = _e880.visibility;
-        bits.member[_e74.first_primitive] = _e880.bits;
-        let _e888 = samples.member[_e74.first_primitive].normal[0u];
-        let _e890 = global[0u];
-        if (_e888 == _e890) {
-            let _e893 = samples.member[_e74.first_primitive].normal[1u];
-            let _e895 = global[1u];
-            if (_e893 == _e895) {
-                let _e898 = samples.member[_e74.first_primitive].normal[2u];
-                let _e900 = global[2u];
-                phi_1171_ = (_e898 == _e900);
-                phi_1172_ = false;
+        let _e865 = phi_1128_;
+        visibility.member[_e75.first_primitive] = _e865.visibility;
+        bits.member[_e75.first_primitive] = _e865.bits;
+        let _e873 = samples.member[_e75.first_primitive].normal[0u];
+        let _e875 = global[0u];
+        if (_e873 == _e875) {
+            let _e878 = samples.member[_e75.first_primitive].normal[1u];
+            let _e880 = global[1u];
+            if (_e878 == _e880) {
+                let _e883 = samples.member[_e75.first_primitive].normal[2u];
+                let _e885 = global[2u];
+                phi_1156_ = (_e883 == _e885);
+                phi_1157_ = false;
             } else {
-                phi_1171_ = bool();
-                phi_1172_ = true;
+                phi_1156_ = bool();
+                phi_1157_ = true;
             }
-            let _e903 = phi_1171_;
-            let _e905 = phi_1172_;
-            phi_1173_ = _e903;
-            phi_1174_ = _e905;
+            let _e888 = phi_1156_;
+            let _e890 = phi_1157_;
+            phi_1158_ = _e888;
+            phi_1159_ = _e890;
         } else {
-            phi_1173_ = bool();
-            phi_1174_ = true;
+            phi_1158_ = bool();
+            phi_1159_ = true;
         }
-        let _e907 = phi_1173_;
-        let _e909 = phi_1174_;
-        if _e909 {
-            phi_1178_ = false;
+        let _e892 = phi_1158_;
+        let _e894 = phi_1159_;
+        if _e894 {
+            phi_1163_ = false;
         } else {
-            phi_1178_ = _e907;
+            phi_1163_ = _e892;
         }
-        let _e911 = phi_1178_;
-        if !(_e911) {
-            let _e914 = samples.member[_e74.first_primitive].position;
-            let _e916 = p.member.current.eye;
-            let _e927 = p.member.current.forward;
-            phi_1206_ = ((((_e914.x - _e916.x) * _e927.x) + ((_e914.y - _e916.y) * _e927.y)) + ((_e914.z - _e916.z) * _e927.z));
+        let _e896 = phi_1163_;
+        if !(_e896) {
+            let _e899 = samples.member[_e75.first_primitive].position;
+            let _e901 = p.member.current.eye;
+            let _e912 = p.member.current.forward;
+            phi_1191_ = ((((_e899.x - _e901.x) * _e912.x) + ((_e899.y - _e901.y) * _e912.y)) + ((_e899.z - _e901.z) * _e912.z));
         } else {
-            phi_1206_ = 0f;
+            phi_1191_ = 0f;
         }
-        let _e937 = phi_1206_;
-        depths.member[_e74.first_primitive] = _e937;
-        phi_1209_ = _e880.needs_ray;
-        phi_1210_ = _e74.first_primitive;
+        let _e922 = phi_1191_;
+        depths.member[_e75.first_primitive] = _e922;
+        phi_1194_ = _e865.needs_ray;
+        phi_1195_ = _e75.first_primitive;
     } else {
-        phi_1209_ = false;
-        phi_1210_ = 0u;
+        phi_1194_ = false;
+        phi_1195_ = 0u;
     }
-    let _e941 = phi_1209_;
-    let _e943 = phi_1210_;
-    if (_e54 == 0u) {
+    let _e926 = phi_1194_;
+    let _e928 = phi_1195_;
+    if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e941 {
-        let _e947 = atomicAdd((&shared_[0u]), 1u);
-        phi_1221_ = _e947;
+    if _e926 {
+        let _e932 = atomicAdd((&shared_[0u]), 1u);
+        phi_1206_ = _e932;
     } else {
-        phi_1221_ = 0u;
+        phi_1206_ = 0u;
     }
-    let _e949 = phi_1221_;
+    let _e934 = phi_1206_;
     workgroupBarrier();
-    if (_e54 == 0u) {
-        let _e953 = atomicLoad((&shared_[0u]));
-        let _e954 = atomicAdd((&list.member[3u]), _e953);
-        atomicStore((&shared_[1u]), _e954);
+    if (_e55 == 0u) {
+        let _e938 = atomicLoad((&shared_[0u]));
+        let _e939 = atomicAdd((&list.member[3u]), _e938);
+        atomicStore((&shared_[1u]), _e939);
     }
     workgroupBarrier();
-    if _e941 {
-        let _e957 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e957) + _e949)]), _e943);
+    if _e926 {
+        let _e942 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e942) + _e934)]), _e928);
     }
     return;
 }

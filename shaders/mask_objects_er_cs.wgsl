@@ -110,889 +110,887 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_42;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_160_: lt_bvh_traverse_Tree;
+    var phi_161_: bool;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_160_ = false;
+            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_161_ = false;
         } else {
-            phi_159_ = lt_bvh_traverse_Tree();
-            phi_160_ = true;
+            phi_160_ = lt_bvh_traverse_Tree();
+            phi_161_ = true;
         }
-        let _e62 = phi_159_;
-        let _e64 = phi_160_;
-        phi_161_ = _e62;
-        phi_162_ = _e64;
+        let _e63 = phi_160_;
+        let _e65 = phi_161_;
+        phi_162_ = _e63;
+        phi_163_ = _e65;
     } else {
-        phi_161_ = lt_bvh_traverse_Tree();
-        phi_162_ = true;
+        phi_162_ = lt_bvh_traverse_Tree();
+        phi_163_ = true;
     }
-    let _e66 = phi_161_;
-    let _e68 = phi_162_;
-    if _e68 {
-        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e67 = phi_162_;
+    let _e69 = phi_163_;
+    if _e69 {
+        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_167_ = _e66;
+        phi_168_ = _e67;
     }
-    let _e73 = phi_167_;
-    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
+    let _e74 = phi_168_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_185_: vec2<i32>;
+    var phi_186_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_185_ = vec2(0i);
+            phi_186_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_185_ = vec2<i32>(0i, -1i);
+            phi_186_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_185_ = vec2<i32>(-1i, 0i);
+            phi_186_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_185_ = vec2<i32>(1i, 0i);
+            phi_186_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_185_ = vec2<i32>(0i, 1i);
+            phi_186_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e58 = phi_185_;
-    return vec2<i32>(_e58.x, _e58.y);
+    let _e59 = phi_186_;
+    return vec2<i32>(_e59.x, _e59.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_203_: vec2<i32>;
+    var phi_204_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_203_ = vec2(0i);
+            phi_204_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_203_ = vec2(-1i);
+            phi_204_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_203_ = vec2<i32>(1i, -1i);
+            phi_204_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_203_ = vec2<i32>(-1i, 1i);
+            phi_204_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_203_ = vec2(1i);
+            phi_204_ = vec2(1i);
             break;
         }
     }
-    let _e58 = phi_203_;
-    return vec2<i32>(_e58.x, _e58.y);
+    let _e59 = phi_204_;
+    return vec2<i32>(_e59.x, _e59.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_222_: vec2<i32>;
+    var phi_223_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e52 = lt_mask_pattern_plus(param_5);
-        phi_222_ = vec2<i32>(_e52.x, _e52.y);
+        let _e53 = lt_mask_pattern_plus(param_5);
+        phi_223_ = vec2<i32>(_e53.x, _e53.y);
     } else {
-        let _e56 = lt_mask_pattern_cross(param_5);
-        phi_222_ = vec2<i32>(_e56.x, _e56.y);
+        let _e57 = lt_mask_pattern_cross(param_5);
+        phi_223_ = vec2<i32>(_e57.x, _e57.y);
     }
-    let _e61 = phi_222_;
-    return vec2<i32>(_e61.x, _e61.y);
+    let _e62 = phi_223_;
+    return vec2<i32>(_e62.x, _e62.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_243_: u32;
     var phi_244_: u32;
+    var phi_245_: u32;
 
-    let _e53 = (bitcast<i32>(param_7) + param_8);
-    if (_e53 < 0i) {
-        phi_244_ = 0u;
+    let _e54 = (bitcast<i32>(param_7) + param_8);
+    if (_e54 < 0i) {
+        phi_245_ = 0u;
     } else {
-        if (_e53 >= bitcast<i32>(param_9)) {
-            phi_243_ = (param_9 - 1u);
+        if (_e54 >= bitcast<i32>(param_9)) {
+            phi_244_ = (param_9 - 1u);
         } else {
-            phi_243_ = bitcast<u32>(_e53);
+            phi_244_ = bitcast<u32>(_e54);
         }
-        let _e60 = phi_243_;
-        phi_244_ = _e60;
+        let _e61 = phi_244_;
+        phi_245_ = _e61;
     }
-    let _e62 = phi_244_;
-    return _e62;
+    let _e63 = phi_245_;
+    return _e63;
 }
 
 fn function_() {
-    var phi_309_: bool;
     var phi_310_: bool;
     var phi_311_: bool;
     var phi_312_: bool;
-    var phi_316_: bool;
-    var phi_360_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_364_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_377_: bool;
-    var phi_579_: f32;
-    var phi_584_: f32;
-    var phi_585_: bool;
-    var phi_586_: f32;
-    var phi_587_: bool;
-    var phi_591_: f32;
-    var phi_614_: f32;
-    var phi_619_: f32;
-    var phi_620_: bool;
-    var phi_621_: f32;
-    var phi_622_: bool;
-    var phi_626_: f32;
-    var phi_647_: bool;
-    var phi_666_: vec2<u32>;
+    var phi_313_: bool;
+    var phi_317_: bool;
+    var phi_361_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_365_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_378_: bool;
+    var phi_564_: f32;
+    var phi_569_: f32;
+    var phi_570_: bool;
+    var phi_571_: f32;
+    var phi_572_: bool;
+    var phi_576_: f32;
+    var phi_599_: f32;
+    var phi_604_: f32;
+    var phi_605_: bool;
+    var phi_606_: f32;
+    var phi_607_: bool;
+    var phi_611_: f32;
+    var phi_632_: bool;
+    var phi_651_: vec2<u32>;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: vec2<u32>;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: bool;
+    var phi_662_: vec2<u32>;
+    var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_666_: bool;
     var phi_667_: bool;
     var phi_668_: bool;
-    var phi_669_: bool;
-    var phi_670_: vec2<u32>;
+    var phi_669_: vec2<u32>;
+    var phi_670_: bool;
     var phi_671_: bool;
     var phi_672_: bool;
     var phi_673_: bool;
-    var phi_674_: bool;
-    var phi_675_: bool;
-    var phi_676_: bool;
-    var phi_677_: vec2<u32>;
-    var phi_678_: bool;
-    var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
     var phi_682_: bool;
     var phi_683_: bool;
-    var phi_684_: vec2<u32>;
+    var phi_684_: bool;
     var phi_685_: bool;
-    var phi_686_: bool;
-    var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: vec2<u32>;
-    var phi_745_: bool;
-    var phi_746_: bool;
-    var phi_748_: bool;
-    var phi_749_: lt_mask_Reprojection;
-    var phi_750_: lt_mask_Reprojection;
-    var phi_751_: bool;
-    var phi_755_: bool;
-    var phi_756_: lt_mask_Reprojection;
-    var phi_784_: u32;
-    var phi_786_: u32;
-    var phi_789_: lt_mask_Neighbourhood;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_810_: u32;
-    var phi_811_: u32;
-    var phi_870_: vec2<i32>;
-    var phi_886_: vec2<i32>;
-    var phi_909_: u32;
-    var phi_926_: bool;
-    var phi_927_: bool;
-    var phi_934_: bool;
-    var phi_935_: bool;
-    var phi_953_: bool;
-    var phi_954_: bool;
-    var phi_955_: bool;
-    var phi_787_: u32;
-    var phi_790_: lt_mask_Neighbourhood;
-    var phi_958_: lt_mask_Neighbourhood;
-    var phi_959_: lt_mask_Neighbourhood;
-    var phi_960_: lt_mask_Neighbourhood;
+    var phi_689_: bool;
+    var phi_690_: bool;
+    var phi_691_: vec2<u32>;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_733_: bool;
+    var phi_734_: lt_mask_Reprojection;
+    var phi_735_: lt_mask_Reprojection;
+    var phi_736_: bool;
+    var phi_740_: bool;
+    var phi_741_: lt_mask_Reprojection;
+    var phi_769_: u32;
+    var phi_771_: u32;
+    var phi_774_: lt_mask_Neighbourhood;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_795_: u32;
+    var phi_796_: u32;
+    var phi_855_: vec2<i32>;
+    var phi_871_: vec2<i32>;
+    var phi_894_: u32;
+    var phi_911_: bool;
+    var phi_912_: bool;
+    var phi_919_: bool;
+    var phi_920_: bool;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_940_: bool;
+    var phi_772_: u32;
+    var phi_775_: lt_mask_Neighbourhood;
+    var phi_943_: lt_mask_Neighbourhood;
+    var phi_944_: lt_mask_Neighbourhood;
+    var phi_945_: lt_mask_Neighbourhood;
+    var phi_970_: bool;
+    var phi_971_: bool;
+    var phi_984_: bool;
     var phi_985_: bool;
     var phi_986_: bool;
-    var phi_999_: bool;
-    var phi_1000_: bool;
-    var phi_1001_: bool;
-    var phi_1008_: u32;
-    var phi_1009_: u32;
-    var phi_1010_: u32;
-    var phi_1011_: u32;
-    var phi_1012_: u32;
-    var phi_1020_: bool;
-    var phi_1028_: u32;
-    var phi_1033_: u32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1042_: f32;
-    var phi_1044_: mask_Masked;
-    var phi_1050_: bool;
-    var phi_1051_: u32;
-    var phi_1062_: u32;
+    var phi_993_: u32;
+    var phi_994_: u32;
+    var phi_995_: u32;
+    var phi_996_: u32;
+    var phi_997_: u32;
+    var phi_1005_: bool;
+    var phi_1013_: u32;
+    var phi_1018_: u32;
+    var phi_1022_: u32;
+    var phi_1023_: u32;
+    var phi_1027_: f32;
+    var phi_1029_: mask_Masked;
+    var phi_1035_: bool;
+    var phi_1036_: u32;
+    var phi_1047_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e49 = id_1;
-    let _e50 = local_2;
-    let _e63 = p.member.current.size[0u];
-    let _e65 = p.member.current.size[1u];
-    let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
-    if (bitcast<i32>(_e66.root) != 0i) {
-        let _e74 = p.member.current.size[0u];
-        let _e77 = past.member[_e66.first_primitive];
-        let _e82 = visibility.member[_e66.first_primitive];
-        let _e86 = p.member.light;
-        let _e89 = samples.member[_e66.first_primitive].normal[0u];
-        let _e91 = global[0u];
-        if (_e89 == _e91) {
-            let _e94 = samples.member[_e66.first_primitive].normal[1u];
-            let _e96 = global[1u];
-            if (_e94 == _e96) {
-                let _e99 = samples.member[_e66.first_primitive].normal[2u];
-                let _e101 = global[2u];
-                phi_309_ = (_e99 == _e101);
-                phi_310_ = false;
+    let _e50 = id_1;
+    let _e51 = local_2;
+    let _e64 = p.member.current.size[0u];
+    let _e66 = p.member.current.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e50, _e64, _e66);
+    if (bitcast<i32>(_e67.root) != 0i) {
+        let _e75 = p.member.current.size[0u];
+        let _e78 = past.member[_e67.first_primitive];
+        let _e83 = visibility.member[_e67.first_primitive];
+        let _e87 = p.member.light;
+        let _e90 = samples.member[_e67.first_primitive].normal[0u];
+        let _e92 = global[0u];
+        if (_e90 == _e92) {
+            let _e95 = samples.member[_e67.first_primitive].normal[1u];
+            let _e97 = global[1u];
+            if (_e95 == _e97) {
+                let _e100 = samples.member[_e67.first_primitive].normal[2u];
+                let _e102 = global[2u];
+                phi_310_ = (_e100 == _e102);
+                phi_311_ = false;
             } else {
-                phi_309_ = bool();
-                phi_310_ = true;
+                phi_310_ = bool();
+                phi_311_ = true;
             }
-            let _e104 = phi_309_;
-            let _e106 = phi_310_;
-            phi_311_ = _e104;
-            phi_312_ = _e106;
+            let _e105 = phi_310_;
+            let _e107 = phi_311_;
+            phi_312_ = _e105;
+            phi_313_ = _e107;
         } else {
-            phi_311_ = bool();
-            phi_312_ = true;
+            phi_312_ = bool();
+            phi_313_ = true;
         }
-        let _e108 = phi_311_;
-        let _e110 = phi_312_;
-        if _e110 {
-            phi_316_ = false;
+        let _e109 = phi_312_;
+        let _e111 = phi_313_;
+        if _e111 {
+            phi_317_ = false;
         } else {
-            phi_316_ = _e108;
+            phi_317_ = _e109;
         }
-        let _e112 = phi_316_;
-        if !(_e112) {
-            let _e115 = samples.member[_e66.first_primitive].normal;
-            let _e117 = samples.member[_e66.first_primitive].position;
-            if ((((_e115.x * (_e86.x - (_e117.x * _e86.w))) + (_e115.y * (_e86.y - (_e117.y * _e86.w)))) + (_e115.z * (_e86.z - (_e117.z * _e86.w)))) > 0f) {
-                let _e141 = samples.member[_e66.first_primitive].flags;
-                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e149.unnamed.visibility, false), _e149.unnamed_1);
-                phi_360_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e155.unnamed, ((_e141 & 1u) == 0u));
+        let _e113 = phi_317_;
+        if !(_e113) {
+            let _e116 = samples.member[_e67.first_primitive].normal;
+            let _e118 = samples.member[_e67.first_primitive].position;
+            if ((((_e116.x * (_e87.x - (_e118.x * _e87.w))) + (_e116.y * (_e87.y - (_e118.y * _e87.w)))) + (_e116.z * (_e87.z - (_e118.z * _e87.w)))) > 0f) {
+                let _e142 = samples.member[_e67.first_primitive].flags;
+                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
+                phi_361_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, ((_e142 & 1u) == 0u));
             } else {
-                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e164.unnamed.visibility, false), _e164.unnamed_1);
-                phi_360_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e170.unnamed, true);
+                let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
+                phi_361_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
             }
-            let _e175 = phi_360_;
-            phi_364_ = _e175;
+            let _e176 = phi_361_;
+            phi_365_ = _e176;
         } else {
-            let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-            phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, true);
+            let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
+            phi_365_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, true);
         }
-        let _e192 = phi_364_;
-        if _e192.unnamed_1 {
-            phi_1044_ = mask_Masked(_e192.unnamed.visibility, 0u, false);
+        let _e193 = phi_365_;
+        if _e193.unnamed_1 {
+            phi_1029_ = mask_Masked(_e193.unnamed.visibility, 0u, false);
         } else {
-            let _e197 = (_e82 < 0.5f);
-            if (_e82 > 0f) {
-                phi_377_ = (_e82 < 1f);
+            let _e198 = (_e83 < 0.5f);
+            if (_e83 > 0f) {
+                phi_378_ = (_e83 < 1f);
             } else {
-                phi_377_ = false;
+                phi_378_ = false;
             }
-            let _e201 = phi_377_;
-            let _e203 = samples.member[_e66.first_primitive].position;
-            let _e207 = p.member.previous.eye;
-            let _e209 = (_e77.x - _e207.x);
-            let _e211 = (_e77.y - _e207.y);
-            let _e213 = (_e77.z - _e207.z);
-            let _e215 = p.member.previous.forward;
-            let _e223 = (((_e209 * _e215.x) + (_e211 * _e215.y)) + (_e213 * _e215.z));
-            let _e225 = p.member.previous.right;
-            let _e235 = p.member.previous.right;
-            let _e250 = p.member.previous.up;
-            let _e260 = p.member.previous.up;
-            let _e278 = p.member.previous.size[0u];
-            let _e285 = p.member.previous.size[1u];
-            let _e289 = p.member.current.eye;
-            let _e292 = (_e203.x - _e289.x);
-            let _e295 = (_e203.y - _e289.y);
-            let _e298 = (_e203.z - _e289.z);
-            let _e300 = p.member.current.forward;
-            let _e308 = (((_e292 * _e300.x) + (_e295 * _e300.y)) + (_e298 * _e300.z));
-            let _e310 = p.member.current.right;
-            let _e320 = p.member.current.right;
-            let _e335 = p.member.current.up;
-            let _e345 = p.member.current.up;
+            let _e202 = phi_378_;
+            let _e204 = samples.member[_e67.first_primitive].position;
+            let _e208 = p.member.previous.eye;
+            let _e210 = (_e78.x - _e208.x);
+            let _e212 = (_e78.y - _e208.y);
+            let _e214 = (_e78.z - _e208.z);
+            let _e216 = p.member.previous.forward;
+            let _e224 = (((_e210 * _e216.x) + (_e212 * _e216.y)) + (_e214 * _e216.z));
+            let _e226 = p.member.previous.right;
+            let _e236 = p.member.previous.right;
+            let _e251 = p.member.previous.up;
+            let _e261 = p.member.previous.up;
+            let _e276 = p.member.current.eye;
+            let _e279 = (_e204.x - _e276.x);
+            let _e282 = (_e204.y - _e276.y);
+            let _e285 = (_e204.z - _e276.z);
+            let _e287 = p.member.current.forward;
+            let _e295 = (((_e279 * _e287.x) + (_e282 * _e287.y)) + (_e285 * _e287.z));
+            let _e297 = p.member.current.right;
+            let _e307 = p.member.current.right;
+            let _e322 = p.member.current.up;
+            let _e332 = p.member.current.up;
+            let _e351 = p.member.current.size[0u];
+            let _e353 = (((((((_e210 * _e226.x) + (_e212 * _e226.y)) + (_e214 * _e226.z)) / ((((_e236.x * _e236.x) + (_e236.y * _e236.y)) + (_e236.z * _e236.z)) * _e224)) - ((((_e279 * _e297.x) + (_e282 * _e297.y)) + (_e285 * _e297.z)) / ((((_e307.x * _e307.x) + (_e307.y * _e307.y)) + (_e307.z * _e307.z)) * _e295))) * 0.5f) * f32(_e351));
+            let _e357 = p.member.current.size[1u];
+            let _e359 = (((((((_e210 * _e251.x) + (_e212 * _e251.y)) + (_e214 * _e251.z)) / ((((_e261.x * _e261.x) + (_e261.y * _e261.y)) + (_e261.z * _e261.z)) * _e224)) - ((((_e279 * _e322.x) + (_e282 * _e322.y)) + (_e285 * _e322.z)) / ((((_e332.x * _e332.x) + (_e332.y * _e332.y)) + (_e332.z * _e332.z)) * _e295))) * -0.5f) * f32(_e357));
             let _e363 = p.member.current.size[0u];
-            let _e370 = p.member.current.size[1u];
-            let _e373 = ((((((((_e209 * _e225.x) + (_e211 * _e225.y)) + (_e213 * _e225.z)) / ((((_e235.x * _e235.x) + (_e235.y * _e235.y)) + (_e235.z * _e235.z)) * _e223)) * 0.5f) + 0.5f) * f32(_e278)) - (((((((_e292 * _e310.x) + (_e295 * _e310.y)) + (_e298 * _e310.z)) / ((((_e320.x * _e320.x) + (_e320.y * _e320.y)) + (_e320.z * _e320.z)) * _e308)) * 0.5f) + 0.5f) * f32(_e363)));
-            let _e374 = (((0.5f - (((((_e209 * _e250.x) + (_e211 * _e250.y)) + (_e213 * _e250.z)) / ((((_e260.x * _e260.x) + (_e260.y * _e260.y)) + (_e260.z * _e260.z)) * _e223)) * 0.5f)) * f32(_e285)) - ((0.5f - (((((_e292 * _e335.x) + (_e295 * _e335.y)) + (_e298 * _e335.z)) / ((((_e345.x * _e345.x) + (_e345.y * _e345.y)) + (_e345.z * _e345.z)) * _e308)) * 0.5f)) * f32(_e370)));
-            let _e378 = p.member.current.size[0u];
-            let _e380 = p.member.current.size[1u];
-            let _e384 = ((f32(_e49.x) + 0.5f) + _e373);
-            if (_e384 > -8388608f) {
-                let _e396 = f32(select(0i, select(select(i32(_e384), i32(-2147483648), (_e384 < bitcast<f32>(3472883712u))), 2147483647i, (_e384 > bitcast<f32>(1325400063u))), (_e384 == _e384)));
-                if (_e396 > _e384) {
-                    phi_579_ = 1f;
+            let _e365 = p.member.current.size[1u];
+            let _e369 = ((f32(_e50.x) + 0.5f) + _e353);
+            if (_e369 > -8388608f) {
+                let _e381 = f32(select(0i, select(select(i32(_e369), i32(-2147483648), (_e369 < bitcast<f32>(3472883712u))), 2147483647i, (_e369 > bitcast<f32>(1325400063u))), (_e369 == _e369)));
+                if (_e381 > _e369) {
+                    phi_564_ = 1f;
                 } else {
-                    phi_579_ = 0f;
+                    phi_564_ = 0f;
                 }
-                let _e399 = phi_579_;
-                if (_e384 < 8388608f) {
-                    phi_584_ = (_e396 - _e399);
-                    phi_585_ = false;
+                let _e384 = phi_564_;
+                if (_e369 < 8388608f) {
+                    phi_569_ = (_e381 - _e384);
+                    phi_570_ = false;
                 } else {
-                    phi_584_ = f32();
-                    phi_585_ = true;
+                    phi_569_ = f32();
+                    phi_570_ = true;
                 }
-                let _e402 = phi_584_;
-                let _e404 = phi_585_;
-                phi_586_ = _e402;
-                phi_587_ = _e404;
+                let _e387 = phi_569_;
+                let _e389 = phi_570_;
+                phi_571_ = _e387;
+                phi_572_ = _e389;
             } else {
-                phi_586_ = f32();
-                phi_587_ = true;
+                phi_571_ = f32();
+                phi_572_ = true;
             }
-            let _e406 = phi_586_;
-            let _e408 = phi_587_;
-            if _e408 {
-                phi_591_ = _e384;
+            let _e391 = phi_571_;
+            let _e393 = phi_572_;
+            if _e393 {
+                phi_576_ = _e369;
             } else {
-                phi_591_ = _e406;
+                phi_576_ = _e391;
             }
-            let _e410 = phi_591_;
-            let _e413 = ((f32(_e49.y) + 0.5f) + _e374);
-            if (_e413 > -8388608f) {
-                let _e425 = f32(select(0i, select(select(i32(_e413), i32(-2147483648), (_e413 < bitcast<f32>(3472883712u))), 2147483647i, (_e413 > bitcast<f32>(1325400063u))), (_e413 == _e413)));
-                if (_e425 > _e413) {
-                    phi_614_ = 1f;
+            let _e395 = phi_576_;
+            let _e398 = ((f32(_e50.y) + 0.5f) + _e359);
+            if (_e398 > -8388608f) {
+                let _e410 = f32(select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398)));
+                if (_e410 > _e398) {
+                    phi_599_ = 1f;
                 } else {
-                    phi_614_ = 0f;
+                    phi_599_ = 0f;
                 }
-                let _e428 = phi_614_;
-                if (_e413 < 8388608f) {
-                    phi_619_ = (_e425 - _e428);
-                    phi_620_ = false;
+                let _e413 = phi_599_;
+                if (_e398 < 8388608f) {
+                    phi_604_ = (_e410 - _e413);
+                    phi_605_ = false;
                 } else {
-                    phi_619_ = f32();
-                    phi_620_ = true;
+                    phi_604_ = f32();
+                    phi_605_ = true;
                 }
-                let _e431 = phi_619_;
-                let _e433 = phi_620_;
-                phi_621_ = _e431;
-                phi_622_ = _e433;
+                let _e416 = phi_604_;
+                let _e418 = phi_605_;
+                phi_606_ = _e416;
+                phi_607_ = _e418;
             } else {
-                phi_621_ = f32();
-                phi_622_ = true;
+                phi_606_ = f32();
+                phi_607_ = true;
             }
-            let _e435 = phi_621_;
-            let _e437 = phi_622_;
-            if _e437 {
-                phi_626_ = _e413;
+            let _e420 = phi_606_;
+            let _e422 = phi_607_;
+            if _e422 {
+                phi_611_ = _e398;
             } else {
-                phi_626_ = _e435;
+                phi_611_ = _e420;
             }
-            let _e439 = phi_626_;
-            if (_e410 >= 0f) {
-                if (_e439 >= 0f) {
-                    if (_e410 < f32(_e378)) {
-                        let _e445 = (_e439 < f32(_e380));
-                        if (_e373 == 0f) {
-                            phi_647_ = (_e374 == 0f);
+            let _e424 = phi_611_;
+            if (_e395 >= 0f) {
+                if (_e424 >= 0f) {
+                    if (_e395 < f32(_e363)) {
+                        let _e430 = (_e424 < f32(_e365));
+                        if (_e353 == 0f) {
+                            phi_632_ = (_e359 == 0f);
                         } else {
-                            phi_647_ = false;
+                            phi_632_ = false;
                         }
-                        let _e449 = phi_647_;
-                        if _e445 {
-                            phi_666_ = vec2<u32>(select(select(u32(_e410), 0u, (_e410 < bitcast<f32>(0u))), 4294967295u, (_e410 > bitcast<f32>(1333788671u))), select(select(u32(_e439), 0u, (_e439 < bitcast<f32>(0u))), 4294967295u, (_e439 > bitcast<f32>(1333788671u))));
-                            phi_667_ = false;
+                        let _e434 = phi_632_;
+                        if _e430 {
+                            phi_651_ = vec2<u32>(select(select(u32(_e395), 0u, (_e395 < bitcast<f32>(0u))), 4294967295u, (_e395 > bitcast<f32>(1333788671u))), select(select(u32(_e424), 0u, (_e424 < bitcast<f32>(0u))), 4294967295u, (_e424 > bitcast<f32>(1333788671u))));
+                            phi_652_ = false;
                         } else {
-                            phi_666_ = vec2<u32>();
-                            phi_667_ = true;
+                            phi_651_ = vec2<u32>();
+                            phi_652_ = true;
                         }
-                        let _e466 = phi_666_;
-                        let _e468 = phi_667_;
-                        phi_668_ = _e449;
-                        phi_669_ = _e445;
-                        phi_670_ = _e466;
-                        phi_671_ = _e449;
-                        phi_672_ = _e445;
-                        phi_673_ = false;
-                        phi_674_ = _e468;
+                        let _e451 = phi_651_;
+                        let _e453 = phi_652_;
+                        phi_653_ = _e434;
+                        phi_654_ = _e430;
+                        phi_655_ = _e451;
+                        phi_656_ = _e434;
+                        phi_657_ = _e430;
+                        phi_658_ = false;
+                        phi_659_ = _e453;
                     } else {
-                        phi_668_ = bool();
-                        phi_669_ = bool();
-                        phi_670_ = vec2<u32>();
-                        phi_671_ = bool();
-                        phi_672_ = bool();
-                        phi_673_ = true;
-                        phi_674_ = false;
+                        phi_653_ = bool();
+                        phi_654_ = bool();
+                        phi_655_ = vec2<u32>();
+                        phi_656_ = bool();
+                        phi_657_ = bool();
+                        phi_658_ = true;
+                        phi_659_ = false;
                     }
-                    let _e470 = phi_668_;
-                    let _e472 = phi_669_;
-                    let _e474 = phi_670_;
-                    let _e476 = phi_671_;
-                    let _e478 = phi_672_;
-                    let _e480 = phi_673_;
-                    let _e482 = phi_674_;
-                    phi_675_ = _e470;
-                    phi_676_ = _e472;
-                    phi_677_ = _e474;
-                    phi_678_ = _e476;
-                    phi_679_ = _e478;
-                    phi_680_ = _e480;
-                    phi_681_ = _e482;
+                    let _e455 = phi_653_;
+                    let _e457 = phi_654_;
+                    let _e459 = phi_655_;
+                    let _e461 = phi_656_;
+                    let _e463 = phi_657_;
+                    let _e465 = phi_658_;
+                    let _e467 = phi_659_;
+                    phi_660_ = _e455;
+                    phi_661_ = _e457;
+                    phi_662_ = _e459;
+                    phi_663_ = _e461;
+                    phi_664_ = _e463;
+                    phi_665_ = _e465;
+                    phi_666_ = _e467;
                 } else {
-                    phi_675_ = bool();
-                    phi_676_ = bool();
-                    phi_677_ = vec2<u32>();
-                    phi_678_ = bool();
-                    phi_679_ = bool();
-                    phi_680_ = true;
-                    phi_681_ = false;
+                    phi_660_ = bool();
+                    phi_661_ = bool();
+                    phi_662_ = vec2<u32>();
+                    phi_663_ = bool();
+                    phi_664_ = bool();
+                    phi_665_ = true;
+                    phi_666_ = false;
                 }
-                let _e484 = phi_675_;
-                let _e486 = phi_676_;
-                let _e488 = phi_677_;
-                let _e490 = phi_678_;
-                let _e492 = phi_679_;
-                let _e494 = phi_680_;
-                let _e496 = phi_681_;
-                phi_682_ = _e484;
-                phi_683_ = _e486;
-                phi_684_ = _e488;
-                phi_685_ = _e490;
-                phi_686_ = _e492;
-                phi_687_ = _e494;
-                phi_688_ = _e496;
+                let _e469 = phi_660_;
+                let _e471 = phi_661_;
+                let _e473 = phi_662_;
+                let _e475 = phi_663_;
+                let _e477 = phi_664_;
+                let _e479 = phi_665_;
+                let _e481 = phi_666_;
+                phi_667_ = _e469;
+                phi_668_ = _e471;
+                phi_669_ = _e473;
+                phi_670_ = _e475;
+                phi_671_ = _e477;
+                phi_672_ = _e479;
+                phi_673_ = _e481;
             } else {
-                phi_682_ = bool();
-                phi_683_ = bool();
-                phi_684_ = vec2<u32>();
-                phi_685_ = bool();
-                phi_686_ = bool();
-                phi_687_ = true;
-                phi_688_ = false;
+                phi_667_ = bool();
+                phi_668_ = bool();
+                phi_669_ = vec2<u32>();
+                phi_670_ = bool();
+                phi_671_ = bool();
+                phi_672_ = true;
+                phi_673_ = false;
             }
-            let _e498 = phi_682_;
-            let _e500 = phi_683_;
-            let _e502 = phi_684_;
-            let _e504 = phi_685_;
-            let _e506 = phi_686_;
-            let _e508 = phi_687_;
-            let _e510 = phi_688_;
-            if _e508 {
-                if (_e373 == 0f) {
-                    phi_697_ = (_e374 == 0f);
+            let _e483 = phi_667_;
+            let _e485 = phi_668_;
+            let _e487 = phi_669_;
+            let _e489 = phi_670_;
+            let _e491 = phi_671_;
+            let _e493 = phi_672_;
+            let _e495 = phi_673_;
+            if _e493 {
+                if (_e353 == 0f) {
+                    phi_682_ = (_e359 == 0f);
                 } else {
-                    phi_697_ = false;
+                    phi_682_ = false;
                 }
-                let _e514 = phi_697_;
-                phi_698_ = _e514;
-                phi_699_ = false;
-                phi_700_ = true;
+                let _e499 = phi_682_;
+                phi_683_ = _e499;
+                phi_684_ = false;
+                phi_685_ = true;
             } else {
-                phi_698_ = _e504;
-                phi_699_ = _e506;
-                phi_700_ = _e510;
+                phi_683_ = _e489;
+                phi_684_ = _e491;
+                phi_685_ = _e495;
             }
-            let _e516 = phi_698_;
-            let _e518 = phi_699_;
-            let _e520 = phi_700_;
-            if _e520 {
-                phi_704_ = _e516;
-                phi_705_ = _e518;
-                phi_706_ = vec2<u32>(_e49.x, _e49.y);
+            let _e501 = phi_683_;
+            let _e503 = phi_684_;
+            let _e505 = phi_685_;
+            if _e505 {
+                phi_689_ = _e501;
+                phi_690_ = _e503;
+                phi_691_ = vec2<u32>(_e50.x, _e50.y);
             } else {
-                phi_704_ = _e498;
-                phi_705_ = _e500;
-                phi_706_ = _e502;
+                phi_689_ = _e483;
+                phi_690_ = _e485;
+                phi_691_ = _e487;
             }
-            let _e522 = phi_704_;
-            let _e524 = phi_705_;
-            let _e526 = phi_706_;
-            let _e536 = lt_mask_Reprojection(vec2<u32>(_e526.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e543 = lt_mask_Reprojection(vec2<u32>(_e536.pixel.x, _e526.y), _e536.is_valid, _e536.has_moved);
-            let _e547 = lt_mask_Reprojection(_e543.pixel, _e524, _e543.has_moved);
-            let _e551 = lt_mask_Reprojection(_e547.pixel, _e547.is_valid, !(_e522));
-            if _e524 {
-                let _e554 = p.member.previous.eye;
-                let _e562 = p.member.previous.forward;
-                let _e571 = (((((_e77.x - _e554.x) * _e562.x) + ((_e77.y - _e554.y) * _e562.y)) + ((_e77.z - _e554.z) * _e562.z)) > 0f);
-                let _e575 = lt_mask_Reprojection(_e551.pixel, _e571, _e551.has_moved);
-                if _e571 {
-                    let _e577 = p.member.flags;
-                    phi_745_ = ((_e577 & 1u) != 0u);
-                    phi_746_ = false;
+            let _e507 = phi_689_;
+            let _e509 = phi_690_;
+            let _e511 = phi_691_;
+            let _e521 = lt_mask_Reprojection(vec2<u32>(_e511.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e528 = lt_mask_Reprojection(vec2<u32>(_e521.pixel.x, _e511.y), _e521.is_valid, _e521.has_moved);
+            let _e532 = lt_mask_Reprojection(_e528.pixel, _e509, _e528.has_moved);
+            let _e536 = lt_mask_Reprojection(_e532.pixel, _e532.is_valid, !(_e507));
+            if _e509 {
+                let _e539 = p.member.previous.eye;
+                let _e547 = p.member.previous.forward;
+                let _e556 = (((((_e78.x - _e539.x) * _e547.x) + ((_e78.y - _e539.y) * _e547.y)) + ((_e78.z - _e539.z) * _e547.z)) > 0f);
+                let _e560 = lt_mask_Reprojection(_e536.pixel, _e556, _e536.has_moved);
+                if _e556 {
+                    let _e562 = p.member.flags;
+                    phi_730_ = ((_e562 & 1u) != 0u);
+                    phi_731_ = false;
                 } else {
-                    phi_745_ = bool();
-                    phi_746_ = true;
+                    phi_730_ = bool();
+                    phi_731_ = true;
                 }
-                let _e581 = phi_745_;
-                let _e583 = phi_746_;
-                phi_748_ = _e581;
-                phi_749_ = _e575;
-                phi_750_ = _e575;
-                phi_751_ = _e583;
+                let _e566 = phi_730_;
+                let _e568 = phi_731_;
+                phi_733_ = _e566;
+                phi_734_ = _e560;
+                phi_735_ = _e560;
+                phi_736_ = _e568;
             } else {
-                phi_748_ = bool();
-                phi_749_ = lt_mask_Reprojection();
-                phi_750_ = lt_mask_Reprojection(_e551.pixel, false, _e551.has_moved);
-                phi_751_ = true;
+                phi_733_ = bool();
+                phi_734_ = lt_mask_Reprojection();
+                phi_735_ = lt_mask_Reprojection(_e536.pixel, false, _e536.has_moved);
+                phi_736_ = true;
             }
-            let _e589 = phi_748_;
-            let _e591 = phi_749_;
-            let _e593 = phi_750_;
-            let _e595 = phi_751_;
-            if _e595 {
-                phi_755_ = false;
-                phi_756_ = _e593;
+            let _e574 = phi_733_;
+            let _e576 = phi_734_;
+            let _e578 = phi_735_;
+            let _e580 = phi_736_;
+            if _e580 {
+                phi_740_ = false;
+                phi_741_ = _e578;
             } else {
-                phi_755_ = _e589;
-                phi_756_ = _e591;
+                phi_740_ = _e574;
+                phi_741_ = _e576;
             }
-            let _e597 = phi_755_;
-            let _e599 = phi_756_;
-            let _e603 = lt_mask_Reprojection(_e599.pixel, _e597, _e599.has_moved);
-            if _e603.has_moved {
+            let _e582 = phi_740_;
+            let _e584 = phi_741_;
+            let _e588 = lt_mask_Reprojection(_e584.pixel, _e582, _e584.has_moved);
+            if _e588.has_moved {
             }
-            let _e609 = lt_mask_Neighbourhood(false, true);
-            if _e201 {
-                phi_960_ = _e609;
+            let _e594 = lt_mask_Neighbourhood(false, true);
+            if _e202 {
+                phi_945_ = _e594;
             } else {
                 if true {
-                    if _e597 {
-                        if _e603.has_moved {
-                            let _e612 = p.member.moving_pattern;
-                            phi_784_ = _e612;
+                    if _e582 {
+                        if _e588.has_moved {
+                            let _e597 = p.member.moving_pattern;
+                            phi_769_ = _e597;
                         } else {
-                            let _e614 = p.member.still_pattern;
-                            phi_784_ = _e614;
+                            let _e599 = p.member.still_pattern;
+                            phi_769_ = _e599;
                         }
-                        let _e616 = phi_784_;
-                        phi_786_ = 0u;
-                        phi_789_ = _e609;
+                        let _e601 = phi_769_;
+                        phi_771_ = 0u;
+                        phi_774_ = _e594;
                         loop {
-                            let _e618 = phi_786_;
-                            let _e620 = phi_789_;
-                            local_1 = _e620;
-                            if (1u <= _e616) {
-                                if (_e616 <= 4u) {
-                                    phi_801_ = false;
+                            let _e603 = phi_771_;
+                            let _e605 = phi_774_;
+                            local_1 = _e605;
+                            if (1u <= _e601) {
+                                if (_e601 <= 4u) {
+                                    phi_786_ = false;
                                 } else {
-                                    phi_801_ = true;
+                                    phi_786_ = true;
                                 }
-                                let _e624 = phi_801_;
-                                phi_802_ = _e624;
+                                let _e609 = phi_786_;
+                                phi_787_ = _e609;
                             } else {
-                                phi_802_ = true;
+                                phi_787_ = true;
                             }
-                            let _e626 = phi_802_;
-                            if _e626 {
-                                switch bitcast<i32>(_e616) {
+                            let _e611 = phi_787_;
+                            if _e611 {
+                                switch bitcast<i32>(_e601) {
                                     case 5: {
-                                        phi_810_ = 4u;
+                                        phi_795_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_810_ = 25u;
+                                        phi_795_ = 25u;
                                         break;
                                     }
                                     default: {
-                                        phi_810_ = 9u;
+                                        phi_795_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e629 = phi_810_;
-                                phi_811_ = _e629;
+                                let _e614 = phi_795_;
+                                phi_796_ = _e614;
                             } else {
-                                phi_811_ = 5u;
+                                phi_796_ = 5u;
                             }
-                            let _e631 = phi_811_;
-                            let _e632 = (_e618 < _e631);
-                            if _e632 {
-                                let _e638 = p.member.frame;
-                                let _e642 = p.member.current.size[0u];
-                                let _e644 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e616) {
+                            let _e616 = phi_796_;
+                            let _e617 = (_e603 < _e616);
+                            if _e617 {
+                                let _e623 = p.member.frame;
+                                let _e627 = p.member.current.size[0u];
+                                let _e629 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e601) {
                                     case 1: {
-                                        let _e654 = lt_mask_pattern_plus(_e618);
-                                        phi_886_ = vec2<i32>(_e654.x, _e654.y);
+                                        let _e639 = lt_mask_pattern_plus(_e603);
+                                        phi_871_ = vec2<i32>(_e639.x, _e639.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e658 = lt_mask_pattern_cross(_e618);
-                                        phi_886_ = vec2<i32>(_e658.x, _e658.y);
+                                        let _e643 = lt_mask_pattern_cross(_e603);
+                                        phi_871_ = vec2<i32>(_e643.x, _e643.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e664 = lt_mask_pattern_plus_or_cross(_e618, ((_e603.pixel.x + _e603.pixel.y) & 1u));
-                                        phi_886_ = vec2<i32>(_e664.x, _e664.y);
+                                        let _e649 = lt_mask_pattern_plus_or_cross(_e603, ((_e588.pixel.x + _e588.pixel.y) & 1u));
+                                        phi_871_ = vec2<i32>(_e649.x, _e649.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e669 = lt_mask_pattern_plus_or_cross(_e618, (_e638 & 1u));
-                                        phi_886_ = vec2<i32>(_e669.x, _e669.y);
+                                        let _e654 = lt_mask_pattern_plus_or_cross(_e603, (_e623 & 1u));
+                                        phi_871_ = vec2<i32>(_e654.x, _e654.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e638 & 3u)) {
+                                        switch bitcast<i32>((_e623 & 3u)) {
                                             case 0: {
-                                                phi_870_ = vec2(-1i);
+                                                phi_855_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_870_ = vec2(0i);
+                                                phi_855_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_870_ = vec2<i32>(0i, -1i);
+                                                phi_855_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_870_ = vec2<i32>(-1i, 0i);
+                                                phi_855_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e680 = phi_870_;
-                                        phi_886_ = (_e680 + vec2<i32>(bitcast<i32>((_e618 & 1u)), bitcast<i32>(((_e618 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e665 = phi_855_;
+                                        phi_871_ = (_e665 + vec2<i32>(bitcast<i32>((_e603 & 1u)), bitcast<i32>(((_e603 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_886_ = vec2<i32>((bitcast<i32>((_e618 % 5u)) - 2i), (bitcast<i32>(((_e618 / 5u) % 5u)) - 2i));
+                                        phi_871_ = vec2<i32>((bitcast<i32>((_e603 % 5u)) - 2i), (bitcast<i32>(((_e603 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     default: {
-                                        phi_886_ = vec2<i32>((bitcast<i32>((_e618 % 3u)) - 1i), (bitcast<i32>(((_e618 / 3u) % 3u)) - 1i));
+                                        phi_871_ = vec2<i32>((bitcast<i32>((_e603 % 3u)) - 1i), (bitcast<i32>(((_e603 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e698 = phi_886_;
-                                let _e701 = lt_mask_pattern_step_clamped(_e603.pixel.x, _e698.x, _e642);
-                                let _e702 = lt_mask_pattern_step_clamped(_e603.pixel.y, _e698.y, _e644);
-                                let _e704 = ((_e702 * _e74) + _e701);
-                                if (_e704 < arrayLength((&last_bits.member))) {
+                                let _e683 = phi_871_;
+                                let _e686 = lt_mask_pattern_step_clamped(_e588.pixel.x, _e683.x, _e627);
+                                let _e687 = lt_mask_pattern_step_clamped(_e588.pixel.y, _e683.y, _e629);
+                                let _e689 = ((_e687 * _e75) + _e686);
+                                if (_e689 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e708 = last_bits.member[(0u + _e704)];
-                                if ((_e708 & 2u) == 0u) {
-                                    phi_909_ = (_e708 & 1u);
+                                let _e693 = last_bits.member[(0u + _e689)];
+                                if ((_e693 & 2u) == 0u) {
+                                    phi_894_ = (_e693 & 1u);
                                 } else {
-                                    phi_909_ = (_e708 & 7u);
+                                    phi_894_ = (_e693 & 7u);
                                 }
-                                let _e714 = phi_909_;
-                                if _e620.any_expands {
-                                    phi_935_ = true;
+                                let _e699 = phi_894_;
+                                if _e605.any_expands {
+                                    phi_920_ = true;
                                 } else {
-                                    if ((_e714 & 2u) != 0u) {
-                                        if (((_e714 & 4u) != 0u) != _e197) {
-                                            phi_926_ = false;
+                                    if ((_e699 & 2u) != 0u) {
+                                        if (((_e699 & 4u) != 0u) != _e198) {
+                                            phi_911_ = false;
                                         } else {
-                                            phi_926_ = true;
+                                            phi_911_ = true;
                                         }
-                                        let _e723 = phi_926_;
-                                        phi_927_ = _e723;
+                                        let _e708 = phi_911_;
+                                        phi_912_ = _e708;
                                     } else {
-                                        phi_927_ = true;
+                                        phi_912_ = true;
                                     }
-                                    let _e725 = phi_927_;
-                                    if _e725 {
-                                        phi_934_ = (((_e714 & 1u) != 0u) != _e197);
+                                    let _e710 = phi_912_;
+                                    if _e710 {
+                                        phi_919_ = (((_e699 & 1u) != 0u) != _e198);
                                     } else {
-                                        phi_934_ = true;
+                                        phi_919_ = true;
                                     }
-                                    let _e730 = phi_934_;
-                                    phi_935_ = _e730;
+                                    let _e715 = phi_919_;
+                                    phi_920_ = _e715;
                                 }
-                                let _e732 = phi_935_;
-                                if _e620.all_remove {
-                                    if (((_e714 & 1u) != 0u) == _e197) {
-                                        if ((_e714 & 2u) != 0u) {
-                                            phi_953_ = (((_e714 & 4u) != 0u) == _e197);
+                                let _e717 = phi_920_;
+                                if _e605.all_remove {
+                                    if (((_e699 & 1u) != 0u) == _e198) {
+                                        if ((_e699 & 2u) != 0u) {
+                                            phi_938_ = (((_e699 & 4u) != 0u) == _e198);
                                         } else {
-                                            phi_953_ = true;
+                                            phi_938_ = true;
                                         }
-                                        let _e742 = phi_953_;
-                                        phi_954_ = _e742;
+                                        let _e727 = phi_938_;
+                                        phi_939_ = _e727;
                                     } else {
-                                        phi_954_ = false;
+                                        phi_939_ = false;
                                     }
-                                    let _e744 = phi_954_;
-                                    phi_955_ = _e744;
+                                    let _e729 = phi_939_;
+                                    phi_940_ = _e729;
                                 } else {
-                                    phi_955_ = false;
+                                    phi_940_ = false;
                                 }
-                                let _e746 = phi_955_;
-                                phi_787_ = (_e618 + 1u);
-                                phi_790_ = lt_mask_Neighbourhood(_e732, _e746);
+                                let _e731 = phi_940_;
+                                phi_772_ = (_e603 + 1u);
+                                phi_775_ = lt_mask_Neighbourhood(_e717, _e731);
                             } else {
-                                phi_787_ = u32();
-                                phi_790_ = lt_mask_Neighbourhood();
+                                phi_772_ = u32();
+                                phi_775_ = lt_mask_Neighbourhood();
                             }
-                            let _e750 = phi_787_;
-                            let _e752 = phi_790_;
+                            let _e735 = phi_772_;
+                            let _e737 = phi_775_;
                             continue;
                             continuing {
-                                phi_786_ = _e750;
-                                phi_789_ = _e752;
-                                break if !(_e632);
+                                phi_771_ = _e735;
+                                phi_774_ = _e737;
+                                break if !(_e617);
                             }
                         }
-                        let _e910 = local_1;
-                        phi_958_ = _e910;
+                        let _e895 = local_1;
+                        phi_943_ = _e895;
                     } else {
-                        phi_958_ = _e609;
+                        phi_943_ = _e594;
                     }
-                    let _e755 = phi_958_;
-                    phi_959_ = _e755;
+                    let _e740 = phi_943_;
+                    phi_944_ = _e740;
                 } else {
-                    phi_959_ = _e609;
+                    phi_944_ = _e594;
                 }
-                let _e757 = phi_959_;
-                phi_960_ = _e757;
+                let _e742 = phi_944_;
+                phi_945_ = _e742;
             }
-            let _e759 = phi_960_;
-            if (_e82 != 0.5f) {
-                if _e597 {
-                    if _e201 {
-                        phi_986_ = true;
+            let _e744 = phi_945_;
+            if (_e83 != 0.5f) {
+                if _e582 {
+                    if _e202 {
+                        phi_971_ = true;
                     } else {
-                        if _e759.any_expands {
-                            phi_985_ = false;
+                        if _e744.any_expands {
+                            phi_970_ = false;
                         } else {
-                            phi_985_ = true;
+                            phi_970_ = true;
                         }
-                        let _e764 = phi_985_;
-                        phi_986_ = _e764;
+                        let _e749 = phi_970_;
+                        phi_971_ = _e749;
                     }
-                    let _e766 = phi_986_;
-                    if _e766 {
-                        if _e201 {
+                    let _e751 = phi_971_;
+                    if _e751 {
+                        if _e202 {
                             if false {
-                                if _e759.all_remove {
-                                    phi_999_ = false;
+                                if _e744.all_remove {
+                                    phi_984_ = false;
                                 } else {
-                                    phi_999_ = true;
+                                    phi_984_ = true;
                                 }
-                                let _e768 = phi_999_;
-                                phi_1000_ = _e768;
+                                let _e753 = phi_984_;
+                                phi_985_ = _e753;
                             } else {
-                                phi_1000_ = true;
+                                phi_985_ = true;
                             }
-                            let _e770 = phi_1000_;
-                            phi_1001_ = _e770;
+                            let _e755 = phi_985_;
+                            phi_986_ = _e755;
                         } else {
-                            phi_1001_ = true;
+                            phi_986_ = true;
                         }
-                        let _e772 = phi_1001_;
-                        if _e772 {
-                            if _e201 {
-                                phi_1008_ = 1u;
+                        let _e757 = phi_986_;
+                        if _e757 {
+                            if _e202 {
+                                phi_993_ = 1u;
                             } else {
-                                phi_1008_ = 0u;
+                                phi_993_ = 0u;
                             }
-                            let _e774 = phi_1008_;
-                            phi_1009_ = _e774;
+                            let _e759 = phi_993_;
+                            phi_994_ = _e759;
                         } else {
-                            phi_1009_ = 5u;
+                            phi_994_ = 5u;
                         }
-                        let _e776 = phi_1009_;
-                        phi_1010_ = _e776;
+                        let _e761 = phi_994_;
+                        phi_995_ = _e761;
                     } else {
-                        phi_1010_ = 4u;
+                        phi_995_ = 4u;
                     }
-                    let _e778 = phi_1010_;
-                    phi_1011_ = _e778;
+                    let _e763 = phi_995_;
+                    phi_996_ = _e763;
                 } else {
-                    phi_1011_ = 3u;
+                    phi_996_ = 3u;
                 }
-                let _e780 = phi_1011_;
-                phi_1012_ = _e780;
+                let _e765 = phi_996_;
+                phi_997_ = _e765;
             } else {
-                phi_1012_ = 2u;
+                phi_997_ = 2u;
             }
-            let _e782 = phi_1012_;
-            if !((_e782 == 0u)) {
-                phi_1020_ = !((_e782 == 5u));
+            let _e767 = phi_997_;
+            if !((_e767 == 0u)) {
+                phi_1005_ = !((_e767 == 5u));
             } else {
-                phi_1020_ = false;
+                phi_1005_ = false;
             }
-            let _e788 = phi_1020_;
-            if _e788 {
-                if _e197 {
-                    phi_1028_ = (2u | 1u);
+            let _e773 = phi_1005_;
+            if _e773 {
+                if _e198 {
+                    phi_1013_ = (2u | 1u);
                 } else {
-                    phi_1028_ = 2u;
+                    phi_1013_ = 2u;
                 }
-                let _e791 = phi_1028_;
+                let _e776 = phi_1013_;
                 if false {
-                    phi_1033_ = (_e791 | 4u);
+                    phi_1018_ = (_e776 | 4u);
                 } else {
-                    phi_1033_ = _e791;
+                    phi_1018_ = _e776;
                 }
-                let _e794 = phi_1033_;
-                phi_1038_ = _e794;
+                let _e779 = phi_1018_;
+                phi_1023_ = _e779;
             } else {
-                if _e197 {
-                    phi_1037_ = 1u;
+                if _e198 {
+                    phi_1022_ = 1u;
                 } else {
-                    phi_1037_ = 0u;
+                    phi_1022_ = 0u;
                 }
-                let _e796 = phi_1037_;
-                phi_1038_ = _e796;
+                let _e781 = phi_1022_;
+                phi_1023_ = _e781;
             }
-            let _e798 = phi_1038_;
-            if _e197 {
-                phi_1042_ = 0f;
+            let _e783 = phi_1023_;
+            if _e198 {
+                phi_1027_ = 0f;
             } else {
-                phi_1042_ = 1f;
+                phi_1027_ = 1f;
             }
-            let _e800 = phi_1042_;
-            phi_1044_ = mask_Masked(_e800, _e798, _e788);
+            let _e785 = phi_1027_;
+            phi_1029_ = mask_Masked(_e785, _e783, _e773);
         }
-        let _e803 = phi_1044_;
-        visibility.member[_e66.first_primitive] = _e803.visibility;
-        bits.member[_e66.first_primitive] = _e803.bits;
-        phi_1050_ = _e803.needs_ray;
-        phi_1051_ = _e66.first_primitive;
+        let _e788 = phi_1029_;
+        visibility.member[_e67.first_primitive] = _e788.visibility;
+        bits.member[_e67.first_primitive] = _e788.bits;
+        phi_1035_ = _e788.needs_ray;
+        phi_1036_ = _e67.first_primitive;
     } else {
-        phi_1050_ = false;
-        phi_1051_ = 0u;
+        phi_1035_ = false;
+        phi_1036_ = 0u;
     }
-    let _e810 = phi_1050_;
-    let _e812 = phi_1051_;
-    if (_e50 == 0u) {
+    let _e795 = phi_1035_;
+    let _e797 = phi_1036_;
+    if (_e51 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e810 {
-        let _e816 = atomicAdd((&shared_[0u]), 1u);
-        phi_1062_ = _e816;
+    if _e795 {
+        let _e801 = atomicAdd((&shared_[0u]), 1u);
+        phi_1047_ = _e801;
     } else {
-        phi_1062_ = 0u;
+        phi_1047_ = 0u;
     }
-    let _e818 = phi_1062_;
+    let _e803 = phi_1047_;
     workgroupBarrier();
-    if (_e50 == 0u) {
-        let _e822 = atomicLoad((&shared_[0u]));
-        let _e823 = atomicAdd((&list.member[3u]), _e822);
-        atomicStore((&shared_[1u]), _e823);
+    if (_e51 == 0u) {
+        let _e807 = atomicLoad((&shared_[0u]));
+        let _e808 = atomicAdd((&list.member[3u]), _e807);
+        atomicStore((&shared_[1u]), _e808);
     }
     workgroupBarrier();
-    if _e810 {
-        let _e826 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e826) + _e818)]), _e812);
+    if _e795 {
+        let _e811 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e811) + _e803)]), _e797);
     }
     return;
 }

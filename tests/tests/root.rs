@@ -4,5 +4,6 @@ mod batch;
 mod effects;
 mod hard;
 mod laws;
+mod mask;
 mod real_scenes;
 mod twin;

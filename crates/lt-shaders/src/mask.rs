@@ -94,21 +94,23 @@ pub fn seen_depth(sample: &Sample, camera: &CameraParams) -> f32 {
     if sample.is_valid() { view_depth(sample.position, camera) } else { 0.0 }
 }
 
-/// Where a world point in front of a camera appears, in pixels from the top left corner of the picture.
+/// Where a world point in front of a camera appears: (−1, 1) at the top left corner of the picture, (1, −1) at the bottom
+/// right.
 ///
 /// A point behind the camera or beside its eye gives infinity, NaN or a place that mirrors it: ask [`view_depth`] first.
 #[inline]
-pub fn place_px(position: Vec3, camera: &CameraParams) -> Vec2 {
+pub fn place_ndc(position: Vec3, camera: &CameraParams) -> Vec2 {
     let to = position - camera.eye;
     let depth = to.dot(camera.forward);
     let x = to.dot(camera.right) / (camera.right.length_squared() * depth);
     let y = to.dot(camera.up) / (camera.up.length_squared() * depth);
-    Vec2::new((x * 0.5 + 0.5) * camera.size.x as f32, (0.5 - y * 0.5) * camera.size.y as f32)
+    Vec2::new(x, y)
 }
 
 /// The way, in pixels, from where a surface is in this frame to where it was in the last.
 ///
-/// Exactly 0 where neither surface nor camera moved: both places come from the same arithmetic.
+/// Exactly 0 where neither surface nor camera moved: both places come from the same arithmetic. The difference is taken
+/// before it is scaled to pixels, so that it keeps its last digits: they decide which pixel was nearest.
 #[inline]
 pub fn motion_px(
     position: Vec3,
@@ -116,7 +118,8 @@ pub fn motion_px(
     current: &CameraParams,
     previous: &CameraParams,
 ) -> Vec2 {
-    place_px(previous_position, previous) - place_px(position, current)
+    let way = place_ndc(previous_position, previous) - place_ndc(position, current);
+    Vec2::new(way.x * 0.5 * current.size.x as f32, way.y * -0.5 * current.size.y as f32)
 }
 
 /// Finds a pixel in the last frame.
