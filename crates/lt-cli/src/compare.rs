@@ -121,6 +121,9 @@ fn flips(session: &mut Session, comparison: &Comparison) -> anyhow::Result<Vec<u
     flips
 }
 
+/// What a single view shows of techniques that remember.
+const SETTLED: &str = "techniques with a mask (lt-…) as they have settled: their first frame traces every pixel; --frames N shows a path\n";
+
 fn text_table(comparison: &Comparison) -> String {
     let columns = [
         ("technique", Align::Left),
@@ -149,10 +152,12 @@ fn text_table(comparison: &Comparison) -> String {
         ]
     };
     let rows: Vec<_> = comparison.rows.iter().zip(frontier_of(comparison)).map(row).collect();
+    let is_settled = comparison.rows.iter().any(|row| row.technique.mask.is_some() && row.frames.is_empty());
     format!(
-        "{}\n* no other row is both faster and more right; ppm of {} pixels with geometry; medians\n",
+        "{}\n* no other row is both faster and more right; ppm of {} pixels with geometry; medians\n{}",
         table::render(&columns, &rows),
-        grouped(comparison.valid_pixels)
+        grouped(comparison.valid_pixels),
+        if is_settled { SETTLED } else { "" }
     )
 }
 
