@@ -51,8 +51,8 @@ fn a_still_view_has_no_wrong_pixel_in_any_frame_and_never_flips() {
             "lt-evsm:no-rr",
             "lt-evsm:pattern=plus",
         ] {
-            let doubt = session
-                .render(&technique(&id.replace("lt-", "ltt-").split(':').next().unwrap_or("").to_owned()));
+            let doubt =
+                session.render(&technique(id.replace("lt-", "ltt-").split(':').next().unwrap_or("")));
             had_work |= wrong(&session, &truth, &doubt.expect("frame")) != [0, 0];
             let mut last: Option<Frame> = None;
             for frame_index in 0..6 {
