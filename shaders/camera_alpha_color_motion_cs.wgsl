@@ -822,7 +822,7 @@ fn function_() {
     var phi_3055_: f32;
     var phi_3056_: f32;
     var phi_3091_: abi_Sample;
-    var phi_3181_: vec3<f32>;
+    var phi_3182_: vec3<f32>;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
@@ -1996,8 +1996,8 @@ fn function_() {
                             phi_2385_ = 4294967295u;
                         }
                         let _e1717 = phi_2385_;
-                        let _e2633 = local_6;
-                        phi_1218_ = _e2633;
+                        let _e2634 = local_6;
+                        phi_1218_ = _e2634;
                         phi_1221_ = _e1717;
                     } else {
                         phi_1218_ = lt_bvh_Hit();
@@ -2012,8 +2012,8 @@ fn function_() {
                         break if !(_e582);
                     }
                 }
-                let _e2637 = local_7;
-                phi_2386_ = _e2637;
+                let _e2638 = local_7;
+                phi_2386_ = _e2638;
             }
             let _e1724 = phi_2386_;
             phi_2387_ = _e1724;
@@ -2338,34 +2338,35 @@ fn function_() {
                 return;
             }
             let _e2400 = triangles.member[(0u + _e1730.triangle)];
-            if (_e2400.i0_ < _e100) {
+            let _e2402 = (_e2400.i0_ & 2147483647u);
+            if (_e2402 < _e100) {
             } else {
                 return;
             }
-            let _e2405 = before.member[(0u + _e2400.i0_)];
+            let _e2408 = before.member[(0u + _e2402)];
             if (_e2400.i1_ < _e100) {
             } else {
                 return;
             }
-            let _e2410 = before.member[(0u + _e2400.i1_)];
+            let _e2412 = before.member[(0u + _e2400.i1_)];
             if (_e2400.i2_ < _e100) {
             } else {
                 return;
             }
-            let _e2415 = before.member[(0u + _e2400.i2_)];
-            let _e2420 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2405.x, _e2405.y, _e2405.z));
-            let _e2431 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2410.x, _e2410.y, _e2410.z));
-            let _e2445 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2415.x, _e2415.y, _e2415.z));
-            phi_3181_ = vec3<f32>((((_e2420.x * _e2395) + (_e2431.x * _e1730.u)) + (_e2445.x * _e1730.v)), (((_e2420.y * _e2395) + (_e2431.y * _e1730.u)) + (_e2445.y * _e1730.v)), (((_e2420.z * _e2395) + (_e2431.z * _e1730.u)) + (_e2445.z * _e1730.v)));
+            let _e2416 = before.member[(0u + _e2400.i2_)];
+            let _e2421 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2408.x, _e2408.y, _e2408.z));
+            let _e2432 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2412.x, _e2412.y, _e2412.z));
+            let _e2446 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2416.x, _e2416.y, _e2416.z));
+            phi_3182_ = vec3<f32>((((_e2421.x * _e2395) + (_e2432.x * _e1730.u)) + (_e2446.x * _e1730.v)), (((_e2421.y * _e2395) + (_e2432.y * _e1730.u)) + (_e2446.y * _e1730.v)), (((_e2421.z * _e2395) + (_e2432.z * _e1730.u)) + (_e2446.z * _e1730.v)));
         } else {
-            phi_3181_ = vec3<f32>(0f, 0f, 0f);
+            phi_3182_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2457 = phi_3181_;
+        let _e2458 = phi_3182_;
         if (_e109.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2457.x, _e2457.y, _e2457.z, 1f);
+        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2458.x, _e2458.y, _e2458.z, 1f);
     }
     return;
 }

@@ -822,7 +822,7 @@ fn function_() {
     var phi_2918_: f32;
     var phi_2919_: f32;
     var phi_2954_: abi_Sample;
-    var phi_3044_: vec3<f32>;
+    var phi_3045_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -1995,8 +1995,8 @@ fn function_() {
                             phi_2384_ = 4294967295u;
                         }
                         let _e1712 = phi_2384_;
-                        let _e2484 = local_5;
-                        phi_1217_ = _e2484;
+                        let _e2485 = local_5;
+                        phi_1217_ = _e2485;
                         phi_1220_ = _e1712;
                     } else {
                         phi_1217_ = lt_bvh_Hit();
@@ -2011,8 +2011,8 @@ fn function_() {
                         break if !(_e577);
                     }
                 }
-                let _e2488 = local_6;
-                phi_2385_ = _e2488;
+                let _e2489 = local_6;
+                phi_2385_ = _e2489;
             }
             let _e1719 = phi_2385_;
             phi_2386_ = _e1719;
@@ -2301,34 +2301,35 @@ fn function_() {
                 return;
             }
             let _e2251 = triangles.member[(0u + _e1725.triangle)];
-            if (_e2251.i0_ < _e95) {
+            let _e2253 = (_e2251.i0_ & 2147483647u);
+            if (_e2253 < _e95) {
             } else {
                 return;
             }
-            let _e2256 = before.member[(0u + _e2251.i0_)];
+            let _e2259 = before.member[(0u + _e2253)];
             if (_e2251.i1_ < _e95) {
             } else {
                 return;
             }
-            let _e2261 = before.member[(0u + _e2251.i1_)];
+            let _e2263 = before.member[(0u + _e2251.i1_)];
             if (_e2251.i2_ < _e95) {
             } else {
                 return;
             }
-            let _e2266 = before.member[(0u + _e2251.i2_)];
-            let _e2271 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2256.x, _e2256.y, _e2256.z));
-            let _e2282 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2261.x, _e2261.y, _e2261.z));
-            let _e2296 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2266.x, _e2266.y, _e2266.z));
-            phi_3044_ = vec3<f32>((((_e2271.x * _e2246) + (_e2282.x * _e1725.u)) + (_e2296.x * _e1725.v)), (((_e2271.y * _e2246) + (_e2282.y * _e1725.u)) + (_e2296.y * _e1725.v)), (((_e2271.z * _e2246) + (_e2282.z * _e1725.u)) + (_e2296.z * _e1725.v)));
+            let _e2267 = before.member[(0u + _e2251.i2_)];
+            let _e2272 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2259.x, _e2259.y, _e2259.z));
+            let _e2283 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2263.x, _e2263.y, _e2263.z));
+            let _e2297 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2267.x, _e2267.y, _e2267.z));
+            phi_3045_ = vec3<f32>((((_e2272.x * _e2246) + (_e2283.x * _e1725.u)) + (_e2297.x * _e1725.v)), (((_e2272.y * _e2246) + (_e2283.y * _e1725.u)) + (_e2297.y * _e1725.v)), (((_e2272.z * _e2246) + (_e2283.z * _e1725.u)) + (_e2297.z * _e1725.v)));
         } else {
-            phi_3044_ = vec3<f32>(0f, 0f, 0f);
+            phi_3045_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2308 = phi_3044_;
+        let _e2309 = phi_3045_;
         if (_e104.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2308.x, _e2308.y, _e2308.z, 1f);
+        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2309.x, _e2309.y, _e2309.z, 1f);
     }
     return;
 }

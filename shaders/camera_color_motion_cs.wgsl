@@ -816,7 +816,7 @@ fn function_() {
     var phi_2839_: f32;
     var phi_2840_: f32;
     var phi_2875_: abi_Sample;
-    var phi_2965_: vec3<f32>;
+    var phi_2966_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -1911,8 +1911,8 @@ fn function_() {
                             phi_2169_ = 4294967295u;
                         }
                         let _e1525 = phi_2169_;
-                        let _e2438 = local_5;
-                        phi_1199_ = _e2438;
+                        let _e2439 = local_5;
+                        phi_1199_ = _e2439;
                         phi_1202_ = _e1525;
                     } else {
                         phi_1199_ = lt_bvh_Hit();
@@ -1927,8 +1927,8 @@ fn function_() {
                         break if !(_e576);
                     }
                 }
-                let _e2442 = local_6;
-                phi_2170_ = _e2442;
+                let _e2443 = local_6;
+                phi_2170_ = _e2443;
             }
             let _e1532 = phi_2170_;
             phi_2171_ = _e1532;
@@ -2253,34 +2253,35 @@ fn function_() {
                 return;
             }
             let _e2208 = triangles.member[(0u + _e1538.triangle)];
-            if (_e2208.i0_ < _e94) {
+            let _e2210 = (_e2208.i0_ & 2147483647u);
+            if (_e2210 < _e94) {
             } else {
                 return;
             }
-            let _e2213 = before.member[(0u + _e2208.i0_)];
+            let _e2216 = before.member[(0u + _e2210)];
             if (_e2208.i1_ < _e94) {
             } else {
                 return;
             }
-            let _e2218 = before.member[(0u + _e2208.i1_)];
+            let _e2220 = before.member[(0u + _e2208.i1_)];
             if (_e2208.i2_ < _e94) {
             } else {
                 return;
             }
-            let _e2223 = before.member[(0u + _e2208.i2_)];
-            let _e2228 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2213.x, _e2213.y, _e2213.z));
-            let _e2239 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2218.x, _e2218.y, _e2218.z));
-            let _e2253 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2223.x, _e2223.y, _e2223.z));
-            phi_2965_ = vec3<f32>((((_e2228.x * _e2203) + (_e2239.x * _e1538.u)) + (_e2253.x * _e1538.v)), (((_e2228.y * _e2203) + (_e2239.y * _e1538.u)) + (_e2253.y * _e1538.v)), (((_e2228.z * _e2203) + (_e2239.z * _e1538.u)) + (_e2253.z * _e1538.v)));
+            let _e2224 = before.member[(0u + _e2208.i2_)];
+            let _e2229 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2216.x, _e2216.y, _e2216.z));
+            let _e2240 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2220.x, _e2220.y, _e2220.z));
+            let _e2254 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2224.x, _e2224.y, _e2224.z));
+            phi_2966_ = vec3<f32>((((_e2229.x * _e2203) + (_e2240.x * _e1538.u)) + (_e2254.x * _e1538.v)), (((_e2229.y * _e2203) + (_e2240.y * _e1538.u)) + (_e2254.y * _e1538.v)), (((_e2229.z * _e2203) + (_e2240.z * _e1538.u)) + (_e2254.z * _e1538.v)));
         } else {
-            phi_2965_ = vec3<f32>(0f, 0f, 0f);
+            phi_2966_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2265 = phi_2965_;
+        let _e2266 = phi_2966_;
         if (_e103.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2265.x, _e2265.y, _e2265.z, 1f);
+        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2266.x, _e2266.y, _e2266.z, 1f);
     }
     return;
 }

@@ -916,7 +916,7 @@ fn function_() {
     var phi_4176_: f32;
     var phi_4177_: f32;
     var phi_4212_: abi_Sample;
-    var phi_4434_: vec3<f32>;
+    var phi_4435_: vec3<f32>;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
@@ -2629,8 +2629,8 @@ fn function_() {
                                                                 phi_3289_ = 4294967295u;
                                                             }
                                                             let _e2650 = phi_3289_;
-                                                            let _e3969 = local_10;
-                                                            phi_2141_ = _e3969;
+                                                            let _e3970 = local_10;
+                                                            phi_2141_ = _e3970;
                                                             phi_2144_ = _e2650;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
@@ -2645,8 +2645,8 @@ fn function_() {
                                                             break if !(_e1534);
                                                         }
                                                     }
-                                                    let _e3973 = local_11;
-                                                    phi_3290_ = _e3973;
+                                                    let _e3974 = local_11;
+                                                    phi_3290_ = _e3974;
                                                 }
                                                 let _e2657 = phi_3290_;
                                                 phi_3291_ = _e2657;
@@ -2735,8 +2735,8 @@ fn function_() {
                         }
                         let _e2739 = phi_3371_;
                         phi_1178_ = _e2739;
-                        let _e3989 = local_12;
-                        phi_1181_ = _e3989;
+                        let _e3990 = local_12;
+                        phi_1181_ = _e3990;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
@@ -2750,8 +2750,8 @@ fn function_() {
                         break if !(_e546);
                     }
                 }
-                let _e3992 = local_13;
-                phi_3372_ = _e3992;
+                let _e3993 = local_13;
+                phi_3372_ = _e3993;
             }
             let _e2746 = phi_3372_;
             phi_3373_ = _e2746;
@@ -3110,52 +3110,53 @@ fn function_() {
                 return;
             }
             let _e3550 = triangles.member[(0u + _e2752.triangle)];
-            if (_e3550.i0_ < _e104) {
+            let _e3552 = (_e3550.i0_ & 2147483647u);
+            if (_e3552 < _e104) {
             } else {
                 return;
             }
-            let _e3555 = before.member[(0u + _e3550.i0_)];
+            let _e3558 = before.member[(0u + _e3552)];
             if (_e3550.i1_ < _e104) {
             } else {
                 return;
             }
-            let _e3560 = before.member[(0u + _e3550.i1_)];
+            let _e3562 = before.member[(0u + _e3550.i1_)];
             if (_e3550.i2_ < _e104) {
             } else {
                 return;
             }
-            let _e3565 = before.member[(0u + _e3550.i2_)];
+            let _e3566 = before.member[(0u + _e3550.i2_)];
             if (_e2752.instance < _e95) {
             } else {
                 return;
             }
-            let _e3575 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e3588 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e3601 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
+            let _e3576 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
+            let _e3589 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
+            let _e3602 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
             if (_e2752.instance < _e95) {
             } else {
                 return;
             }
-            let _e3625 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e3638 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e3651 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
+            let _e3626 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
+            let _e3639 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
+            let _e3652 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
             if (_e2752.instance < _e95) {
             } else {
                 return;
             }
-            let _e3678 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
-            let _e3691 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
-            let _e3704 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
-            phi_4434_ = vec3<f32>((((((((_e3575.x * _e3555.x) + (_e3575.y * _e3555.y)) + (_e3575.z * _e3555.z)) + (_e3575.w * 1f)) * _e3545) + (((((_e3625.x * _e3560.x) + (_e3625.y * _e3560.y)) + (_e3625.z * _e3560.z)) + (_e3625.w * 1f)) * _e2752.u)) + (((((_e3678.x * _e3565.x) + (_e3678.y * _e3565.y)) + (_e3678.z * _e3565.z)) + (_e3678.w * 1f)) * _e2752.v)), (((((((_e3588.x * _e3555.x) + (_e3588.y * _e3555.y)) + (_e3588.z * _e3555.z)) + (_e3588.w * 1f)) * _e3545) + (((((_e3638.x * _e3560.x) + (_e3638.y * _e3560.y)) + (_e3638.z * _e3560.z)) + (_e3638.w * 1f)) * _e2752.u)) + (((((_e3691.x * _e3565.x) + (_e3691.y * _e3565.y)) + (_e3691.z * _e3565.z)) + (_e3691.w * 1f)) * _e2752.v)), (((((((_e3601.x * _e3555.x) + (_e3601.y * _e3555.y)) + (_e3601.z * _e3555.z)) + (_e3601.w * 1f)) * _e3545) + (((((_e3651.x * _e3560.x) + (_e3651.y * _e3560.y)) + (_e3651.z * _e3560.z)) + (_e3651.w * 1f)) * _e2752.u)) + (((((_e3704.x * _e3565.x) + (_e3704.y * _e3565.y)) + (_e3704.z * _e3565.z)) + (_e3704.w * 1f)) * _e2752.v)));
+            let _e3679 = instances.member[(0u + _e2752.instance)].object_to_world[0u];
+            let _e3692 = instances.member[(0u + _e2752.instance)].object_to_world[1u];
+            let _e3705 = instances.member[(0u + _e2752.instance)].object_to_world[2u];
+            phi_4435_ = vec3<f32>((((((((_e3576.x * _e3558.x) + (_e3576.y * _e3558.y)) + (_e3576.z * _e3558.z)) + (_e3576.w * 1f)) * _e3545) + (((((_e3626.x * _e3562.x) + (_e3626.y * _e3562.y)) + (_e3626.z * _e3562.z)) + (_e3626.w * 1f)) * _e2752.u)) + (((((_e3679.x * _e3566.x) + (_e3679.y * _e3566.y)) + (_e3679.z * _e3566.z)) + (_e3679.w * 1f)) * _e2752.v)), (((((((_e3589.x * _e3558.x) + (_e3589.y * _e3558.y)) + (_e3589.z * _e3558.z)) + (_e3589.w * 1f)) * _e3545) + (((((_e3639.x * _e3562.x) + (_e3639.y * _e3562.y)) + (_e3639.z * _e3562.z)) + (_e3639.w * 1f)) * _e2752.u)) + (((((_e3692.x * _e3566.x) + (_e3692.y * _e3566.y)) + (_e3692.z * _e3566.z)) + (_e3692.w * 1f)) * _e2752.v)), (((((((_e3602.x * _e3558.x) + (_e3602.y * _e3558.y)) + (_e3602.z * _e3558.z)) + (_e3602.w * 1f)) * _e3545) + (((((_e3652.x * _e3562.x) + (_e3652.y * _e3562.y)) + (_e3652.z * _e3562.z)) + (_e3652.w * 1f)) * _e2752.u)) + (((((_e3705.x * _e3566.x) + (_e3705.y * _e3566.y)) + (_e3705.z * _e3566.z)) + (_e3705.w * 1f)) * _e2752.v)));
         } else {
-            phi_4434_ = vec3<f32>(0f, 0f, 0f);
+            phi_4435_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3724 = phi_4434_;
+        let _e3725 = phi_4435_;
         if (_e113.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3724.x, _e3724.y, _e3724.z, 1f);
+        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3725.x, _e3725.y, _e3725.z, 1f);
     }
     return;
 }

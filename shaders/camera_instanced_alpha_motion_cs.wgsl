@@ -916,7 +916,7 @@ fn function_() {
     var phi_4040_: f32;
     var phi_4041_: f32;
     var phi_4076_: abi_Sample;
-    var phi_4298_: vec3<f32>;
+    var phi_4299_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -2628,8 +2628,8 @@ fn function_() {
                                                                 phi_3289_ = 4294967295u;
                                                             }
                                                             let _e2645 = phi_3289_;
-                                                            let _e3820 = local_9;
-                                                            phi_2141_ = _e3820;
+                                                            let _e3821 = local_9;
+                                                            phi_2141_ = _e3821;
                                                             phi_2144_ = _e2645;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
@@ -2644,8 +2644,8 @@ fn function_() {
                                                             break if !(_e1529);
                                                         }
                                                     }
-                                                    let _e3824 = local_10;
-                                                    phi_3290_ = _e3824;
+                                                    let _e3825 = local_10;
+                                                    phi_3290_ = _e3825;
                                                 }
                                                 let _e2652 = phi_3290_;
                                                 phi_3291_ = _e2652;
@@ -2734,8 +2734,8 @@ fn function_() {
                         }
                         let _e2734 = phi_3371_;
                         phi_1178_ = _e2734;
-                        let _e3840 = local_11;
-                        phi_1181_ = _e3840;
+                        let _e3841 = local_11;
+                        phi_1181_ = _e3841;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
@@ -2749,8 +2749,8 @@ fn function_() {
                         break if !(_e541);
                     }
                 }
-                let _e3843 = local_12;
-                phi_3372_ = _e3843;
+                let _e3844 = local_12;
+                phi_3372_ = _e3844;
             }
             let _e2741 = phi_3372_;
             phi_3373_ = _e2741;
@@ -3073,52 +3073,53 @@ fn function_() {
                 return;
             }
             let _e3401 = triangles.member[(0u + _e2747.triangle)];
-            if (_e3401.i0_ < _e99) {
+            let _e3403 = (_e3401.i0_ & 2147483647u);
+            if (_e3403 < _e99) {
             } else {
                 return;
             }
-            let _e3406 = before.member[(0u + _e3401.i0_)];
+            let _e3409 = before.member[(0u + _e3403)];
             if (_e3401.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3411 = before.member[(0u + _e3401.i1_)];
+            let _e3413 = before.member[(0u + _e3401.i1_)];
             if (_e3401.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3416 = before.member[(0u + _e3401.i2_)];
+            let _e3417 = before.member[(0u + _e3401.i2_)];
             if (_e2747.instance < _e93) {
             } else {
                 return;
             }
-            let _e3426 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e3439 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e3452 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            let _e3427 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e3440 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e3453 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
             if (_e2747.instance < _e93) {
             } else {
                 return;
             }
-            let _e3476 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e3489 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e3502 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            let _e3477 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e3490 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e3503 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
             if (_e2747.instance < _e93) {
             } else {
                 return;
             }
-            let _e3529 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
-            let _e3542 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
-            let _e3555 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
-            phi_4298_ = vec3<f32>((((((((_e3426.x * _e3406.x) + (_e3426.y * _e3406.y)) + (_e3426.z * _e3406.z)) + (_e3426.w * 1f)) * _e3396) + (((((_e3476.x * _e3411.x) + (_e3476.y * _e3411.y)) + (_e3476.z * _e3411.z)) + (_e3476.w * 1f)) * _e2747.u)) + (((((_e3529.x * _e3416.x) + (_e3529.y * _e3416.y)) + (_e3529.z * _e3416.z)) + (_e3529.w * 1f)) * _e2747.v)), (((((((_e3439.x * _e3406.x) + (_e3439.y * _e3406.y)) + (_e3439.z * _e3406.z)) + (_e3439.w * 1f)) * _e3396) + (((((_e3489.x * _e3411.x) + (_e3489.y * _e3411.y)) + (_e3489.z * _e3411.z)) + (_e3489.w * 1f)) * _e2747.u)) + (((((_e3542.x * _e3416.x) + (_e3542.y * _e3416.y)) + (_e3542.z * _e3416.z)) + (_e3542.w * 1f)) * _e2747.v)), (((((((_e3452.x * _e3406.x) + (_e3452.y * _e3406.y)) + (_e3452.z * _e3406.z)) + (_e3452.w * 1f)) * _e3396) + (((((_e3502.x * _e3411.x) + (_e3502.y * _e3411.y)) + (_e3502.z * _e3411.z)) + (_e3502.w * 1f)) * _e2747.u)) + (((((_e3555.x * _e3416.x) + (_e3555.y * _e3416.y)) + (_e3555.z * _e3416.z)) + (_e3555.w * 1f)) * _e2747.v)));
+            let _e3530 = instances.member[(0u + _e2747.instance)].object_to_world[0u];
+            let _e3543 = instances.member[(0u + _e2747.instance)].object_to_world[1u];
+            let _e3556 = instances.member[(0u + _e2747.instance)].object_to_world[2u];
+            phi_4299_ = vec3<f32>((((((((_e3427.x * _e3409.x) + (_e3427.y * _e3409.y)) + (_e3427.z * _e3409.z)) + (_e3427.w * 1f)) * _e3396) + (((((_e3477.x * _e3413.x) + (_e3477.y * _e3413.y)) + (_e3477.z * _e3413.z)) + (_e3477.w * 1f)) * _e2747.u)) + (((((_e3530.x * _e3417.x) + (_e3530.y * _e3417.y)) + (_e3530.z * _e3417.z)) + (_e3530.w * 1f)) * _e2747.v)), (((((((_e3440.x * _e3409.x) + (_e3440.y * _e3409.y)) + (_e3440.z * _e3409.z)) + (_e3440.w * 1f)) * _e3396) + (((((_e3490.x * _e3413.x) + (_e3490.y * _e3413.y)) + (_e3490.z * _e3413.z)) + (_e3490.w * 1f)) * _e2747.u)) + (((((_e3543.x * _e3417.x) + (_e3543.y * _e3417.y)) + (_e3543.z * _e3417.z)) + (_e3543.w * 1f)) * _e2747.v)), (((((((_e3453.x * _e3409.x) + (_e3453.y * _e3409.y)) + (_e3453.z * _e3409.z)) + (_e3453.w * 1f)) * _e3396) + (((((_e3503.x * _e3413.x) + (_e3503.y * _e3413.y)) + (_e3503.z * _e3413.z)) + (_e3503.w * 1f)) * _e2747.u)) + (((((_e3556.x * _e3417.x) + (_e3556.y * _e3417.y)) + (_e3556.z * _e3417.z)) + (_e3556.w * 1f)) * _e2747.v)));
         } else {
-            phi_4298_ = vec3<f32>(0f, 0f, 0f);
+            phi_4299_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3575 = phi_4298_;
+        let _e3576 = phi_4299_;
         if (_e108.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3575.x, _e3575.y, _e3575.z, 1f);
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3576.x, _e3576.y, _e3576.z, 1f);
     }
     return;
 }

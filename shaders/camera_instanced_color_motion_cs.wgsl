@@ -910,7 +910,7 @@ fn function_() {
     var phi_3961_: f32;
     var phi_3962_: f32;
     var phi_3997_: abi_Sample;
-    var phi_4219_: vec3<f32>;
+    var phi_4220_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -2544,8 +2544,8 @@ fn function_() {
                                                                 phi_3074_ = 4294967295u;
                                                             }
                                                             let _e2459 = phi_3074_;
-                                                            let _e3775 = local_9;
-                                                            phi_2123_ = _e3775;
+                                                            let _e3776 = local_9;
+                                                            phi_2123_ = _e3776;
                                                             phi_2126_ = _e2459;
                                                         } else {
                                                             phi_2123_ = lt_bvh_Hit();
@@ -2560,8 +2560,8 @@ fn function_() {
                                                             break if !(_e1529);
                                                         }
                                                     }
-                                                    let _e3779 = local_10;
-                                                    phi_3075_ = _e3779;
+                                                    let _e3780 = local_10;
+                                                    phi_3075_ = _e3780;
                                                 }
                                                 let _e2466 = phi_3075_;
                                                 phi_3076_ = _e2466;
@@ -2650,8 +2650,8 @@ fn function_() {
                         }
                         let _e2548 = phi_3156_;
                         phi_1160_ = _e2548;
-                        let _e3795 = local_11;
-                        phi_1163_ = _e3795;
+                        let _e3796 = local_11;
+                        phi_1163_ = _e3796;
                     } else {
                         phi_1160_ = u32();
                         phi_1163_ = lt_bvh_Hit();
@@ -2665,8 +2665,8 @@ fn function_() {
                         break if !(_e541);
                     }
                 }
-                let _e3798 = local_12;
-                phi_3157_ = _e3798;
+                let _e3799 = local_12;
+                phi_3157_ = _e3799;
             }
             let _e2555 = phi_3157_;
             phi_3158_ = _e2555;
@@ -3025,52 +3025,53 @@ fn function_() {
                 return;
             }
             let _e3359 = triangles.member[(0u + _e2561.triangle)];
-            if (_e3359.i0_ < _e99) {
+            let _e3361 = (_e3359.i0_ & 2147483647u);
+            if (_e3361 < _e99) {
             } else {
                 return;
             }
-            let _e3364 = before.member[(0u + _e3359.i0_)];
+            let _e3367 = before.member[(0u + _e3361)];
             if (_e3359.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3369 = before.member[(0u + _e3359.i1_)];
+            let _e3371 = before.member[(0u + _e3359.i1_)];
             if (_e3359.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3374 = before.member[(0u + _e3359.i2_)];
+            let _e3375 = before.member[(0u + _e3359.i2_)];
             if (_e2561.instance < _e93) {
             } else {
                 return;
             }
-            let _e3384 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e3397 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e3410 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            let _e3385 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e3398 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e3411 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
             if (_e2561.instance < _e93) {
             } else {
                 return;
             }
-            let _e3434 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e3447 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e3460 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            let _e3435 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e3448 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e3461 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
             if (_e2561.instance < _e93) {
             } else {
                 return;
             }
-            let _e3487 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
-            let _e3500 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
-            let _e3513 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
-            phi_4219_ = vec3<f32>((((((((_e3384.x * _e3364.x) + (_e3384.y * _e3364.y)) + (_e3384.z * _e3364.z)) + (_e3384.w * 1f)) * _e3354) + (((((_e3434.x * _e3369.x) + (_e3434.y * _e3369.y)) + (_e3434.z * _e3369.z)) + (_e3434.w * 1f)) * _e2561.u)) + (((((_e3487.x * _e3374.x) + (_e3487.y * _e3374.y)) + (_e3487.z * _e3374.z)) + (_e3487.w * 1f)) * _e2561.v)), (((((((_e3397.x * _e3364.x) + (_e3397.y * _e3364.y)) + (_e3397.z * _e3364.z)) + (_e3397.w * 1f)) * _e3354) + (((((_e3447.x * _e3369.x) + (_e3447.y * _e3369.y)) + (_e3447.z * _e3369.z)) + (_e3447.w * 1f)) * _e2561.u)) + (((((_e3500.x * _e3374.x) + (_e3500.y * _e3374.y)) + (_e3500.z * _e3374.z)) + (_e3500.w * 1f)) * _e2561.v)), (((((((_e3410.x * _e3364.x) + (_e3410.y * _e3364.y)) + (_e3410.z * _e3364.z)) + (_e3410.w * 1f)) * _e3354) + (((((_e3460.x * _e3369.x) + (_e3460.y * _e3369.y)) + (_e3460.z * _e3369.z)) + (_e3460.w * 1f)) * _e2561.u)) + (((((_e3513.x * _e3374.x) + (_e3513.y * _e3374.y)) + (_e3513.z * _e3374.z)) + (_e3513.w * 1f)) * _e2561.v)));
+            let _e3488 = instances.member[(0u + _e2561.instance)].object_to_world[0u];
+            let _e3501 = instances.member[(0u + _e2561.instance)].object_to_world[1u];
+            let _e3514 = instances.member[(0u + _e2561.instance)].object_to_world[2u];
+            phi_4220_ = vec3<f32>((((((((_e3385.x * _e3367.x) + (_e3385.y * _e3367.y)) + (_e3385.z * _e3367.z)) + (_e3385.w * 1f)) * _e3354) + (((((_e3435.x * _e3371.x) + (_e3435.y * _e3371.y)) + (_e3435.z * _e3371.z)) + (_e3435.w * 1f)) * _e2561.u)) + (((((_e3488.x * _e3375.x) + (_e3488.y * _e3375.y)) + (_e3488.z * _e3375.z)) + (_e3488.w * 1f)) * _e2561.v)), (((((((_e3398.x * _e3367.x) + (_e3398.y * _e3367.y)) + (_e3398.z * _e3367.z)) + (_e3398.w * 1f)) * _e3354) + (((((_e3448.x * _e3371.x) + (_e3448.y * _e3371.y)) + (_e3448.z * _e3371.z)) + (_e3448.w * 1f)) * _e2561.u)) + (((((_e3501.x * _e3375.x) + (_e3501.y * _e3375.y)) + (_e3501.z * _e3375.z)) + (_e3501.w * 1f)) * _e2561.v)), (((((((_e3411.x * _e3367.x) + (_e3411.y * _e3367.y)) + (_e3411.z * _e3367.z)) + (_e3411.w * 1f)) * _e3354) + (((((_e3461.x * _e3371.x) + (_e3461.y * _e3371.y)) + (_e3461.z * _e3371.z)) + (_e3461.w * 1f)) * _e2561.u)) + (((((_e3514.x * _e3375.x) + (_e3514.y * _e3375.y)) + (_e3514.z * _e3375.z)) + (_e3514.w * 1f)) * _e2561.v)));
         } else {
-            phi_4219_ = vec3<f32>(0f, 0f, 0f);
+            phi_4220_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3533 = phi_4219_;
+        let _e3534 = phi_4220_;
         if (_e108.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3533.x, _e3533.y, _e3533.z, 1f);
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3534.x, _e3534.y, _e3534.z, 1f);
     }
     return;
 }

@@ -540,7 +540,7 @@ fn function_() {
     var phi_3434_: f32;
     var phi_3435_: f32;
     var phi_3470_: abi_Sample;
-    var phi_3692_: vec3<f32>;
+    var phi_3693_: vec3<f32>;
     var local_8: lt_bvh_Hit;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
@@ -2173,8 +2173,8 @@ fn function_() {
                                                                 phi_2683_ = 4294967295u;
                                                             }
                                                             let _e2447 = phi_2683_;
-                                                            let _e3619 = local_8;
-                                                            phi_1732_ = _e3619;
+                                                            let _e3620 = local_8;
+                                                            phi_1732_ = _e3620;
                                                             phi_1735_ = _e2447;
                                                         } else {
                                                             phi_1732_ = lt_bvh_Hit();
@@ -2189,8 +2189,8 @@ fn function_() {
                                                             break if !(_e1517);
                                                         }
                                                     }
-                                                    let _e3623 = local_9;
-                                                    phi_2684_ = _e3623;
+                                                    let _e3624 = local_9;
+                                                    phi_2684_ = _e3624;
                                                 }
                                                 let _e2454 = phi_2684_;
                                                 phi_2685_ = _e2454;
@@ -2279,8 +2279,8 @@ fn function_() {
                         }
                         let _e2536 = phi_2765_;
                         phi_769_ = _e2536;
-                        let _e3639 = local_10;
-                        phi_772_ = _e3639;
+                        let _e3640 = local_10;
+                        phi_772_ = _e3640;
                     } else {
                         phi_769_ = u32();
                         phi_772_ = lt_bvh_Hit();
@@ -2294,8 +2294,8 @@ fn function_() {
                         break if !(_e529);
                     }
                 }
-                let _e3642 = local_11;
-                phi_2766_ = _e3642;
+                let _e3643 = local_11;
+                phi_2766_ = _e3643;
             }
             let _e2543 = phi_2766_;
             phi_2767_ = _e2543;
@@ -2618,52 +2618,53 @@ fn function_() {
                 return;
             }
             let _e3203 = triangles.member[(0u + _e2549.triangle)];
-            if (_e3203.i0_ < _e87) {
+            let _e3205 = (_e3203.i0_ & 2147483647u);
+            if (_e3205 < _e87) {
             } else {
                 return;
             }
-            let _e3208 = before.member[(0u + _e3203.i0_)];
+            let _e3211 = before.member[(0u + _e3205)];
             if (_e3203.i1_ < _e87) {
             } else {
                 return;
             }
-            let _e3213 = before.member[(0u + _e3203.i1_)];
+            let _e3215 = before.member[(0u + _e3203.i1_)];
             if (_e3203.i2_ < _e87) {
             } else {
                 return;
             }
-            let _e3218 = before.member[(0u + _e3203.i2_)];
+            let _e3219 = before.member[(0u + _e3203.i2_)];
             if (_e2549.instance < _e84) {
             } else {
                 return;
             }
-            let _e3228 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e3241 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e3254 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            let _e3229 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e3242 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e3255 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
             if (_e2549.instance < _e84) {
             } else {
                 return;
             }
-            let _e3278 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e3291 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e3304 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            let _e3279 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e3292 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e3305 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
             if (_e2549.instance < _e84) {
             } else {
                 return;
             }
-            let _e3331 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
-            let _e3344 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
-            let _e3357 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
-            phi_3692_ = vec3<f32>((((((((_e3228.x * _e3208.x) + (_e3228.y * _e3208.y)) + (_e3228.z * _e3208.z)) + (_e3228.w * 1f)) * _e3198) + (((((_e3278.x * _e3213.x) + (_e3278.y * _e3213.y)) + (_e3278.z * _e3213.z)) + (_e3278.w * 1f)) * _e2549.u)) + (((((_e3331.x * _e3218.x) + (_e3331.y * _e3218.y)) + (_e3331.z * _e3218.z)) + (_e3331.w * 1f)) * _e2549.v)), (((((((_e3241.x * _e3208.x) + (_e3241.y * _e3208.y)) + (_e3241.z * _e3208.z)) + (_e3241.w * 1f)) * _e3198) + (((((_e3291.x * _e3213.x) + (_e3291.y * _e3213.y)) + (_e3291.z * _e3213.z)) + (_e3291.w * 1f)) * _e2549.u)) + (((((_e3344.x * _e3218.x) + (_e3344.y * _e3218.y)) + (_e3344.z * _e3218.z)) + (_e3344.w * 1f)) * _e2549.v)), (((((((_e3254.x * _e3208.x) + (_e3254.y * _e3208.y)) + (_e3254.z * _e3208.z)) + (_e3254.w * 1f)) * _e3198) + (((((_e3304.x * _e3213.x) + (_e3304.y * _e3213.y)) + (_e3304.z * _e3213.z)) + (_e3304.w * 1f)) * _e2549.u)) + (((((_e3357.x * _e3218.x) + (_e3357.y * _e3218.y)) + (_e3357.z * _e3218.z)) + (_e3357.w * 1f)) * _e2549.v)));
+            let _e3332 = instances.member[(0u + _e2549.instance)].object_to_world[0u];
+            let _e3345 = instances.member[(0u + _e2549.instance)].object_to_world[1u];
+            let _e3358 = instances.member[(0u + _e2549.instance)].object_to_world[2u];
+            phi_3693_ = vec3<f32>((((((((_e3229.x * _e3211.x) + (_e3229.y * _e3211.y)) + (_e3229.z * _e3211.z)) + (_e3229.w * 1f)) * _e3198) + (((((_e3279.x * _e3215.x) + (_e3279.y * _e3215.y)) + (_e3279.z * _e3215.z)) + (_e3279.w * 1f)) * _e2549.u)) + (((((_e3332.x * _e3219.x) + (_e3332.y * _e3219.y)) + (_e3332.z * _e3219.z)) + (_e3332.w * 1f)) * _e2549.v)), (((((((_e3242.x * _e3211.x) + (_e3242.y * _e3211.y)) + (_e3242.z * _e3211.z)) + (_e3242.w * 1f)) * _e3198) + (((((_e3292.x * _e3215.x) + (_e3292.y * _e3215.y)) + (_e3292.z * _e3215.z)) + (_e3292.w * 1f)) * _e2549.u)) + (((((_e3345.x * _e3219.x) + (_e3345.y * _e3219.y)) + (_e3345.z * _e3219.z)) + (_e3345.w * 1f)) * _e2549.v)), (((((((_e3255.x * _e3211.x) + (_e3255.y * _e3211.y)) + (_e3255.z * _e3211.z)) + (_e3255.w * 1f)) * _e3198) + (((((_e3305.x * _e3215.x) + (_e3305.y * _e3215.y)) + (_e3305.z * _e3215.z)) + (_e3305.w * 1f)) * _e2549.u)) + (((((_e3358.x * _e3219.x) + (_e3358.y * _e3219.y)) + (_e3358.z * _e3219.z)) + (_e3358.w * 1f)) * _e2549.v)));
         } else {
-            phi_3692_ = vec3<f32>(0f, 0f, 0f);
+            phi_3693_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3377 = phi_3692_;
+        let _e3378 = phi_3693_;
         if (_e96.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3377.x, _e3377.y, _e3377.z, 1f);
+        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3378.x, _e3378.y, _e3378.z, 1f);
     }
     return;
 }

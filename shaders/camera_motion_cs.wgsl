@@ -446,7 +446,7 @@ fn function_() {
     var phi_2309_: f32;
     var phi_2310_: f32;
     var phi_2345_: abi_Sample;
-    var phi_2435_: vec3<f32>;
+    var phi_2436_: vec3<f32>;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
@@ -1540,8 +1540,8 @@ fn function_() {
                             phi_1775_ = 4294967295u;
                         }
                         let _e1513 = phi_1775_;
-                        let _e2282 = local_4;
-                        phi_805_ = _e2282;
+                        let _e2283 = local_4;
+                        phi_805_ = _e2283;
                         phi_808_ = _e1513;
                     } else {
                         phi_805_ = lt_bvh_Hit();
@@ -1556,8 +1556,8 @@ fn function_() {
                         break if !(_e564);
                     }
                 }
-                let _e2286 = local_5;
-                phi_1776_ = _e2286;
+                let _e2287 = local_5;
+                phi_1776_ = _e2287;
             }
             let _e1520 = phi_1776_;
             phi_1777_ = _e1520;
@@ -1846,34 +1846,35 @@ fn function_() {
                 return;
             }
             let _e2052 = triangles.member[(0u + _e1526.triangle)];
-            if (_e2052.i0_ < _e82) {
+            let _e2054 = (_e2052.i0_ & 2147483647u);
+            if (_e2054 < _e82) {
             } else {
                 return;
             }
-            let _e2057 = before.member[(0u + _e2052.i0_)];
+            let _e2060 = before.member[(0u + _e2054)];
             if (_e2052.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2062 = before.member[(0u + _e2052.i1_)];
+            let _e2064 = before.member[(0u + _e2052.i1_)];
             if (_e2052.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2067 = before.member[(0u + _e2052.i2_)];
-            let _e2072 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2057.x, _e2057.y, _e2057.z));
-            let _e2083 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2062.x, _e2062.y, _e2062.z));
-            let _e2097 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2067.x, _e2067.y, _e2067.z));
-            phi_2435_ = vec3<f32>((((_e2072.x * _e2047) + (_e2083.x * _e1526.u)) + (_e2097.x * _e1526.v)), (((_e2072.y * _e2047) + (_e2083.y * _e1526.u)) + (_e2097.y * _e1526.v)), (((_e2072.z * _e2047) + (_e2083.z * _e1526.u)) + (_e2097.z * _e1526.v)));
+            let _e2068 = before.member[(0u + _e2052.i2_)];
+            let _e2073 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2060.x, _e2060.y, _e2060.z));
+            let _e2084 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2064.x, _e2064.y, _e2064.z));
+            let _e2098 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2068.x, _e2068.y, _e2068.z));
+            phi_2436_ = vec3<f32>((((_e2073.x * _e2047) + (_e2084.x * _e1526.u)) + (_e2098.x * _e1526.v)), (((_e2073.y * _e2047) + (_e2084.y * _e1526.u)) + (_e2098.y * _e1526.v)), (((_e2073.z * _e2047) + (_e2084.z * _e1526.u)) + (_e2098.z * _e1526.v)));
         } else {
-            phi_2435_ = vec3<f32>(0f, 0f, 0f);
+            phi_2436_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2109 = phi_2435_;
+        let _e2110 = phi_2436_;
         if (_e91.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2109.x, _e2109.y, _e2109.z, 1f);
+        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2110.x, _e2110.y, _e2110.z, 1f);
     }
     return;
 }

@@ -165,7 +165,7 @@ mod tests {
         let report = Report::new(&fixture::summary(), &comparison, &[true; 8], Some(&playback)).unwrap();
         let page = report.render().unwrap();
         assert!(page.contains("Over the frames") && page.contains("Temporal mask"));
-        assert!(!super::tests::page().contains("Over the frames"));
+        assert!(!page().contains("Over the frames"));
     }
 
     #[test]
