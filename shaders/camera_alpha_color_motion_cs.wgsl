@@ -828,7 +828,7 @@ fn function_() {
     var phi_3154_: f32;
     var phi_3155_: f32;
     var phi_3190_: abi_Sample;
-    var phi_3280_: vec3<f32>;
+    var phi_3281_: vec3<f32>;
     var local_6: lt_bvh_Hit;
     var local_7: lt_bvh_Hit;
 
@@ -2054,8 +2054,8 @@ fn function_() {
                             phi_2484_ = 4294967295u;
                         }
                         let _e1804 = phi_2484_;
-                        let _e2726 = local_6;
-                        phi_1218_ = _e2726;
+                        let _e2727 = local_6;
+                        phi_1218_ = _e2727;
                         phi_1221_ = _e1804;
                     } else {
                         phi_1218_ = lt_bvh_Hit();
@@ -2070,8 +2070,8 @@ fn function_() {
                         break if !(_e582);
                     }
                 }
-                let _e2730 = local_7;
-                phi_2485_ = _e2730;
+                let _e2731 = local_7;
+                phi_2485_ = _e2731;
             }
             let _e1811 = phi_2485_;
             phi_2486_ = _e1811;
@@ -2396,34 +2396,35 @@ fn function_() {
                 return;
             }
             let _e2487 = triangles.member[(0u + _e1817.triangle)];
-            if (_e2487.i0_ < _e100) {
+            let _e2489 = (_e2487.i0_ & 2147483647u);
+            if (_e2489 < _e100) {
             } else {
                 return;
             }
-            let _e2492 = before.member[(0u + _e2487.i0_)];
+            let _e2495 = before.member[(0u + _e2489)];
             if (_e2487.i1_ < _e100) {
             } else {
                 return;
             }
-            let _e2497 = before.member[(0u + _e2487.i1_)];
+            let _e2499 = before.member[(0u + _e2487.i1_)];
             if (_e2487.i2_ < _e100) {
             } else {
                 return;
             }
-            let _e2502 = before.member[(0u + _e2487.i2_)];
-            let _e2507 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2492.x, _e2492.y, _e2492.z));
-            let _e2518 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2497.x, _e2497.y, _e2497.z));
-            let _e2532 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2502.x, _e2502.y, _e2502.z));
-            phi_3280_ = vec3<f32>((((_e2507.x * _e2482) + (_e2518.x * _e1817.u)) + (_e2532.x * _e1817.v)), (((_e2507.y * _e2482) + (_e2518.y * _e1817.u)) + (_e2532.y * _e1817.v)), (((_e2507.z * _e2482) + (_e2518.z * _e1817.u)) + (_e2532.z * _e1817.v)));
+            let _e2503 = before.member[(0u + _e2487.i2_)];
+            let _e2508 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2495.x, _e2495.y, _e2495.z));
+            let _e2519 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2499.x, _e2499.y, _e2499.z));
+            let _e2533 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2503.x, _e2503.y, _e2503.z));
+            phi_3281_ = vec3<f32>((((_e2508.x * _e2482) + (_e2519.x * _e1817.u)) + (_e2533.x * _e1817.v)), (((_e2508.y * _e2482) + (_e2519.y * _e1817.u)) + (_e2533.y * _e1817.v)), (((_e2508.z * _e2482) + (_e2519.z * _e1817.u)) + (_e2533.z * _e1817.v)));
         } else {
-            phi_3280_ = vec3<f32>(0f, 0f, 0f);
+            phi_3281_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2544 = phi_3280_;
+        let _e2545 = phi_3281_;
         if (_e109.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2544.x, _e2544.y, _e2544.z, 1f);
+        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e2545.x, _e2545.y, _e2545.z, 1f);
     }
     return;
 }

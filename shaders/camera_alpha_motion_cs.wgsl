@@ -828,7 +828,7 @@ fn function_() {
     var phi_3017_: f32;
     var phi_3018_: f32;
     var phi_3053_: abi_Sample;
-    var phi_3143_: vec3<f32>;
+    var phi_3144_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -2053,8 +2053,8 @@ fn function_() {
                             phi_2483_ = 4294967295u;
                         }
                         let _e1799 = phi_2483_;
-                        let _e2577 = local_5;
-                        phi_1217_ = _e2577;
+                        let _e2578 = local_5;
+                        phi_1217_ = _e2578;
                         phi_1220_ = _e1799;
                     } else {
                         phi_1217_ = lt_bvh_Hit();
@@ -2069,8 +2069,8 @@ fn function_() {
                         break if !(_e577);
                     }
                 }
-                let _e2581 = local_6;
-                phi_2484_ = _e2581;
+                let _e2582 = local_6;
+                phi_2484_ = _e2582;
             }
             let _e1806 = phi_2484_;
             phi_2485_ = _e1806;
@@ -2359,34 +2359,35 @@ fn function_() {
                 return;
             }
             let _e2338 = triangles.member[(0u + _e1812.triangle)];
-            if (_e2338.i0_ < _e95) {
+            let _e2340 = (_e2338.i0_ & 2147483647u);
+            if (_e2340 < _e95) {
             } else {
                 return;
             }
-            let _e2343 = before.member[(0u + _e2338.i0_)];
+            let _e2346 = before.member[(0u + _e2340)];
             if (_e2338.i1_ < _e95) {
             } else {
                 return;
             }
-            let _e2348 = before.member[(0u + _e2338.i1_)];
+            let _e2350 = before.member[(0u + _e2338.i1_)];
             if (_e2338.i2_ < _e95) {
             } else {
                 return;
             }
-            let _e2353 = before.member[(0u + _e2338.i2_)];
-            let _e2358 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2343.x, _e2343.y, _e2343.z));
-            let _e2369 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2348.x, _e2348.y, _e2348.z));
-            let _e2383 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2353.x, _e2353.y, _e2353.z));
-            phi_3143_ = vec3<f32>((((_e2358.x * _e2333) + (_e2369.x * _e1812.u)) + (_e2383.x * _e1812.v)), (((_e2358.y * _e2333) + (_e2369.y * _e1812.u)) + (_e2383.y * _e1812.v)), (((_e2358.z * _e2333) + (_e2369.z * _e1812.u)) + (_e2383.z * _e1812.v)));
+            let _e2354 = before.member[(0u + _e2338.i2_)];
+            let _e2359 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2346.x, _e2346.y, _e2346.z));
+            let _e2370 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2350.x, _e2350.y, _e2350.z));
+            let _e2384 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2354.x, _e2354.y, _e2354.z));
+            phi_3144_ = vec3<f32>((((_e2359.x * _e2333) + (_e2370.x * _e1812.u)) + (_e2384.x * _e1812.v)), (((_e2359.y * _e2333) + (_e2370.y * _e1812.u)) + (_e2384.y * _e1812.v)), (((_e2359.z * _e2333) + (_e2370.z * _e1812.u)) + (_e2384.z * _e1812.v)));
         } else {
-            phi_3143_ = vec3<f32>(0f, 0f, 0f);
+            phi_3144_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2395 = phi_3143_;
+        let _e2396 = phi_3144_;
         if (_e104.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2395.x, _e2395.y, _e2395.z, 1f);
+        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2396.x, _e2396.y, _e2396.z, 1f);
     }
     return;
 }

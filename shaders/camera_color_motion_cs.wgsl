@@ -822,7 +822,7 @@ fn function_() {
     var phi_2938_: f32;
     var phi_2939_: f32;
     var phi_2974_: abi_Sample;
-    var phi_3064_: vec3<f32>;
+    var phi_3065_: vec3<f32>;
     var local_5: lt_bvh_Hit;
     var local_6: lt_bvh_Hit;
 
@@ -1969,8 +1969,8 @@ fn function_() {
                             phi_2268_ = 4294967295u;
                         }
                         let _e1612 = phi_2268_;
-                        let _e2531 = local_5;
-                        phi_1199_ = _e2531;
+                        let _e2532 = local_5;
+                        phi_1199_ = _e2532;
                         phi_1202_ = _e1612;
                     } else {
                         phi_1199_ = lt_bvh_Hit();
@@ -1985,8 +1985,8 @@ fn function_() {
                         break if !(_e576);
                     }
                 }
-                let _e2535 = local_6;
-                phi_2269_ = _e2535;
+                let _e2536 = local_6;
+                phi_2269_ = _e2536;
             }
             let _e1619 = phi_2269_;
             phi_2270_ = _e1619;
@@ -2311,34 +2311,35 @@ fn function_() {
                 return;
             }
             let _e2295 = triangles.member[(0u + _e1625.triangle)];
-            if (_e2295.i0_ < _e94) {
+            let _e2297 = (_e2295.i0_ & 2147483647u);
+            if (_e2297 < _e94) {
             } else {
                 return;
             }
-            let _e2300 = before.member[(0u + _e2295.i0_)];
+            let _e2303 = before.member[(0u + _e2297)];
             if (_e2295.i1_ < _e94) {
             } else {
                 return;
             }
-            let _e2305 = before.member[(0u + _e2295.i1_)];
+            let _e2307 = before.member[(0u + _e2295.i1_)];
             if (_e2295.i2_ < _e94) {
             } else {
                 return;
             }
-            let _e2310 = before.member[(0u + _e2295.i2_)];
-            let _e2315 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2300.x, _e2300.y, _e2300.z));
-            let _e2326 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2305.x, _e2305.y, _e2305.z));
-            let _e2340 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2310.x, _e2310.y, _e2310.z));
-            phi_3064_ = vec3<f32>((((_e2315.x * _e2290) + (_e2326.x * _e1625.u)) + (_e2340.x * _e1625.v)), (((_e2315.y * _e2290) + (_e2326.y * _e1625.u)) + (_e2340.y * _e1625.v)), (((_e2315.z * _e2290) + (_e2326.z * _e1625.u)) + (_e2340.z * _e1625.v)));
+            let _e2311 = before.member[(0u + _e2295.i2_)];
+            let _e2316 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2303.x, _e2303.y, _e2303.z));
+            let _e2327 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2307.x, _e2307.y, _e2307.z));
+            let _e2341 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2311.x, _e2311.y, _e2311.z));
+            phi_3065_ = vec3<f32>((((_e2316.x * _e2290) + (_e2327.x * _e1625.u)) + (_e2341.x * _e1625.v)), (((_e2316.y * _e2290) + (_e2327.y * _e1625.u)) + (_e2341.y * _e1625.v)), (((_e2316.z * _e2290) + (_e2327.z * _e1625.u)) + (_e2341.z * _e1625.v)));
         } else {
-            phi_3064_ = vec3<f32>(0f, 0f, 0f);
+            phi_3065_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2352 = phi_3064_;
+        let _e2353 = phi_3065_;
         if (_e103.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2352.x, _e2352.y, _e2352.z, 1f);
+        past.member[(0u + _e103.first_primitive)] = vec4<f32>(_e2353.x, _e2353.y, _e2353.z, 1f);
     }
     return;
 }

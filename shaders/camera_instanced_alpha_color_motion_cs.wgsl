@@ -922,7 +922,7 @@ fn function_() {
     var phi_4273_: f32;
     var phi_4274_: f32;
     var phi_4309_: abi_Sample;
-    var phi_4531_: vec3<f32>;
+    var phi_4532_: vec3<f32>;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
     var local_12: lt_bvh_Hit;
@@ -2687,8 +2687,8 @@ fn function_() {
                                                                 phi_3386_ = 4294967295u;
                                                             }
                                                             let _e2735 = phi_3386_;
-                                                            let _e4060 = local_10;
-                                                            phi_2141_ = _e4060;
+                                                            let _e4061 = local_10;
+                                                            phi_2141_ = _e4061;
                                                             phi_2144_ = _e2735;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
@@ -2703,8 +2703,8 @@ fn function_() {
                                                             break if !(_e1534);
                                                         }
                                                     }
-                                                    let _e4064 = local_11;
-                                                    phi_3387_ = _e4064;
+                                                    let _e4065 = local_11;
+                                                    phi_3387_ = _e4065;
                                                 }
                                                 let _e2742 = phi_3387_;
                                                 phi_3388_ = _e2742;
@@ -2793,8 +2793,8 @@ fn function_() {
                         }
                         let _e2824 = phi_3468_;
                         phi_1178_ = _e2824;
-                        let _e4080 = local_12;
-                        phi_1181_ = _e4080;
+                        let _e4081 = local_12;
+                        phi_1181_ = _e4081;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
@@ -2808,8 +2808,8 @@ fn function_() {
                         break if !(_e546);
                     }
                 }
-                let _e4083 = local_13;
-                phi_3469_ = _e4083;
+                let _e4084 = local_13;
+                phi_3469_ = _e4084;
             }
             let _e2831 = phi_3469_;
             phi_3470_ = _e2831;
@@ -3168,52 +3168,53 @@ fn function_() {
                 return;
             }
             let _e3635 = triangles.member[(0u + _e2837.triangle)];
-            if (_e3635.i0_ < _e104) {
+            let _e3637 = (_e3635.i0_ & 2147483647u);
+            if (_e3637 < _e104) {
             } else {
                 return;
             }
-            let _e3640 = before.member[(0u + _e3635.i0_)];
+            let _e3643 = before.member[(0u + _e3637)];
             if (_e3635.i1_ < _e104) {
             } else {
                 return;
             }
-            let _e3645 = before.member[(0u + _e3635.i1_)];
+            let _e3647 = before.member[(0u + _e3635.i1_)];
             if (_e3635.i2_ < _e104) {
             } else {
                 return;
             }
-            let _e3650 = before.member[(0u + _e3635.i2_)];
+            let _e3651 = before.member[(0u + _e3635.i2_)];
             if (_e2837.instance < _e95) {
             } else {
                 return;
             }
-            let _e3660 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3673 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3686 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e3661 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3674 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3687 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
             if (_e2837.instance < _e95) {
             } else {
                 return;
             }
-            let _e3710 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3723 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3736 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            let _e3711 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3724 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3737 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
             if (_e2837.instance < _e95) {
             } else {
                 return;
             }
-            let _e3763 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
-            let _e3776 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
-            let _e3789 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
-            phi_4531_ = vec3<f32>((((((((_e3660.x * _e3640.x) + (_e3660.y * _e3640.y)) + (_e3660.z * _e3640.z)) + (_e3660.w * 1f)) * _e3630) + (((((_e3710.x * _e3645.x) + (_e3710.y * _e3645.y)) + (_e3710.z * _e3645.z)) + (_e3710.w * 1f)) * _e2837.u)) + (((((_e3763.x * _e3650.x) + (_e3763.y * _e3650.y)) + (_e3763.z * _e3650.z)) + (_e3763.w * 1f)) * _e2837.v)), (((((((_e3673.x * _e3640.x) + (_e3673.y * _e3640.y)) + (_e3673.z * _e3640.z)) + (_e3673.w * 1f)) * _e3630) + (((((_e3723.x * _e3645.x) + (_e3723.y * _e3645.y)) + (_e3723.z * _e3645.z)) + (_e3723.w * 1f)) * _e2837.u)) + (((((_e3776.x * _e3650.x) + (_e3776.y * _e3650.y)) + (_e3776.z * _e3650.z)) + (_e3776.w * 1f)) * _e2837.v)), (((((((_e3686.x * _e3640.x) + (_e3686.y * _e3640.y)) + (_e3686.z * _e3640.z)) + (_e3686.w * 1f)) * _e3630) + (((((_e3736.x * _e3645.x) + (_e3736.y * _e3645.y)) + (_e3736.z * _e3645.z)) + (_e3736.w * 1f)) * _e2837.u)) + (((((_e3789.x * _e3650.x) + (_e3789.y * _e3650.y)) + (_e3789.z * _e3650.z)) + (_e3789.w * 1f)) * _e2837.v)));
+            let _e3764 = instances.member[(0u + _e2837.instance)].object_to_world[0u];
+            let _e3777 = instances.member[(0u + _e2837.instance)].object_to_world[1u];
+            let _e3790 = instances.member[(0u + _e2837.instance)].object_to_world[2u];
+            phi_4532_ = vec3<f32>((((((((_e3661.x * _e3643.x) + (_e3661.y * _e3643.y)) + (_e3661.z * _e3643.z)) + (_e3661.w * 1f)) * _e3630) + (((((_e3711.x * _e3647.x) + (_e3711.y * _e3647.y)) + (_e3711.z * _e3647.z)) + (_e3711.w * 1f)) * _e2837.u)) + (((((_e3764.x * _e3651.x) + (_e3764.y * _e3651.y)) + (_e3764.z * _e3651.z)) + (_e3764.w * 1f)) * _e2837.v)), (((((((_e3674.x * _e3643.x) + (_e3674.y * _e3643.y)) + (_e3674.z * _e3643.z)) + (_e3674.w * 1f)) * _e3630) + (((((_e3724.x * _e3647.x) + (_e3724.y * _e3647.y)) + (_e3724.z * _e3647.z)) + (_e3724.w * 1f)) * _e2837.u)) + (((((_e3777.x * _e3651.x) + (_e3777.y * _e3651.y)) + (_e3777.z * _e3651.z)) + (_e3777.w * 1f)) * _e2837.v)), (((((((_e3687.x * _e3643.x) + (_e3687.y * _e3643.y)) + (_e3687.z * _e3643.z)) + (_e3687.w * 1f)) * _e3630) + (((((_e3737.x * _e3647.x) + (_e3737.y * _e3647.y)) + (_e3737.z * _e3647.z)) + (_e3737.w * 1f)) * _e2837.u)) + (((((_e3790.x * _e3651.x) + (_e3790.y * _e3651.y)) + (_e3790.z * _e3651.z)) + (_e3790.w * 1f)) * _e2837.v)));
         } else {
-            phi_4531_ = vec3<f32>(0f, 0f, 0f);
+            phi_4532_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3809 = phi_4531_;
+        let _e3810 = phi_4532_;
         if (_e113.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3809.x, _e3809.y, _e3809.z, 1f);
+        past.member[(0u + _e113.first_primitive)] = vec4<f32>(_e3810.x, _e3810.y, _e3810.z, 1f);
     }
     return;
 }

@@ -922,7 +922,7 @@ fn function_() {
     var phi_4137_: f32;
     var phi_4138_: f32;
     var phi_4173_: abi_Sample;
-    var phi_4395_: vec3<f32>;
+    var phi_4396_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -2686,8 +2686,8 @@ fn function_() {
                                                                 phi_3386_ = 4294967295u;
                                                             }
                                                             let _e2730 = phi_3386_;
-                                                            let _e3911 = local_9;
-                                                            phi_2141_ = _e3911;
+                                                            let _e3912 = local_9;
+                                                            phi_2141_ = _e3912;
                                                             phi_2144_ = _e2730;
                                                         } else {
                                                             phi_2141_ = lt_bvh_Hit();
@@ -2702,8 +2702,8 @@ fn function_() {
                                                             break if !(_e1529);
                                                         }
                                                     }
-                                                    let _e3915 = local_10;
-                                                    phi_3387_ = _e3915;
+                                                    let _e3916 = local_10;
+                                                    phi_3387_ = _e3916;
                                                 }
                                                 let _e2737 = phi_3387_;
                                                 phi_3388_ = _e2737;
@@ -2792,8 +2792,8 @@ fn function_() {
                         }
                         let _e2819 = phi_3468_;
                         phi_1178_ = _e2819;
-                        let _e3931 = local_11;
-                        phi_1181_ = _e3931;
+                        let _e3932 = local_11;
+                        phi_1181_ = _e3932;
                     } else {
                         phi_1178_ = u32();
                         phi_1181_ = lt_bvh_Hit();
@@ -2807,8 +2807,8 @@ fn function_() {
                         break if !(_e541);
                     }
                 }
-                let _e3934 = local_12;
-                phi_3469_ = _e3934;
+                let _e3935 = local_12;
+                phi_3469_ = _e3935;
             }
             let _e2826 = phi_3469_;
             phi_3470_ = _e2826;
@@ -3131,52 +3131,53 @@ fn function_() {
                 return;
             }
             let _e3486 = triangles.member[(0u + _e2832.triangle)];
-            if (_e3486.i0_ < _e99) {
+            let _e3488 = (_e3486.i0_ & 2147483647u);
+            if (_e3488 < _e99) {
             } else {
                 return;
             }
-            let _e3491 = before.member[(0u + _e3486.i0_)];
+            let _e3494 = before.member[(0u + _e3488)];
             if (_e3486.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3496 = before.member[(0u + _e3486.i1_)];
+            let _e3498 = before.member[(0u + _e3486.i1_)];
             if (_e3486.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3501 = before.member[(0u + _e3486.i2_)];
+            let _e3502 = before.member[(0u + _e3486.i2_)];
             if (_e2832.instance < _e93) {
             } else {
                 return;
             }
-            let _e3511 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3524 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3537 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            let _e3512 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e3525 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e3538 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
             if (_e2832.instance < _e93) {
             } else {
                 return;
             }
-            let _e3561 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3574 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3587 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            let _e3562 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e3575 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e3588 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
             if (_e2832.instance < _e93) {
             } else {
                 return;
             }
-            let _e3614 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
-            let _e3627 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
-            let _e3640 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
-            phi_4395_ = vec3<f32>((((((((_e3511.x * _e3491.x) + (_e3511.y * _e3491.y)) + (_e3511.z * _e3491.z)) + (_e3511.w * 1f)) * _e3481) + (((((_e3561.x * _e3496.x) + (_e3561.y * _e3496.y)) + (_e3561.z * _e3496.z)) + (_e3561.w * 1f)) * _e2832.u)) + (((((_e3614.x * _e3501.x) + (_e3614.y * _e3501.y)) + (_e3614.z * _e3501.z)) + (_e3614.w * 1f)) * _e2832.v)), (((((((_e3524.x * _e3491.x) + (_e3524.y * _e3491.y)) + (_e3524.z * _e3491.z)) + (_e3524.w * 1f)) * _e3481) + (((((_e3574.x * _e3496.x) + (_e3574.y * _e3496.y)) + (_e3574.z * _e3496.z)) + (_e3574.w * 1f)) * _e2832.u)) + (((((_e3627.x * _e3501.x) + (_e3627.y * _e3501.y)) + (_e3627.z * _e3501.z)) + (_e3627.w * 1f)) * _e2832.v)), (((((((_e3537.x * _e3491.x) + (_e3537.y * _e3491.y)) + (_e3537.z * _e3491.z)) + (_e3537.w * 1f)) * _e3481) + (((((_e3587.x * _e3496.x) + (_e3587.y * _e3496.y)) + (_e3587.z * _e3496.z)) + (_e3587.w * 1f)) * _e2832.u)) + (((((_e3640.x * _e3501.x) + (_e3640.y * _e3501.y)) + (_e3640.z * _e3501.z)) + (_e3640.w * 1f)) * _e2832.v)));
+            let _e3615 = instances.member[(0u + _e2832.instance)].object_to_world[0u];
+            let _e3628 = instances.member[(0u + _e2832.instance)].object_to_world[1u];
+            let _e3641 = instances.member[(0u + _e2832.instance)].object_to_world[2u];
+            phi_4396_ = vec3<f32>((((((((_e3512.x * _e3494.x) + (_e3512.y * _e3494.y)) + (_e3512.z * _e3494.z)) + (_e3512.w * 1f)) * _e3481) + (((((_e3562.x * _e3498.x) + (_e3562.y * _e3498.y)) + (_e3562.z * _e3498.z)) + (_e3562.w * 1f)) * _e2832.u)) + (((((_e3615.x * _e3502.x) + (_e3615.y * _e3502.y)) + (_e3615.z * _e3502.z)) + (_e3615.w * 1f)) * _e2832.v)), (((((((_e3525.x * _e3494.x) + (_e3525.y * _e3494.y)) + (_e3525.z * _e3494.z)) + (_e3525.w * 1f)) * _e3481) + (((((_e3575.x * _e3498.x) + (_e3575.y * _e3498.y)) + (_e3575.z * _e3498.z)) + (_e3575.w * 1f)) * _e2832.u)) + (((((_e3628.x * _e3502.x) + (_e3628.y * _e3502.y)) + (_e3628.z * _e3502.z)) + (_e3628.w * 1f)) * _e2832.v)), (((((((_e3538.x * _e3494.x) + (_e3538.y * _e3494.y)) + (_e3538.z * _e3494.z)) + (_e3538.w * 1f)) * _e3481) + (((((_e3588.x * _e3498.x) + (_e3588.y * _e3498.y)) + (_e3588.z * _e3498.z)) + (_e3588.w * 1f)) * _e2832.u)) + (((((_e3641.x * _e3502.x) + (_e3641.y * _e3502.y)) + (_e3641.z * _e3502.z)) + (_e3641.w * 1f)) * _e2832.v)));
         } else {
-            phi_4395_ = vec3<f32>(0f, 0f, 0f);
+            phi_4396_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3660 = phi_4395_;
+        let _e3661 = phi_4396_;
         if (_e108.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3660.x, _e3660.y, _e3660.z, 1f);
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3661.x, _e3661.y, _e3661.z, 1f);
     }
     return;
 }

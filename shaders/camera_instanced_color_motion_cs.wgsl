@@ -916,7 +916,7 @@ fn function_() {
     var phi_4058_: f32;
     var phi_4059_: f32;
     var phi_4094_: abi_Sample;
-    var phi_4316_: vec3<f32>;
+    var phi_4317_: vec3<f32>;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
     var local_11: lt_bvh_Hit;
@@ -2602,8 +2602,8 @@ fn function_() {
                                                                 phi_3171_ = 4294967295u;
                                                             }
                                                             let _e2544 = phi_3171_;
-                                                            let _e3866 = local_9;
-                                                            phi_2123_ = _e3866;
+                                                            let _e3867 = local_9;
+                                                            phi_2123_ = _e3867;
                                                             phi_2126_ = _e2544;
                                                         } else {
                                                             phi_2123_ = lt_bvh_Hit();
@@ -2618,8 +2618,8 @@ fn function_() {
                                                             break if !(_e1529);
                                                         }
                                                     }
-                                                    let _e3870 = local_10;
-                                                    phi_3172_ = _e3870;
+                                                    let _e3871 = local_10;
+                                                    phi_3172_ = _e3871;
                                                 }
                                                 let _e2551 = phi_3172_;
                                                 phi_3173_ = _e2551;
@@ -2708,8 +2708,8 @@ fn function_() {
                         }
                         let _e2633 = phi_3253_;
                         phi_1160_ = _e2633;
-                        let _e3886 = local_11;
-                        phi_1163_ = _e3886;
+                        let _e3887 = local_11;
+                        phi_1163_ = _e3887;
                     } else {
                         phi_1160_ = u32();
                         phi_1163_ = lt_bvh_Hit();
@@ -2723,8 +2723,8 @@ fn function_() {
                         break if !(_e541);
                     }
                 }
-                let _e3889 = local_12;
-                phi_3254_ = _e3889;
+                let _e3890 = local_12;
+                phi_3254_ = _e3890;
             }
             let _e2640 = phi_3254_;
             phi_3255_ = _e2640;
@@ -3083,52 +3083,53 @@ fn function_() {
                 return;
             }
             let _e3444 = triangles.member[(0u + _e2646.triangle)];
-            if (_e3444.i0_ < _e99) {
+            let _e3446 = (_e3444.i0_ & 2147483647u);
+            if (_e3446 < _e99) {
             } else {
                 return;
             }
-            let _e3449 = before.member[(0u + _e3444.i0_)];
+            let _e3452 = before.member[(0u + _e3446)];
             if (_e3444.i1_ < _e99) {
             } else {
                 return;
             }
-            let _e3454 = before.member[(0u + _e3444.i1_)];
+            let _e3456 = before.member[(0u + _e3444.i1_)];
             if (_e3444.i2_ < _e99) {
             } else {
                 return;
             }
-            let _e3459 = before.member[(0u + _e3444.i2_)];
+            let _e3460 = before.member[(0u + _e3444.i2_)];
             if (_e2646.instance < _e93) {
             } else {
                 return;
             }
-            let _e3469 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3482 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3495 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            let _e3470 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e3483 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e3496 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
             if (_e2646.instance < _e93) {
             } else {
                 return;
             }
-            let _e3519 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3532 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3545 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            let _e3520 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e3533 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e3546 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
             if (_e2646.instance < _e93) {
             } else {
                 return;
             }
-            let _e3572 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
-            let _e3585 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
-            let _e3598 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
-            phi_4316_ = vec3<f32>((((((((_e3469.x * _e3449.x) + (_e3469.y * _e3449.y)) + (_e3469.z * _e3449.z)) + (_e3469.w * 1f)) * _e3439) + (((((_e3519.x * _e3454.x) + (_e3519.y * _e3454.y)) + (_e3519.z * _e3454.z)) + (_e3519.w * 1f)) * _e2646.u)) + (((((_e3572.x * _e3459.x) + (_e3572.y * _e3459.y)) + (_e3572.z * _e3459.z)) + (_e3572.w * 1f)) * _e2646.v)), (((((((_e3482.x * _e3449.x) + (_e3482.y * _e3449.y)) + (_e3482.z * _e3449.z)) + (_e3482.w * 1f)) * _e3439) + (((((_e3532.x * _e3454.x) + (_e3532.y * _e3454.y)) + (_e3532.z * _e3454.z)) + (_e3532.w * 1f)) * _e2646.u)) + (((((_e3585.x * _e3459.x) + (_e3585.y * _e3459.y)) + (_e3585.z * _e3459.z)) + (_e3585.w * 1f)) * _e2646.v)), (((((((_e3495.x * _e3449.x) + (_e3495.y * _e3449.y)) + (_e3495.z * _e3449.z)) + (_e3495.w * 1f)) * _e3439) + (((((_e3545.x * _e3454.x) + (_e3545.y * _e3454.y)) + (_e3545.z * _e3454.z)) + (_e3545.w * 1f)) * _e2646.u)) + (((((_e3598.x * _e3459.x) + (_e3598.y * _e3459.y)) + (_e3598.z * _e3459.z)) + (_e3598.w * 1f)) * _e2646.v)));
+            let _e3573 = instances.member[(0u + _e2646.instance)].object_to_world[0u];
+            let _e3586 = instances.member[(0u + _e2646.instance)].object_to_world[1u];
+            let _e3599 = instances.member[(0u + _e2646.instance)].object_to_world[2u];
+            phi_4317_ = vec3<f32>((((((((_e3470.x * _e3452.x) + (_e3470.y * _e3452.y)) + (_e3470.z * _e3452.z)) + (_e3470.w * 1f)) * _e3439) + (((((_e3520.x * _e3456.x) + (_e3520.y * _e3456.y)) + (_e3520.z * _e3456.z)) + (_e3520.w * 1f)) * _e2646.u)) + (((((_e3573.x * _e3460.x) + (_e3573.y * _e3460.y)) + (_e3573.z * _e3460.z)) + (_e3573.w * 1f)) * _e2646.v)), (((((((_e3483.x * _e3452.x) + (_e3483.y * _e3452.y)) + (_e3483.z * _e3452.z)) + (_e3483.w * 1f)) * _e3439) + (((((_e3533.x * _e3456.x) + (_e3533.y * _e3456.y)) + (_e3533.z * _e3456.z)) + (_e3533.w * 1f)) * _e2646.u)) + (((((_e3586.x * _e3460.x) + (_e3586.y * _e3460.y)) + (_e3586.z * _e3460.z)) + (_e3586.w * 1f)) * _e2646.v)), (((((((_e3496.x * _e3452.x) + (_e3496.y * _e3452.y)) + (_e3496.z * _e3452.z)) + (_e3496.w * 1f)) * _e3439) + (((((_e3546.x * _e3456.x) + (_e3546.y * _e3456.y)) + (_e3546.z * _e3456.z)) + (_e3546.w * 1f)) * _e2646.u)) + (((((_e3599.x * _e3460.x) + (_e3599.y * _e3460.y)) + (_e3599.z * _e3460.z)) + (_e3599.w * 1f)) * _e2646.v)));
         } else {
-            phi_4316_ = vec3<f32>(0f, 0f, 0f);
+            phi_4317_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3618 = phi_4316_;
+        let _e3619 = phi_4317_;
         if (_e108.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3618.x, _e3618.y, _e3618.z, 1f);
+        past.member[(0u + _e108.first_primitive)] = vec4<f32>(_e3619.x, _e3619.y, _e3619.z, 1f);
     }
     return;
 }

@@ -546,7 +546,7 @@ fn function_() {
     var phi_3531_: f32;
     var phi_3532_: f32;
     var phi_3567_: abi_Sample;
-    var phi_3789_: vec3<f32>;
+    var phi_3790_: vec3<f32>;
     var local_8: lt_bvh_Hit;
     var local_9: lt_bvh_Hit;
     var local_10: lt_bvh_Hit;
@@ -2231,8 +2231,8 @@ fn function_() {
                                                                 phi_2780_ = 4294967295u;
                                                             }
                                                             let _e2532 = phi_2780_;
-                                                            let _e3710 = local_8;
-                                                            phi_1732_ = _e3710;
+                                                            let _e3711 = local_8;
+                                                            phi_1732_ = _e3711;
                                                             phi_1735_ = _e2532;
                                                         } else {
                                                             phi_1732_ = lt_bvh_Hit();
@@ -2247,8 +2247,8 @@ fn function_() {
                                                             break if !(_e1517);
                                                         }
                                                     }
-                                                    let _e3714 = local_9;
-                                                    phi_2781_ = _e3714;
+                                                    let _e3715 = local_9;
+                                                    phi_2781_ = _e3715;
                                                 }
                                                 let _e2539 = phi_2781_;
                                                 phi_2782_ = _e2539;
@@ -2337,8 +2337,8 @@ fn function_() {
                         }
                         let _e2621 = phi_2862_;
                         phi_769_ = _e2621;
-                        let _e3730 = local_10;
-                        phi_772_ = _e3730;
+                        let _e3731 = local_10;
+                        phi_772_ = _e3731;
                     } else {
                         phi_769_ = u32();
                         phi_772_ = lt_bvh_Hit();
@@ -2352,8 +2352,8 @@ fn function_() {
                         break if !(_e529);
                     }
                 }
-                let _e3733 = local_11;
-                phi_2863_ = _e3733;
+                let _e3734 = local_11;
+                phi_2863_ = _e3734;
             }
             let _e2628 = phi_2863_;
             phi_2864_ = _e2628;
@@ -2676,52 +2676,53 @@ fn function_() {
                 return;
             }
             let _e3288 = triangles.member[(0u + _e2634.triangle)];
-            if (_e3288.i0_ < _e87) {
+            let _e3290 = (_e3288.i0_ & 2147483647u);
+            if (_e3290 < _e87) {
             } else {
                 return;
             }
-            let _e3293 = before.member[(0u + _e3288.i0_)];
+            let _e3296 = before.member[(0u + _e3290)];
             if (_e3288.i1_ < _e87) {
             } else {
                 return;
             }
-            let _e3298 = before.member[(0u + _e3288.i1_)];
+            let _e3300 = before.member[(0u + _e3288.i1_)];
             if (_e3288.i2_ < _e87) {
             } else {
                 return;
             }
-            let _e3303 = before.member[(0u + _e3288.i2_)];
+            let _e3304 = before.member[(0u + _e3288.i2_)];
             if (_e2634.instance < _e84) {
             } else {
                 return;
             }
-            let _e3313 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
-            let _e3326 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
-            let _e3339 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            let _e3314 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e3327 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e3340 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
             if (_e2634.instance < _e84) {
             } else {
                 return;
             }
-            let _e3363 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
-            let _e3376 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
-            let _e3389 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            let _e3364 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e3377 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e3390 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
             if (_e2634.instance < _e84) {
             } else {
                 return;
             }
-            let _e3416 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
-            let _e3429 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
-            let _e3442 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
-            phi_3789_ = vec3<f32>((((((((_e3313.x * _e3293.x) + (_e3313.y * _e3293.y)) + (_e3313.z * _e3293.z)) + (_e3313.w * 1f)) * _e3283) + (((((_e3363.x * _e3298.x) + (_e3363.y * _e3298.y)) + (_e3363.z * _e3298.z)) + (_e3363.w * 1f)) * _e2634.u)) + (((((_e3416.x * _e3303.x) + (_e3416.y * _e3303.y)) + (_e3416.z * _e3303.z)) + (_e3416.w * 1f)) * _e2634.v)), (((((((_e3326.x * _e3293.x) + (_e3326.y * _e3293.y)) + (_e3326.z * _e3293.z)) + (_e3326.w * 1f)) * _e3283) + (((((_e3376.x * _e3298.x) + (_e3376.y * _e3298.y)) + (_e3376.z * _e3298.z)) + (_e3376.w * 1f)) * _e2634.u)) + (((((_e3429.x * _e3303.x) + (_e3429.y * _e3303.y)) + (_e3429.z * _e3303.z)) + (_e3429.w * 1f)) * _e2634.v)), (((((((_e3339.x * _e3293.x) + (_e3339.y * _e3293.y)) + (_e3339.z * _e3293.z)) + (_e3339.w * 1f)) * _e3283) + (((((_e3389.x * _e3298.x) + (_e3389.y * _e3298.y)) + (_e3389.z * _e3298.z)) + (_e3389.w * 1f)) * _e2634.u)) + (((((_e3442.x * _e3303.x) + (_e3442.y * _e3303.y)) + (_e3442.z * _e3303.z)) + (_e3442.w * 1f)) * _e2634.v)));
+            let _e3417 = instances.member[(0u + _e2634.instance)].object_to_world[0u];
+            let _e3430 = instances.member[(0u + _e2634.instance)].object_to_world[1u];
+            let _e3443 = instances.member[(0u + _e2634.instance)].object_to_world[2u];
+            phi_3790_ = vec3<f32>((((((((_e3314.x * _e3296.x) + (_e3314.y * _e3296.y)) + (_e3314.z * _e3296.z)) + (_e3314.w * 1f)) * _e3283) + (((((_e3364.x * _e3300.x) + (_e3364.y * _e3300.y)) + (_e3364.z * _e3300.z)) + (_e3364.w * 1f)) * _e2634.u)) + (((((_e3417.x * _e3304.x) + (_e3417.y * _e3304.y)) + (_e3417.z * _e3304.z)) + (_e3417.w * 1f)) * _e2634.v)), (((((((_e3327.x * _e3296.x) + (_e3327.y * _e3296.y)) + (_e3327.z * _e3296.z)) + (_e3327.w * 1f)) * _e3283) + (((((_e3377.x * _e3300.x) + (_e3377.y * _e3300.y)) + (_e3377.z * _e3300.z)) + (_e3377.w * 1f)) * _e2634.u)) + (((((_e3430.x * _e3304.x) + (_e3430.y * _e3304.y)) + (_e3430.z * _e3304.z)) + (_e3430.w * 1f)) * _e2634.v)), (((((((_e3340.x * _e3296.x) + (_e3340.y * _e3296.y)) + (_e3340.z * _e3296.z)) + (_e3340.w * 1f)) * _e3283) + (((((_e3390.x * _e3300.x) + (_e3390.y * _e3300.y)) + (_e3390.z * _e3300.z)) + (_e3390.w * 1f)) * _e2634.u)) + (((((_e3443.x * _e3304.x) + (_e3443.y * _e3304.y)) + (_e3443.z * _e3304.z)) + (_e3443.w * 1f)) * _e2634.v)));
         } else {
-            phi_3789_ = vec3<f32>(0f, 0f, 0f);
+            phi_3790_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e3462 = phi_3789_;
+        let _e3463 = phi_3790_;
         if (_e96.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3462.x, _e3462.y, _e3462.z, 1f);
+        past.member[(0u + _e96.first_primitive)] = vec4<f32>(_e3463.x, _e3463.y, _e3463.z, 1f);
     }
     return;
 }

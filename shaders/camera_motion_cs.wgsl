@@ -452,7 +452,7 @@ fn function_() {
     var phi_2408_: f32;
     var phi_2409_: f32;
     var phi_2444_: abi_Sample;
-    var phi_2534_: vec3<f32>;
+    var phi_2535_: vec3<f32>;
     var local_4: lt_bvh_Hit;
     var local_5: lt_bvh_Hit;
 
@@ -1598,8 +1598,8 @@ fn function_() {
                             phi_1874_ = 4294967295u;
                         }
                         let _e1600 = phi_1874_;
-                        let _e2375 = local_4;
-                        phi_805_ = _e2375;
+                        let _e2376 = local_4;
+                        phi_805_ = _e2376;
                         phi_808_ = _e1600;
                     } else {
                         phi_805_ = lt_bvh_Hit();
@@ -1614,8 +1614,8 @@ fn function_() {
                         break if !(_e564);
                     }
                 }
-                let _e2379 = local_5;
-                phi_1875_ = _e2379;
+                let _e2380 = local_5;
+                phi_1875_ = _e2380;
             }
             let _e1607 = phi_1875_;
             phi_1876_ = _e1607;
@@ -1904,34 +1904,35 @@ fn function_() {
                 return;
             }
             let _e2139 = triangles.member[(0u + _e1613.triangle)];
-            if (_e2139.i0_ < _e82) {
+            let _e2141 = (_e2139.i0_ & 2147483647u);
+            if (_e2141 < _e82) {
             } else {
                 return;
             }
-            let _e2144 = before.member[(0u + _e2139.i0_)];
+            let _e2147 = before.member[(0u + _e2141)];
             if (_e2139.i1_ < _e82) {
             } else {
                 return;
             }
-            let _e2149 = before.member[(0u + _e2139.i1_)];
+            let _e2151 = before.member[(0u + _e2139.i1_)];
             if (_e2139.i2_ < _e82) {
             } else {
                 return;
             }
-            let _e2154 = before.member[(0u + _e2139.i2_)];
-            let _e2159 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2144.x, _e2144.y, _e2144.z));
-            let _e2170 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2149.x, _e2149.y, _e2149.z));
-            let _e2184 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2154.x, _e2154.y, _e2154.z));
-            phi_2534_ = vec3<f32>((((_e2159.x * _e2134) + (_e2170.x * _e1613.u)) + (_e2184.x * _e1613.v)), (((_e2159.y * _e2134) + (_e2170.y * _e1613.u)) + (_e2184.y * _e1613.v)), (((_e2159.z * _e2134) + (_e2170.z * _e1613.u)) + (_e2184.z * _e1613.v)));
+            let _e2155 = before.member[(0u + _e2139.i2_)];
+            let _e2160 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2147.x, _e2147.y, _e2147.z));
+            let _e2171 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2151.x, _e2151.y, _e2151.z));
+            let _e2185 = _lt_shaders_geometry_FlatGeometry_u0020_as_u0020_lt_shaders_geometry_Geometry_point_to_world(vec3<f32>(_e2155.x, _e2155.y, _e2155.z));
+            phi_2535_ = vec3<f32>((((_e2160.x * _e2134) + (_e2171.x * _e1613.u)) + (_e2185.x * _e1613.v)), (((_e2160.y * _e2134) + (_e2171.y * _e1613.u)) + (_e2185.y * _e1613.v)), (((_e2160.z * _e2134) + (_e2171.z * _e1613.u)) + (_e2185.z * _e1613.v)));
         } else {
-            phi_2534_ = vec3<f32>(0f, 0f, 0f);
+            phi_2535_ = vec3<f32>(0f, 0f, 0f);
         }
-        let _e2196 = phi_2534_;
+        let _e2197 = phi_2535_;
         if (_e91.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2196.x, _e2196.y, _e2196.z, 1f);
+        past.member[(0u + _e91.first_primitive)] = vec4<f32>(_e2197.x, _e2197.y, _e2197.z, 1f);
     }
     return;
 }

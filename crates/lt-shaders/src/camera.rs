@@ -109,9 +109,9 @@ pub fn previous_position<G: Geometry>(hit: &Hit, geometry: G, previous: &[Vec4])
         return Vec3::ZERO;
     }
     let weights = barycentric_weights(hit.u, hit.v);
-    let t = geometry.triangle(hit);
+    let i = geometry.triangle(hit).indices();
     // No closure: it would hold the geometry by reference, which rust-gpu cannot take apart for naga.
-    let (v0, v1, v2) = (previous[t.i0 as usize], previous[t.i1 as usize], previous[t.i2 as usize]);
+    let (v0, v1, v2) = (previous[i[0] as usize], previous[i[1] as usize], previous[i[2] as usize]);
     geometry.point_to_world(hit, v0.truncate()) * weights.x
         + geometry.point_to_world(hit, v1.truncate()) * weights.y
         + geometry.point_to_world(hit, v2.truncate()) * weights.z

@@ -163,9 +163,9 @@ mod tests {
     fn several_frames_get_plots_and_masks() {
         let (comparison, playback) = fixture::played();
         let report = Report::new(&fixture::summary(), &comparison, &[true; 8], Some(&playback)).unwrap();
-        let page = report.render().unwrap();
-        assert!(page.contains("Over the frames") && page.contains("Temporal mask"));
-        assert!(!super::tests::page().contains("Over the frames"));
+        let played = report.render().unwrap();
+        assert!(played.contains("Over the frames") && played.contains("Temporal mask"));
+        assert!(!page().contains("Over the frames"));
     }
 
     #[test]
