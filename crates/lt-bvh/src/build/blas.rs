@@ -67,6 +67,9 @@ impl Wide {
 /// Vertices that may be named: the top bit of an index is [`Triangle::NON_OPAQUE`].
 const INDEX_LIMIT: usize = 1 << 31;
 
+/// Triangles of one tree: the SIMD tree names a block by its first word in 31 bits, and a triangle alone takes eleven.
+const TRIANGLE_LIMIT: usize = (1 << 31) / 11;
+
 /// What becomes of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fate {
@@ -155,6 +158,9 @@ impl Bvh {
         let found = positions.len().max(indices.len());
         if found >= INDEX_LIMIT {
             return Err(BuildError::TooMany { found, limit: INDEX_LIMIT - 1 });
+        }
+        if indices.len() > TRIANGLE_LIMIT {
+            return Err(BuildError::TooMany { found: indices.len(), limit: TRIANGLE_LIMIT });
         }
         let (sources, dropped) = usable(positions, indices)?;
         if sources.is_empty() {
