@@ -30,64 +30,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_29 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_33 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_37 {
-    member: array<abi_Material>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -96,28 +38,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_50 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -133,8 +58,84 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_56 {
+struct type_30 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_39 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_43 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    transmission: f32,
+    pad: u32,
+}
+
+struct type_47 {
+    member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -143,413 +144,413 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_56;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_50;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> vertices: type_33;
+var<storage> vertices: type_43;
 @group(0) @binding(8) 
-var<storage> materials: type_37;
+var<storage> materials: type_47;
 @group(0) @binding(9) 
 var<storage> alpha_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_225_: f32;
-    var phi_230_: f32;
-    var phi_231_: bool;
-    var phi_232_: f32;
-    var phi_233_: bool;
-    var phi_237_: f32;
-    var phi_263_: f32;
-    var phi_268_: f32;
-    var phi_269_: bool;
-    var phi_270_: f32;
-    var phi_271_: bool;
-    var phi_275_: f32;
-    var phi_283_: f32;
-    var phi_284_: f32;
-    var phi_285_: f32;
-    var phi_294_: f32;
-    var phi_295_: f32;
-    var phi_313_: u32;
-    var phi_327_: u32;
-    var phi_334_: u32;
-    var phi_339_: u32;
-    var phi_345_: u32;
-    var phi_350_: u32;
-    var phi_352_: texture_Axis;
-    var phi_380_: f32;
-    var phi_385_: f32;
-    var phi_386_: bool;
-    var phi_387_: f32;
-    var phi_388_: bool;
-    var phi_392_: f32;
-    var phi_418_: f32;
-    var phi_423_: f32;
-    var phi_424_: bool;
-    var phi_425_: f32;
-    var phi_426_: bool;
-    var phi_430_: f32;
-    var phi_438_: f32;
-    var phi_439_: f32;
-    var phi_440_: f32;
-    var phi_449_: f32;
-    var phi_450_: f32;
-    var phi_468_: u32;
-    var phi_482_: u32;
-    var phi_489_: u32;
-    var phi_494_: u32;
-    var phi_500_: u32;
-    var phi_505_: u32;
-    var phi_507_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
+    var phi_195_: bool;
+    var phi_199_: f32;
 
-    let _e71 = (*param).size;
+    if (param != param) {
+        phi_195_ = true;
+    } else {
+        let _e70 = (param_1 >= param);
+        if _e70 {
+        }
+        phi_195_ = _e70;
+    }
+    let _e72 = phi_195_;
+    if _e72 {
+        phi_199_ = param_1;
+    } else {
+        phi_199_ = param;
+    }
+    let _e74 = phi_199_;
+    return _e74;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
+    var phi_211_: bool;
+    var phi_215_: f32;
+
+    if (param_2 != param_2) {
+        phi_211_ = true;
+    } else {
+        let _e70 = (param_3 <= param_2);
+        if _e70 {
+        }
+        phi_211_ = _e70;
+    }
+    let _e72 = phi_211_;
+    if _e72 {
+        phi_215_ = param_3;
+    } else {
+        phi_215_ = param_2;
+    }
+    let _e74 = phi_215_;
+    return _e74;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
+    var phi_257_: f32;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_264_: f32;
+    var phi_265_: bool;
+    var phi_269_: f32;
+    var phi_295_: f32;
+    var phi_300_: f32;
+    var phi_301_: bool;
+    var phi_302_: f32;
+    var phi_303_: bool;
+    var phi_307_: f32;
+    var phi_315_: f32;
+    var phi_316_: f32;
+    var phi_317_: f32;
+    var phi_326_: f32;
+    var phi_327_: f32;
+    var phi_345_: u32;
+    var phi_359_: u32;
+    var phi_366_: u32;
+    var phi_371_: u32;
+    var phi_377_: u32;
+    var phi_382_: u32;
+    var phi_384_: texture_Axis;
+    var phi_412_: f32;
+    var phi_417_: f32;
+    var phi_418_: bool;
+    var phi_419_: f32;
+    var phi_420_: bool;
+    var phi_424_: f32;
+    var phi_450_: f32;
+    var phi_455_: f32;
+    var phi_456_: bool;
+    var phi_457_: f32;
+    var phi_458_: bool;
+    var phi_462_: f32;
+    var phi_470_: f32;
+    var phi_471_: f32;
+    var phi_472_: f32;
+    var phi_481_: f32;
+    var phi_482_: f32;
+    var phi_500_: u32;
+    var phi_514_: u32;
+    var phi_521_: u32;
+    var phi_526_: u32;
+    var phi_532_: u32;
+    var phi_537_: u32;
+    var phi_539_: texture_Axis;
+
+    let _e71 = (*param_4).size;
     let _e72 = (_e71 & 65535u);
-    let _e74 = (*param).size;
+    let _e74 = (*param_4).size;
     let _e76 = (_e74 >> bitcast<u32>(16i));
-    let _e78 = (*param).flags;
+    let _e78 = (*param_4).flags;
     let _e80 = ((_e78 & 4u) != 0u);
-    let _e82 = (*param).flags;
+    let _e82 = (*param_4).flags;
     let _e85 = ((_e82 >> bitcast<u32>(4u)) & 3u);
     if (_e85 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e98 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e98 > param_1) {
-                phi_225_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e98 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e98 > param_5) {
+                phi_257_ = 1f;
             } else {
-                phi_225_ = 0f;
+                phi_257_ = 0f;
             }
-            let _e101 = phi_225_;
-            if (param_1 < 8388608f) {
-                phi_230_ = (_e98 - _e101);
-                phi_231_ = false;
+            let _e101 = phi_257_;
+            if (param_5 < 8388608f) {
+                phi_262_ = (_e98 - _e101);
+                phi_263_ = false;
             } else {
-                phi_230_ = f32();
-                phi_231_ = true;
+                phi_262_ = f32();
+                phi_263_ = true;
             }
-            let _e104 = phi_230_;
-            let _e106 = phi_231_;
-            phi_232_ = _e104;
-            phi_233_ = _e106;
+            let _e104 = phi_262_;
+            let _e106 = phi_263_;
+            phi_264_ = _e104;
+            phi_265_ = _e106;
         } else {
-            phi_232_ = f32();
-            phi_233_ = true;
+            phi_264_ = f32();
+            phi_265_ = true;
         }
-        let _e108 = phi_232_;
-        let _e110 = phi_233_;
+        let _e108 = phi_264_;
+        let _e110 = phi_265_;
         if _e110 {
-            phi_237_ = param_1;
+            phi_269_ = param_5;
         } else {
-            phi_237_ = _e108;
+            phi_269_ = _e108;
         }
-        let _e112 = phi_237_;
-        phi_285_ = (param_1 - _e112);
+        let _e112 = phi_269_;
+        phi_317_ = (param_5 - _e112);
     } else {
         if (_e85 == 1u) {
-            let _e115 = (param_1 * 0.5f);
+            let _e115 = (param_5 * 0.5f);
             if (_e115 > -8388608f) {
                 let _e127 = f32(select(0i, select(select(i32(_e115), i32(-2147483648), (_e115 < bitcast<f32>(3472883712u))), 2147483647i, (_e115 > bitcast<f32>(1325400063u))), (_e115 == _e115)));
                 if (_e127 > _e115) {
-                    phi_263_ = 1f;
+                    phi_295_ = 1f;
                 } else {
-                    phi_263_ = 0f;
+                    phi_295_ = 0f;
                 }
-                let _e130 = phi_263_;
+                let _e130 = phi_295_;
                 if (_e115 < 8388608f) {
-                    phi_268_ = (_e127 - _e130);
-                    phi_269_ = false;
+                    phi_300_ = (_e127 - _e130);
+                    phi_301_ = false;
                 } else {
-                    phi_268_ = f32();
-                    phi_269_ = true;
+                    phi_300_ = f32();
+                    phi_301_ = true;
                 }
-                let _e133 = phi_268_;
-                let _e135 = phi_269_;
-                phi_270_ = _e133;
-                phi_271_ = _e135;
+                let _e133 = phi_300_;
+                let _e135 = phi_301_;
+                phi_302_ = _e133;
+                phi_303_ = _e135;
             } else {
-                phi_270_ = f32();
-                phi_271_ = true;
+                phi_302_ = f32();
+                phi_303_ = true;
             }
-            let _e137 = phi_270_;
-            let _e139 = phi_271_;
+            let _e137 = phi_302_;
+            let _e139 = phi_303_;
             if _e139 {
-                phi_275_ = _e115;
+                phi_307_ = _e115;
             } else {
-                phi_275_ = _e137;
+                phi_307_ = _e137;
             }
-            let _e141 = phi_275_;
-            let _e143 = (param_1 - (2f * _e141));
+            let _e141 = phi_307_;
+            let _e143 = (param_5 - (2f * _e141));
             if (_e143 > 1f) {
-                phi_283_ = (2f - _e143);
+                phi_315_ = (2f - _e143);
             } else {
-                phi_283_ = _e143;
+                phi_315_ = _e143;
             }
-            let _e147 = phi_283_;
-            phi_284_ = _e147;
+            let _e147 = phi_315_;
+            phi_316_ = _e147;
         } else {
-            phi_284_ = param_1;
+            phi_316_ = param_5;
         }
-        let _e149 = phi_284_;
-        phi_285_ = _e149;
+        let _e149 = phi_316_;
+        phi_317_ = _e149;
     }
-    let _e151 = phi_285_;
+    let _e151 = phi_317_;
     if (_e151 > 0f) {
         if (_e151 < 1f) {
-            phi_294_ = _e151;
+            phi_326_ = _e151;
         } else {
-            phi_294_ = 1f;
+            phi_326_ = 1f;
         }
-        let _e155 = phi_294_;
-        phi_295_ = _e155;
+        let _e155 = phi_326_;
+        phi_327_ = _e155;
     } else {
-        phi_295_ = 0f;
+        phi_327_ = 0f;
     }
-    let _e157 = phi_295_;
+    let _e157 = phi_327_;
     let _e158 = (_e72 - 1u);
     let _e160 = (_e157 * f32(_e72));
     if _e80 {
         let _e167 = select(select(u32(_e160), 0u, (_e160 < bitcast<f32>(0u))), 4294967295u, (_e160 > bitcast<f32>(1333788671u)));
         if (_e158 < _e167) {
-            phi_313_ = _e158;
+            phi_345_ = _e158;
         } else {
-            phi_313_ = _e167;
+            phi_345_ = _e167;
         }
-        let _e170 = phi_313_;
-        phi_352_ = texture_Axis(_e170, _e170, 0f);
+        let _e170 = phi_345_;
+        phi_384_ = texture_Axis(_e170, _e170, 0f);
     } else {
         let _e172 = (_e160 + 0.5f);
         let _e179 = select(select(u32(_e172), 0u, (_e172 < bitcast<f32>(0u))), 4294967295u, (_e172 > bitcast<f32>(1333788671u)));
         if (_e72 < _e179) {
-            phi_327_ = _e72;
+            phi_359_ = _e72;
         } else {
-            phi_327_ = _e179;
+            phi_359_ = _e179;
         }
-        let _e182 = phi_327_;
+        let _e182 = phi_359_;
         if (_e85 == 0u) {
-            phi_334_ = _e158;
+            phi_366_ = _e158;
         } else {
-            phi_334_ = 0u;
+            phi_366_ = 0u;
         }
-        let _e187 = phi_334_;
+        let _e187 = phi_366_;
         if (_e85 == 0u) {
-            phi_339_ = 0u;
+            phi_371_ = 0u;
         } else {
-            phi_339_ = _e158;
+            phi_371_ = _e158;
         }
-        let _e190 = phi_339_;
+        let _e190 = phi_371_;
         if (_e182 == 0u) {
-            phi_345_ = _e187;
+            phi_377_ = _e187;
         } else {
-            phi_345_ = (_e182 - 1u);
+            phi_377_ = (_e182 - 1u);
         }
-        let _e194 = phi_345_;
+        let _e194 = phi_377_;
         if (_e182 > _e158) {
-            phi_350_ = _e190;
+            phi_382_ = _e190;
         } else {
-            phi_350_ = _e182;
+            phi_382_ = _e182;
         }
-        let _e197 = phi_350_;
-        phi_352_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
+        let _e197 = phi_382_;
+        phi_384_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
     }
-    let _e200 = phi_352_;
-    let _e202 = (*param).flags;
+    let _e200 = phi_384_;
+    let _e202 = (*param_4).flags;
     let _e205 = ((_e202 >> bitcast<u32>(6u)) & 3u);
     if (_e205 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e218 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e218 > param_2) {
-                phi_380_ = 1f;
+        if (param_6 > -8388608f) {
+            let _e218 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e218 > param_6) {
+                phi_412_ = 1f;
             } else {
-                phi_380_ = 0f;
+                phi_412_ = 0f;
             }
-            let _e221 = phi_380_;
-            if (param_2 < 8388608f) {
-                phi_385_ = (_e218 - _e221);
-                phi_386_ = false;
+            let _e221 = phi_412_;
+            if (param_6 < 8388608f) {
+                phi_417_ = (_e218 - _e221);
+                phi_418_ = false;
             } else {
-                phi_385_ = f32();
-                phi_386_ = true;
+                phi_417_ = f32();
+                phi_418_ = true;
             }
-            let _e224 = phi_385_;
-            let _e226 = phi_386_;
-            phi_387_ = _e224;
-            phi_388_ = _e226;
+            let _e224 = phi_417_;
+            let _e226 = phi_418_;
+            phi_419_ = _e224;
+            phi_420_ = _e226;
         } else {
-            phi_387_ = f32();
-            phi_388_ = true;
+            phi_419_ = f32();
+            phi_420_ = true;
         }
-        let _e228 = phi_387_;
-        let _e230 = phi_388_;
+        let _e228 = phi_419_;
+        let _e230 = phi_420_;
         if _e230 {
-            phi_392_ = param_2;
+            phi_424_ = param_6;
         } else {
-            phi_392_ = _e228;
+            phi_424_ = _e228;
         }
-        let _e232 = phi_392_;
-        phi_440_ = (param_2 - _e232);
+        let _e232 = phi_424_;
+        phi_472_ = (param_6 - _e232);
     } else {
         if (_e205 == 1u) {
-            let _e235 = (param_2 * 0.5f);
+            let _e235 = (param_6 * 0.5f);
             if (_e235 > -8388608f) {
                 let _e247 = f32(select(0i, select(select(i32(_e235), i32(-2147483648), (_e235 < bitcast<f32>(3472883712u))), 2147483647i, (_e235 > bitcast<f32>(1325400063u))), (_e235 == _e235)));
                 if (_e247 > _e235) {
-                    phi_418_ = 1f;
+                    phi_450_ = 1f;
                 } else {
-                    phi_418_ = 0f;
+                    phi_450_ = 0f;
                 }
-                let _e250 = phi_418_;
+                let _e250 = phi_450_;
                 if (_e235 < 8388608f) {
-                    phi_423_ = (_e247 - _e250);
-                    phi_424_ = false;
+                    phi_455_ = (_e247 - _e250);
+                    phi_456_ = false;
                 } else {
-                    phi_423_ = f32();
-                    phi_424_ = true;
+                    phi_455_ = f32();
+                    phi_456_ = true;
                 }
-                let _e253 = phi_423_;
-                let _e255 = phi_424_;
-                phi_425_ = _e253;
-                phi_426_ = _e255;
+                let _e253 = phi_455_;
+                let _e255 = phi_456_;
+                phi_457_ = _e253;
+                phi_458_ = _e255;
             } else {
-                phi_425_ = f32();
-                phi_426_ = true;
+                phi_457_ = f32();
+                phi_458_ = true;
             }
-            let _e257 = phi_425_;
-            let _e259 = phi_426_;
+            let _e257 = phi_457_;
+            let _e259 = phi_458_;
             if _e259 {
-                phi_430_ = _e235;
+                phi_462_ = _e235;
             } else {
-                phi_430_ = _e257;
+                phi_462_ = _e257;
             }
-            let _e261 = phi_430_;
-            let _e263 = (param_2 - (2f * _e261));
+            let _e261 = phi_462_;
+            let _e263 = (param_6 - (2f * _e261));
             if (_e263 > 1f) {
-                phi_438_ = (2f - _e263);
+                phi_470_ = (2f - _e263);
             } else {
-                phi_438_ = _e263;
+                phi_470_ = _e263;
             }
-            let _e267 = phi_438_;
-            phi_439_ = _e267;
+            let _e267 = phi_470_;
+            phi_471_ = _e267;
         } else {
-            phi_439_ = param_2;
+            phi_471_ = param_6;
         }
-        let _e269 = phi_439_;
-        phi_440_ = _e269;
+        let _e269 = phi_471_;
+        phi_472_ = _e269;
     }
-    let _e271 = phi_440_;
+    let _e271 = phi_472_;
     if (_e271 > 0f) {
         if (_e271 < 1f) {
-            phi_449_ = _e271;
+            phi_481_ = _e271;
         } else {
-            phi_449_ = 1f;
+            phi_481_ = 1f;
         }
-        let _e275 = phi_449_;
-        phi_450_ = _e275;
+        let _e275 = phi_481_;
+        phi_482_ = _e275;
     } else {
-        phi_450_ = 0f;
+        phi_482_ = 0f;
     }
-    let _e277 = phi_450_;
+    let _e277 = phi_482_;
     let _e278 = (_e76 - 1u);
     let _e280 = (_e277 * f32(_e76));
     if _e80 {
         let _e287 = select(select(u32(_e280), 0u, (_e280 < bitcast<f32>(0u))), 4294967295u, (_e280 > bitcast<f32>(1333788671u)));
         if (_e278 < _e287) {
-            phi_468_ = _e278;
+            phi_500_ = _e278;
         } else {
-            phi_468_ = _e287;
+            phi_500_ = _e287;
         }
-        let _e290 = phi_468_;
-        phi_507_ = texture_Axis(_e290, _e290, 0f);
+        let _e290 = phi_500_;
+        phi_539_ = texture_Axis(_e290, _e290, 0f);
     } else {
         let _e292 = (_e280 + 0.5f);
         let _e299 = select(select(u32(_e292), 0u, (_e292 < bitcast<f32>(0u))), 4294967295u, (_e292 > bitcast<f32>(1333788671u)));
         if (_e76 < _e299) {
-            phi_482_ = _e76;
+            phi_514_ = _e76;
         } else {
-            phi_482_ = _e299;
+            phi_514_ = _e299;
         }
-        let _e302 = phi_482_;
+        let _e302 = phi_514_;
         if (_e205 == 0u) {
-            phi_489_ = _e278;
+            phi_521_ = _e278;
         } else {
-            phi_489_ = 0u;
+            phi_521_ = 0u;
         }
-        let _e307 = phi_489_;
+        let _e307 = phi_521_;
         if (_e205 == 0u) {
-            phi_494_ = 0u;
+            phi_526_ = 0u;
         } else {
-            phi_494_ = _e278;
+            phi_526_ = _e278;
         }
-        let _e310 = phi_494_;
+        let _e310 = phi_526_;
         if (_e302 == 0u) {
-            phi_500_ = _e307;
+            phi_532_ = _e307;
         } else {
-            phi_500_ = (_e302 - 1u);
+            phi_532_ = (_e302 - 1u);
         }
-        let _e314 = phi_500_;
+        let _e314 = phi_532_;
         if (_e302 > _e278) {
-            phi_505_ = _e310;
+            phi_537_ = _e310;
         } else {
-            phi_505_ = _e302;
+            phi_537_ = _e302;
         }
-        let _e317 = phi_505_;
-        phi_507_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
+        let _e317 = phi_537_;
+        phi_539_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
     }
-    let _e320 = phi_507_;
-    let _e324 = (*param).offset;
-    let _e331 = (*param).offset;
-    let _e338 = (*param).offset;
-    let _e345 = (*param).offset;
+    let _e320 = phi_539_;
+    let _e324 = (*param_4).offset;
+    let _e331 = (*param_4).offset;
+    let _e338 = (*param_4).offset;
+    let _e345 = (*param_4).offset;
     return texture_TexelQuad(array<u32, 4>(((_e324 + (_e320.low * _e72)) + _e200.low), ((_e331 + (_e320.low * _e72)) + _e200.high), ((_e338 + (_e320.high * _e72)) + _e200.low), ((_e345 + (_e320.high * _e72)) + _e200.high)), vec4<f32>(((1f - _e200.fraction) * (1f - _e320.fraction)), (_e200.fraction * (1f - _e320.fraction)), ((1f - _e200.fraction) * _e320.fraction), (_e200.fraction * _e320.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_566_: bool;
-    var phi_570_: f32;
-
-    if (param_3 != param_3) {
-        phi_566_ = true;
-    } else {
-        let _e70 = (param_4 >= param_3);
-        if _e70 {
-        }
-        phi_566_ = _e70;
-    }
-    let _e72 = phi_566_;
-    if _e72 {
-        phi_570_ = param_4;
-    } else {
-        phi_570_ = param_3;
-    }
-    let _e74 = phi_570_;
-    return _e74;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_582_: bool;
-    var phi_586_: f32;
-
-    if (param_5 != param_5) {
-        phi_582_ = true;
-    } else {
-        let _e70 = (param_6 <= param_5);
-        if _e70 {
-        }
-        phi_582_ = _e70;
-    }
-    let _e72 = phi_582_;
-    if _e72 {
-        phi_586_ = param_6;
-    } else {
-        phi_586_ = param_5;
-    }
-    let _e74 = phi_586_;
-    return _e74;
 }
 
 fn function_() {
@@ -601,117 +602,115 @@ fn function_() {
     var phi_1084_: bool;
     var phi_1115_: u32;
     var phi_1117_: u32;
-    var phi_1198_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1225_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1252_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1258_: u32;
-    var phi_1261_: u32;
-    var phi_1275_: u32;
-    var phi_1285_: u32;
-    var phi_1295_: u32;
-    var phi_1313_: u32;
-    var phi_1323_: u32;
-    var phi_1333_: u32;
-    var phi_1369_: u32;
-    var phi_1382_: u32;
-    var phi_1387_: u32;
-    var phi_1388_: u32;
+    var phi_1120_: bool;
+    var phi_1200_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1227_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1254_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1260_: u32;
+    var phi_1263_: u32;
+    var phi_1277_: u32;
+    var phi_1287_: u32;
+    var phi_1297_: u32;
+    var phi_1315_: u32;
+    var phi_1325_: u32;
+    var phi_1335_: u32;
+    var phi_1371_: u32;
+    var phi_1384_: u32;
     var phi_1389_: u32;
-    var phi_1259_: u32;
-    var phi_1262_: u32;
+    var phi_1390_: u32;
+    var phi_1391_: u32;
+    var phi_1261_: u32;
+    var phi_1264_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1447_: u32;
-    var phi_1492_: vec3<f32>;
-    var phi_1493_: vec3<f32>;
-    var phi_1522_: vec3<f32>;
-    var phi_1523_: vec3<f32>;
-    var phi_1552_: vec3<f32>;
-    var phi_1553_: vec3<f32>;
-    var phi_1571_: bool;
-    var phi_1572_: bool;
-    var phi_1576_: f32;
-    var phi_1577_: f32;
-    var phi_1578_: f32;
-    var phi_1579_: f32;
-    var phi_1587_: f32;
-    var phi_1597_: bool;
-    var phi_1598_: bool;
-    var phi_1602_: f32;
-    var phi_1603_: f32;
-    var phi_1604_: f32;
-    var phi_1605_: f32;
-    var phi_1613_: f32;
-    var phi_1623_: bool;
-    var phi_1624_: bool;
-    var phi_1628_: f32;
-    var phi_1629_: f32;
-    var phi_1630_: f32;
-    var phi_1631_: f32;
-    var phi_1639_: f32;
-    var phi_1654_: f32;
-    var phi_1655_: bool;
-    var phi_1656_: f32;
-    var phi_1657_: bool;
+    var phi_1449_: u32;
+    var phi_1452_: bool;
+    var phi_1496_: vec3<f32>;
+    var phi_1497_: vec3<f32>;
+    var phi_1526_: vec3<f32>;
+    var phi_1527_: vec3<f32>;
+    var phi_1556_: vec3<f32>;
+    var phi_1557_: vec3<f32>;
+    var phi_1575_: bool;
+    var phi_1576_: bool;
+    var phi_1580_: f32;
+    var phi_1581_: f32;
+    var phi_1582_: f32;
+    var phi_1583_: f32;
+    var phi_1591_: f32;
+    var phi_1601_: bool;
+    var phi_1602_: bool;
+    var phi_1606_: f32;
+    var phi_1607_: f32;
+    var phi_1608_: f32;
+    var phi_1609_: f32;
+    var phi_1617_: f32;
+    var phi_1627_: bool;
+    var phi_1628_: bool;
+    var phi_1632_: f32;
+    var phi_1633_: f32;
+    var phi_1634_: f32;
+    var phi_1635_: f32;
+    var phi_1643_: f32;
     var phi_1658_: f32;
     var phi_1659_: bool;
-    var phi_1677_: f32;
-    var phi_1678_: bool;
-    var phi_1679_: bool;
-    var phi_1680_: f32;
-    var phi_1681_: bool;
+    var phi_1660_: f32;
+    var phi_1661_: bool;
+    var phi_1662_: f32;
+    var phi_1663_: bool;
+    var phi_1681_: f32;
     var phi_1682_: bool;
+    var phi_1683_: bool;
+    var phi_1684_: f32;
+    var phi_1685_: bool;
     var phi_1686_: bool;
-    var phi_1687_: f32;
-    var phi_1688_: bool;
-    var phi_1716_: vec3<f32>;
-    var phi_1717_: vec3<f32>;
-    var phi_1742_: vec3<f32>;
-    var phi_1743_: vec3<f32>;
-    var phi_1768_: vec3<f32>;
-    var phi_1769_: vec3<f32>;
-    var phi_1825_: f32;
-    var phi_1834_: f32;
-    var phi_1843_: f32;
-    var phi_1852_: f32;
-    var phi_1859_: f32;
-    var phi_1866_: f32;
-    var phi_1879_: f32;
-    var phi_1888_: f32;
-    var phi_1897_: f32;
-    var phi_1906_: f32;
-    var phi_1913_: f32;
-    var phi_1920_: f32;
-    var phi_1937_: f32;
-    var phi_1942_: f32;
-    var phi_1947_: f32;
-    var phi_1955_: f32;
-    var phi_1960_: f32;
-    var phi_1965_: f32;
-    var phi_1977_: f32;
-    var phi_1982_: f32;
-    var phi_1987_: f32;
-    var phi_1992_: f32;
-    var phi_1997_: lt_bvh_triangle_Intersection;
-    var phi_1998_: bool;
-    var phi_1999_: lt_bvh_triangle_Intersection;
-    var phi_2000_: bool;
-    var phi_2004_: lt_bvh_triangle_Intersection;
-    var phi_2005_: bool;
-    var phi_2006_: lt_bvh_triangle_Intersection;
-    var phi_2007_: bool;
-    var phi_2008_: bool;
+    var phi_1690_: bool;
+    var phi_1691_: f32;
+    var phi_1692_: bool;
+    var phi_1720_: vec3<f32>;
+    var phi_1721_: vec3<f32>;
+    var phi_1746_: vec3<f32>;
+    var phi_1747_: vec3<f32>;
+    var phi_1772_: vec3<f32>;
+    var phi_1773_: vec3<f32>;
+    var phi_1829_: f32;
+    var phi_1838_: f32;
+    var phi_1847_: f32;
+    var phi_1856_: f32;
+    var phi_1863_: f32;
+    var phi_1870_: f32;
+    var phi_1883_: f32;
+    var phi_1892_: f32;
+    var phi_1901_: f32;
+    var phi_1910_: f32;
+    var phi_1917_: f32;
+    var phi_1924_: f32;
+    var phi_1941_: f32;
+    var phi_1946_: f32;
+    var phi_1951_: f32;
+    var phi_1959_: f32;
+    var phi_1964_: f32;
+    var phi_1969_: f32;
+    var phi_1981_: f32;
+    var phi_1986_: f32;
+    var phi_1991_: f32;
+    var phi_1996_: f32;
+    var phi_2001_: lt_bvh_triangle_Intersection;
+    var phi_2002_: bool;
+    var phi_2003_: lt_bvh_triangle_Intersection;
+    var phi_2004_: bool;
+    var phi_2008_: lt_bvh_triangle_Intersection;
+    var phi_2009_: bool;
+    var phi_2010_: lt_bvh_triangle_Intersection;
+    var phi_2011_: bool;
     var phi_2012_: bool;
-    var phi_2016_: lt_bvh_triangle_Intersection;
-    var phi_2230_: f32;
-    var phi_2233_: bool;
-    var phi_2234_: bool;
+    var phi_2016_: bool;
+    var phi_2020_: lt_bvh_triangle_Intersection;
+    var phi_2234_: f32;
+    var phi_2237_: bool;
     var phi_2238_: bool;
     var phi_2239_: bool;
-    var phi_2240_: bool;
-    var phi_2241_: bool;
-    var phi_2242_: bool;
     var phi_2243_: bool;
     var phi_2244_: bool;
     var phi_2245_: bool;
@@ -719,10 +718,11 @@ fn function_() {
     var phi_2247_: bool;
     var phi_2248_: bool;
     var phi_2249_: bool;
-    var phi_2253_: bool;
-    var phi_2254_: bool;
-    var phi_1448_: u32;
-    var phi_2255_: bool;
+    var phi_2250_: bool;
+    var phi_2251_: bool;
+    var phi_2252_: bool;
+    var phi_1450_: u32;
+    var phi_1453_: bool;
     var phi_2256_: bool;
     var phi_2257_: bool;
     var local_5: bool;
@@ -730,26 +730,22 @@ fn function_() {
     var phi_2300_: bool;
     var phi_2331_: u32;
     var phi_2332_: u32;
+    var phi_1118_: u32;
+    var phi_1121_: bool;
     var phi_2333_: bool;
     var phi_2334_: bool;
-    var phi_1118_: u32;
     var phi_2335_: bool;
-    var phi_2336_: bool;
-    var phi_2337_: bool;
-    var phi_2338_: bool;
     var local_6: bool;
-    var phi_2342_: bool;
+    var phi_2339_: bool;
     var phi_2343_: bool;
-    var phi_2347_: bool;
-    var phi_2351_: bool;
-    var phi_2352_: bool;
-    var phi_2353_: bool;
-    var phi_2354_: bool;
-    var phi_2358_: bool;
-    var phi_2362_: f32;
-    var phi_2383_: u32;
-    var phi_2398_: u32;
-    var phi_2403_: u32;
+    var phi_2344_: bool;
+    var phi_2345_: bool;
+    var phi_2346_: bool;
+    var phi_2350_: bool;
+    var phi_2354_: f32;
+    var phi_2375_: u32;
+    var phi_2390_: u32;
+    var phi_2395_: u32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -907,7 +903,7 @@ fn function_() {
         if _e211 {
             let _e212 = (0u >= _e76);
             if _e212 {
-                phi_2352_ = bool();
+                phi_2344_ = bool();
             } else {
                 if (0u < _e76) {
                 } else {
@@ -1098,1020 +1094,1000 @@ fn function_() {
                 }
                 let _e522 = phi_1115_;
                 phi_1117_ = _e522;
+                phi_1120_ = false;
                 loop {
                     let _e524 = phi_1117_;
+                    let _e526 = phi_1120_;
+                    local_11 = _e526;
                     if (_e524 != 4294967295u) {
                         if (_e524 < _e76) {
                         } else {
                             return;
                         }
-                        let _e531 = nodes.member[(0u + _e524)].frame[3u];
-                        let _e556 = (bitcast<f32>((((_e531 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e288);
-                        let _e557 = (bitcast<f32>((((_e531 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e298);
-                        let _e558 = (bitcast<f32>((((_e531 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
-                        let _e561 = nodes.member[(0u + _e524)].frame[0u];
-                        let _e565 = nodes.member[(0u + _e524)].frame[1u];
-                        let _e569 = nodes.member[(0u + _e524)].frame[2u];
-                        let _e574 = ((bitcast<f32>(_e561) - _e131) * _e288);
-                        let _e575 = ((bitcast<f32>(_e565) - _e133) * _e298);
-                        let _e576 = ((bitcast<f32>(_e569) - _e135) * _e308);
-                        let _e584 = nodes.member[(0u + _e524)].x;
+                        let _e533 = nodes.member[(0u + _e524)].frame[3u];
+                        let _e558 = (bitcast<f32>((((_e533 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e288);
+                        let _e559 = (bitcast<f32>((((_e533 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e298);
+                        let _e560 = (bitcast<f32>((((_e533 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
+                        let _e563 = nodes.member[(0u + _e524)].frame[0u];
+                        let _e567 = nodes.member[(0u + _e524)].frame[1u];
+                        let _e571 = nodes.member[(0u + _e524)].frame[2u];
+                        let _e576 = ((bitcast<f32>(_e563) - _e131) * _e288);
+                        let _e577 = ((bitcast<f32>(_e567) - _e133) * _e298);
+                        let _e578 = ((bitcast<f32>(_e571) - _e135) * _e308);
+                        let _e586 = nodes.member[(0u + _e524)].x;
                         if (_e288 < 0f) {
-                            let _e595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e584.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e595.unnamed.root, _e584.w), _e595.unnamed_1);
-                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e601.unnamed, lt_bvh_traverse_Tree(_e584.x, _e601.unnamed_1.first_primitive));
-                            phi_1198_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e607.unnamed_1.root, _e584.y));
+                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.unnamed.root, _e586.w), _e597.unnamed_1);
+                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e586.x, _e603.unnamed_1.first_primitive));
+                            phi_1200_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_bvh_traverse_Tree(_e609.unnamed_1.root, _e586.y));
                         } else {
-                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e584.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.unnamed.root, _e584.y), _e623.unnamed_1);
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e629.unnamed, lt_bvh_traverse_Tree(_e584.z, _e629.unnamed_1.first_primitive));
-                            phi_1198_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e635.unnamed, lt_bvh_traverse_Tree(_e635.unnamed_1.root, _e584.w));
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.unnamed.root, _e586.y), _e625.unnamed_1);
+                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e586.z, _e631.unnamed_1.first_primitive));
+                            phi_1200_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_bvh_traverse_Tree(_e637.unnamed_1.root, _e586.w));
                         }
-                        let _e643 = phi_1198_;
-                        let _e653 = nodes.member[(0u + _e524)].y;
+                        let _e645 = phi_1200_;
+                        let _e655 = nodes.member[(0u + _e524)].y;
                         if (_e298 < 0f) {
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e653.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e664.unnamed.root, _e653.w), _e664.unnamed_1);
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_bvh_traverse_Tree(_e653.x, _e670.unnamed_1.first_primitive));
-                            phi_1225_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e676.unnamed_1.root, _e653.y));
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.unnamed.root, _e655.w), _e666.unnamed_1);
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e655.x, _e672.unnamed_1.first_primitive));
+                            phi_1227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e678.unnamed_1.root, _e655.y));
                         } else {
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e653.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.unnamed.root, _e653.y), _e692.unnamed_1);
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_bvh_traverse_Tree(_e653.z, _e698.unnamed_1.first_primitive));
-                            phi_1225_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_bvh_traverse_Tree(_e704.unnamed_1.root, _e653.w));
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.unnamed.root, _e655.y), _e694.unnamed_1);
+                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e655.z, _e700.unnamed_1.first_primitive));
+                            phi_1227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_bvh_traverse_Tree(_e706.unnamed_1.root, _e655.w));
                         }
-                        let _e712 = phi_1225_;
-                        let _e722 = nodes.member[(0u + _e524)].z;
+                        let _e714 = phi_1227_;
+                        let _e724 = nodes.member[(0u + _e524)].z;
                         if (_e308 < 0f) {
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e722.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e733.unnamed.root, _e722.w), _e733.unnamed_1);
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e722.x, _e739.unnamed_1.first_primitive));
-                            phi_1252_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e745.unnamed_1.root, _e722.y));
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e724.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.unnamed.root, _e724.w), _e735.unnamed_1);
+                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e724.x, _e741.unnamed_1.first_primitive));
+                            phi_1254_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e747.unnamed_1.root, _e724.y));
                         } else {
-                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e722.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e761.unnamed.root, _e722.y), _e761.unnamed_1);
-                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e722.z, _e767.unnamed_1.first_primitive));
-                            phi_1252_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_bvh_traverse_Tree(_e773.unnamed_1.root, _e722.w));
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e724.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e763.unnamed.root, _e724.y), _e763.unnamed_1);
+                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e724.z, _e769.unnamed_1.first_primitive));
+                            phi_1254_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_bvh_traverse_Tree(_e775.unnamed_1.root, _e724.w));
                         }
-                        let _e781 = phi_1252_;
-                        phi_1258_ = 0u;
-                        phi_1261_ = 0u;
+                        let _e783 = phi_1254_;
+                        phi_1260_ = 0u;
+                        phi_1263_ = 0u;
                         loop {
-                            let _e791 = phi_1258_;
-                            let _e793 = phi_1261_;
-                            local_2 = _e793;
-                            local_3 = _e793;
-                            local_4 = _e793;
-                            let _e794 = (_e791 < 8u);
-                            if _e794 {
-                                let _e796 = (_e791 >> bitcast<u32>(2i));
-                                let _e797 = (_e791 & 3u);
-                                if (_e796 == 0u) {
-                                    phi_1275_ = _e643.unnamed.root;
+                            let _e793 = phi_1260_;
+                            let _e795 = phi_1263_;
+                            local_2 = _e795;
+                            local_3 = _e795;
+                            local_4 = _e795;
+                            let _e796 = (_e793 < 8u);
+                            if _e796 {
+                                let _e798 = (_e793 >> bitcast<u32>(2i));
+                                let _e799 = (_e793 & 3u);
+                                if (_e798 == 0u) {
+                                    phi_1277_ = _e645.unnamed.root;
                                 } else {
-                                    phi_1275_ = _e643.unnamed.first_primitive;
+                                    phi_1277_ = _e645.unnamed.first_primitive;
                                 }
-                                let _e800 = phi_1275_;
-                                if (_e796 == 0u) {
-                                    phi_1285_ = _e712.unnamed.root;
+                                let _e802 = phi_1277_;
+                                if (_e798 == 0u) {
+                                    phi_1287_ = _e714.unnamed.root;
                                 } else {
-                                    phi_1285_ = _e712.unnamed.first_primitive;
+                                    phi_1287_ = _e714.unnamed.first_primitive;
                                 }
-                                let _e809 = phi_1285_;
-                                if (_e796 == 0u) {
-                                    phi_1295_ = _e781.unnamed.root;
+                                let _e811 = phi_1287_;
+                                if (_e798 == 0u) {
+                                    phi_1297_ = _e783.unnamed.root;
                                 } else {
-                                    phi_1295_ = _e781.unnamed.first_primitive;
+                                    phi_1297_ = _e783.unnamed.first_primitive;
                                 }
-                                let _e818 = phi_1295_;
-                                let _e831 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e800 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e336)), ((f32(((_e809 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e557) + (_e575 - _e337)));
-                                let _e832 = core_intrinsics_maximum_number_nsz_f32_(_e831, ((f32(((_e818 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e558) + (_e576 - _e338)));
-                                if (_e796 == 0u) {
-                                    phi_1313_ = _e643.unnamed_1.root;
+                                let _e820 = phi_1297_;
+                                let _e833 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e802 >> bitcast<u32>(((_e799 * 8u) & 31u))) & 255u)) * _e558) + (_e576 - _e336)), ((f32(((_e811 >> bitcast<u32>(((_e799 * 8u) & 31u))) & 255u)) * _e559) + (_e577 - _e337)));
+                                let _e834 = core_intrinsics_maximum_number_nsz_f32_(_e833, ((f32(((_e820 >> bitcast<u32>(((_e799 * 8u) & 31u))) & 255u)) * _e560) + (_e578 - _e338)));
+                                if (_e798 == 0u) {
+                                    phi_1315_ = _e645.unnamed_1.root;
                                 } else {
-                                    phi_1313_ = _e643.unnamed_1.first_primitive;
+                                    phi_1315_ = _e645.unnamed_1.first_primitive;
                                 }
-                                let _e835 = phi_1313_;
-                                if (_e796 == 0u) {
-                                    phi_1323_ = _e712.unnamed_1.root;
+                                let _e837 = phi_1315_;
+                                if (_e798 == 0u) {
+                                    phi_1325_ = _e714.unnamed_1.root;
                                 } else {
-                                    phi_1323_ = _e712.unnamed_1.first_primitive;
+                                    phi_1325_ = _e714.unnamed_1.first_primitive;
                                 }
-                                let _e844 = phi_1323_;
-                                if (_e796 == 0u) {
-                                    phi_1333_ = _e781.unnamed_1.root;
+                                let _e846 = phi_1325_;
+                                if (_e798 == 0u) {
+                                    phi_1335_ = _e783.unnamed_1.root;
                                 } else {
-                                    phi_1333_ = _e781.unnamed_1.first_primitive;
+                                    phi_1335_ = _e783.unnamed_1.first_primitive;
                                 }
-                                let _e853 = phi_1333_;
-                                let _e866 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e835 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e336)), ((f32(((_e844 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e557) + (_e575 + _e337)));
-                                let _e867 = core_intrinsics_minimum_number_nsz_f32_(_e866, ((f32(((_e853 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e558) + (_e576 + _e338)));
-                                if (_e832 <= _e867) {
-                                    if (_e832 <= _e139) {
-                                        if (_e867 >= 0f) {
-                                            if (_e796 == 0u) {
-                                                let _e874 = nodes.member[(0u + _e524)].links[2u];
-                                                phi_1369_ = _e874;
+                                let _e855 = phi_1335_;
+                                let _e868 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e837 >> bitcast<u32>(((_e799 * 8u) & 31u))) & 255u)) * _e558) + (_e576 + _e336)), ((f32(((_e846 >> bitcast<u32>(((_e799 * 8u) & 31u))) & 255u)) * _e559) + (_e577 + _e337)));
+                                let _e869 = core_intrinsics_minimum_number_nsz_f32_(_e868, ((f32(((_e855 >> bitcast<u32>(((_e799 * 8u) & 31u))) & 255u)) * _e560) + (_e578 + _e338)));
+                                if (_e834 <= _e869) {
+                                    if (_e834 <= _e139) {
+                                        if (_e869 >= 0f) {
+                                            if (_e798 == 0u) {
+                                                let _e876 = nodes.member[(0u + _e524)].links[2u];
+                                                phi_1371_ = _e876;
                                             } else {
-                                                let _e877 = nodes.member[(0u + _e524)].links[3u];
-                                                phi_1369_ = _e877;
+                                                let _e879 = nodes.member[(0u + _e524)].links[3u];
+                                                phi_1371_ = _e879;
                                             }
-                                            let _e879 = phi_1369_;
-                                            let _e884 = ((_e879 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u);
-                                            let _e885 = (_e884 & 31u);
-                                            if (_e885 >= 24u) {
-                                                phi_1382_ = (24u + ((_e885 - 24u) ^ _e386));
+                                            let _e881 = phi_1371_;
+                                            let _e886 = ((_e881 >> bitcast<u32>(((_e799 * 8u) & 31u))) & 255u);
+                                            let _e887 = (_e886 & 31u);
+                                            if (_e887 >= 24u) {
+                                                phi_1384_ = (24u + ((_e887 - 24u) ^ _e386));
                                             } else {
-                                                phi_1382_ = _e885;
+                                                phi_1384_ = _e887;
                                             }
-                                            let _e891 = phi_1382_;
-                                            phi_1387_ = (_e793 | ((_e884 >> bitcast<u32>(5i)) << bitcast<u32>((_e891 & 31u))));
+                                            let _e893 = phi_1384_;
+                                            phi_1389_ = (_e795 | ((_e886 >> bitcast<u32>(5i)) << bitcast<u32>((_e893 & 31u))));
                                         } else {
-                                            phi_1387_ = _e793;
+                                            phi_1389_ = _e795;
                                         }
-                                        let _e899 = phi_1387_;
-                                        phi_1388_ = _e899;
+                                        let _e901 = phi_1389_;
+                                        phi_1390_ = _e901;
                                     } else {
-                                        phi_1388_ = _e793;
+                                        phi_1390_ = _e795;
                                     }
-                                    let _e901 = phi_1388_;
-                                    phi_1389_ = _e901;
+                                    let _e903 = phi_1390_;
+                                    phi_1391_ = _e903;
                                 } else {
-                                    phi_1389_ = _e793;
+                                    phi_1391_ = _e795;
                                 }
-                                let _e903 = phi_1389_;
-                                phi_1259_ = (_e791 + 1u);
-                                phi_1262_ = _e903;
+                                let _e905 = phi_1391_;
+                                phi_1261_ = (_e793 + 1u);
+                                phi_1264_ = _e905;
                             } else {
-                                phi_1259_ = u32();
-                                phi_1262_ = u32();
+                                phi_1261_ = u32();
+                                phi_1264_ = u32();
                             }
-                            let _e906 = phi_1259_;
-                            let _e908 = phi_1262_;
+                            let _e908 = phi_1261_;
+                            let _e910 = phi_1264_;
                             continue;
                             continuing {
-                                phi_1258_ = _e906;
-                                phi_1261_ = _e908;
-                                break if !(_e794);
+                                phi_1260_ = _e908;
+                                phi_1263_ = _e910;
+                                break if !(_e796);
                             }
                         }
-                        let _e912 = nodes.member[(0u + _e524)].links[0u];
-                        let _e916 = nodes.member[(0u + _e524)].frame[3u];
-                        let _e920 = local_2;
-                        if ((_e920 & 4278190080u) == 0u) {
+                        let _e914 = nodes.member[(0u + _e524)].links[0u];
+                        let _e918 = nodes.member[(0u + _e524)].frame[3u];
+                        let _e922 = local_2;
+                        if ((_e922 & 4278190080u) == 0u) {
                         } else {
-                            let _e924 = local_1.group_mask;
-                            if ((_e924 & 4278190080u) == 0u) {
+                            let _e926 = local_1.group_mask;
+                            if ((_e926 & 4278190080u) == 0u) {
                             } else {
-                                let _e928 = local_1.len;
-                                if (_e928 < 32u) {
-                                    let _e931 = local_1.group;
-                                    let _e933 = local_1.len;
-                                    if (_e933 < 32u) {
+                                let _e930 = local_1.len;
+                                if (_e930 < 32u) {
+                                    let _e933 = local_1.group;
+                                    let _e935 = local_1.len;
+                                    if (_e935 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e933)] = _e931;
-                                    let _e939 = local_1.group_mask;
-                                    let _e941 = local_1.len;
-                                    if (_e941 < 32u) {
+                                    local_1.first[(0u + _e935)] = _e933;
+                                    let _e941 = local_1.group_mask;
+                                    let _e943 = local_1.len;
+                                    if (_e943 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e941)] = _e939;
-                                    let _e948 = local_1.len;
-                                    local_1.len = (_e948 + 1u);
+                                    local_1.mask[(0u + _e943)] = _e941;
+                                    let _e950 = local_1.len;
+                                    local_1.len = (_e950 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e912);
-                            let _e952 = local_3;
-                            local_1.group_mask = ((_e952 & 4278190080u) | (_e916 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e914);
+                            let _e954 = local_3;
+                            local_1.group_mask = ((_e954 & 4278190080u) | (_e918 >> bitcast<u32>(24i)));
                         }
-                        let _e957 = local_4;
-                        phi_1447_ = (_e957 & 16777215u);
+                        let _e959 = local_4;
+                        phi_1449_ = (_e959 & 16777215u);
+                        phi_1452_ = _e526;
                         loop {
-                            let _e960 = phi_1447_;
-                            let _e961 = (_e960 == 0u);
-                            local_5 = _e961;
-                            local_9 = _e961;
-                            if _e961 {
-                                phi_1448_ = u32();
-                                phi_2255_ = false;
-                                phi_2256_ = false;
+                            let _e962 = phi_1449_;
+                            let _e964 = phi_1452_;
+                            local_7 = _e964;
+                            let _e965 = (_e962 == 0u);
+                            local_5 = _e965;
+                            local_9 = _e965;
+                            if _e965 {
+                                phi_1450_ = u32();
+                                phi_1453_ = bool();
+                                phi_2256_ = bool();
                                 phi_2257_ = false;
                             } else {
-                                let _e964 = nodes.member[(0u + _e524)].links[1u];
-                                let _e969 = ((0u + _e964) + select(firstTrailingBit(_e960), 32u, (_e960 == 0u)));
-                                if (_e969 < _e79) {
+                                let _e968 = nodes.member[(0u + _e524)].links[1u];
+                                let _e973 = ((0u + _e968) + select(firstTrailingBit(_e962), 32u, (_e962 == 0u)));
+                                if (_e973 < _e79) {
                                 } else {
                                     return;
                                 }
-                                let _e976 = triangles.member[(0u + _e969)].v0_;
-                                let _e978 = (_e976.x - _e131);
-                                let _e980 = (_e976.y - _e133);
-                                let _e982 = (_e976.z - _e135);
+                                let _e980 = triangles.member[(0u + _e973)].v0_;
+                                let _e982 = (_e980.x - _e131);
+                                let _e984 = (_e980.y - _e133);
+                                let _e986 = (_e980.z - _e135);
                                 if (_e359 == 0u) {
-                                    phi_1493_ = vec3<f32>(_e980, _e982, _e978);
+                                    phi_1497_ = vec3<f32>(_e984, _e986, _e982);
                                 } else {
                                     if (_e359 == 1u) {
-                                        phi_1492_ = vec3<f32>(_e982, _e978, _e980);
+                                        phi_1496_ = vec3<f32>(_e986, _e982, _e984);
                                     } else {
-                                        phi_1492_ = (_e976 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1496_ = (_e980 - vec3<f32>(_e131, _e133, _e135));
                                     }
-                                    let _e990 = phi_1492_;
-                                    phi_1493_ = _e990;
+                                    let _e994 = phi_1496_;
+                                    phi_1497_ = _e994;
                                 }
-                                let _e992 = phi_1493_;
-                                let _e996 = (_e992.x - (_e370 * _e992.z));
-                                let _e1000 = (_e992.y - (_e373 * _e992.z));
-                                let _e1002 = triangles.member[(0u + _e969)].v1_;
-                                let _e1004 = (_e1002.x - _e131);
-                                let _e1006 = (_e1002.y - _e133);
-                                let _e1008 = (_e1002.z - _e135);
+                                let _e996 = phi_1497_;
+                                let _e1000 = (_e996.x - (_e370 * _e996.z));
+                                let _e1004 = (_e996.y - (_e373 * _e996.z));
+                                let _e1006 = triangles.member[(0u + _e973)].v1_;
+                                let _e1008 = (_e1006.x - _e131);
+                                let _e1010 = (_e1006.y - _e133);
+                                let _e1012 = (_e1006.z - _e135);
                                 if (_e359 == 0u) {
-                                    phi_1523_ = vec3<f32>(_e1006, _e1008, _e1004);
+                                    phi_1527_ = vec3<f32>(_e1010, _e1012, _e1008);
                                 } else {
                                     if (_e359 == 1u) {
-                                        phi_1522_ = vec3<f32>(_e1008, _e1004, _e1006);
+                                        phi_1526_ = vec3<f32>(_e1012, _e1008, _e1010);
                                     } else {
-                                        phi_1522_ = (_e1002 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1526_ = (_e1006 - vec3<f32>(_e131, _e133, _e135));
                                     }
-                                    let _e1016 = phi_1522_;
-                                    phi_1523_ = _e1016;
+                                    let _e1020 = phi_1526_;
+                                    phi_1527_ = _e1020;
                                 }
-                                let _e1018 = phi_1523_;
-                                let _e1022 = (_e1018.x - (_e370 * _e1018.z));
-                                let _e1026 = (_e1018.y - (_e373 * _e1018.z));
-                                let _e1028 = triangles.member[(0u + _e969)].v2_;
-                                let _e1030 = (_e1028.x - _e131);
-                                let _e1032 = (_e1028.y - _e133);
-                                let _e1034 = (_e1028.z - _e135);
+                                let _e1022 = phi_1527_;
+                                let _e1026 = (_e1022.x - (_e370 * _e1022.z));
+                                let _e1030 = (_e1022.y - (_e373 * _e1022.z));
+                                let _e1032 = triangles.member[(0u + _e973)].v2_;
+                                let _e1034 = (_e1032.x - _e131);
+                                let _e1036 = (_e1032.y - _e133);
+                                let _e1038 = (_e1032.z - _e135);
                                 if (_e359 == 0u) {
-                                    phi_1553_ = vec3<f32>(_e1032, _e1034, _e1030);
+                                    phi_1557_ = vec3<f32>(_e1036, _e1038, _e1034);
                                 } else {
                                     if (_e359 == 1u) {
-                                        phi_1552_ = vec3<f32>(_e1034, _e1030, _e1032);
+                                        phi_1556_ = vec3<f32>(_e1038, _e1034, _e1036);
                                     } else {
-                                        phi_1552_ = (_e1028 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1556_ = (_e1032 - vec3<f32>(_e131, _e133, _e135));
                                     }
-                                    let _e1042 = phi_1552_;
-                                    phi_1553_ = _e1042;
+                                    let _e1046 = phi_1556_;
+                                    phi_1557_ = _e1046;
                                 }
-                                let _e1044 = phi_1553_;
-                                let _e1048 = (_e1044.x - (_e370 * _e1044.z));
-                                let _e1052 = (_e1044.y - (_e373 * _e1044.z));
-                                if (_e1022 < _e1048) {
-                                    phi_1572_ = true;
+                                let _e1048 = phi_1557_;
+                                let _e1052 = (_e1048.x - (_e370 * _e1048.z));
+                                let _e1056 = (_e1048.y - (_e373 * _e1048.z));
+                                if (_e1026 < _e1052) {
+                                    phi_1576_ = true;
                                 } else {
-                                    if (_e1022 == _e1048) {
-                                        phi_1571_ = (_e1026 < _e1052);
+                                    if (_e1026 == _e1052) {
+                                        phi_1575_ = (_e1030 < _e1056);
                                     } else {
-                                        phi_1571_ = false;
+                                        phi_1575_ = false;
                                     }
-                                    let _e1057 = phi_1571_;
-                                    phi_1572_ = _e1057;
+                                    let _e1061 = phi_1575_;
+                                    phi_1576_ = _e1061;
                                 }
-                                let _e1059 = phi_1572_;
-                                if _e1059 {
-                                    phi_1576_ = _e1052;
-                                    phi_1577_ = _e1048;
-                                    phi_1578_ = _e1026;
-                                    phi_1579_ = _e1022;
+                                let _e1063 = phi_1576_;
+                                if _e1063 {
+                                    phi_1580_ = _e1056;
+                                    phi_1581_ = _e1052;
+                                    phi_1582_ = _e1030;
+                                    phi_1583_ = _e1026;
                                 } else {
-                                    phi_1576_ = _e1026;
-                                    phi_1577_ = _e1022;
-                                    phi_1578_ = _e1052;
-                                    phi_1579_ = _e1048;
+                                    phi_1580_ = _e1030;
+                                    phi_1581_ = _e1026;
+                                    phi_1582_ = _e1056;
+                                    phi_1583_ = _e1052;
                                 }
-                                let _e1061 = phi_1576_;
-                                let _e1063 = phi_1577_;
-                                let _e1065 = phi_1578_;
-                                let _e1067 = phi_1579_;
-                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
-                                if _e1059 {
-                                    phi_1587_ = -(_e1070);
+                                let _e1065 = phi_1580_;
+                                let _e1067 = phi_1581_;
+                                let _e1069 = phi_1582_;
+                                let _e1071 = phi_1583_;
+                                let _e1074 = ((_e1071 * _e1065) - (_e1069 * _e1067));
+                                if _e1063 {
+                                    phi_1591_ = -(_e1074);
                                 } else {
-                                    phi_1587_ = _e1070;
+                                    phi_1591_ = _e1074;
                                 }
-                                let _e1073 = phi_1587_;
-                                if (_e1048 < _e996) {
-                                    phi_1598_ = true;
+                                let _e1077 = phi_1591_;
+                                if (_e1052 < _e1000) {
+                                    phi_1602_ = true;
                                 } else {
-                                    if (_e1048 == _e996) {
-                                        phi_1597_ = (_e1052 < _e1000);
+                                    if (_e1052 == _e1000) {
+                                        phi_1601_ = (_e1056 < _e1004);
                                     } else {
-                                        phi_1597_ = false;
+                                        phi_1601_ = false;
                                     }
-                                    let _e1078 = phi_1597_;
-                                    phi_1598_ = _e1078;
+                                    let _e1082 = phi_1601_;
+                                    phi_1602_ = _e1082;
                                 }
-                                let _e1080 = phi_1598_;
-                                if _e1080 {
-                                    phi_1602_ = _e1000;
-                                    phi_1603_ = _e996;
-                                    phi_1604_ = _e1052;
-                                    phi_1605_ = _e1048;
+                                let _e1084 = phi_1602_;
+                                if _e1084 {
+                                    phi_1606_ = _e1004;
+                                    phi_1607_ = _e1000;
+                                    phi_1608_ = _e1056;
+                                    phi_1609_ = _e1052;
                                 } else {
-                                    phi_1602_ = _e1052;
-                                    phi_1603_ = _e1048;
-                                    phi_1604_ = _e1000;
-                                    phi_1605_ = _e996;
+                                    phi_1606_ = _e1056;
+                                    phi_1607_ = _e1052;
+                                    phi_1608_ = _e1004;
+                                    phi_1609_ = _e1000;
                                 }
-                                let _e1082 = phi_1602_;
-                                let _e1084 = phi_1603_;
-                                let _e1086 = phi_1604_;
-                                let _e1088 = phi_1605_;
-                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
-                                if _e1080 {
-                                    phi_1613_ = -(_e1091);
+                                let _e1086 = phi_1606_;
+                                let _e1088 = phi_1607_;
+                                let _e1090 = phi_1608_;
+                                let _e1092 = phi_1609_;
+                                let _e1095 = ((_e1092 * _e1086) - (_e1090 * _e1088));
+                                if _e1084 {
+                                    phi_1617_ = -(_e1095);
                                 } else {
-                                    phi_1613_ = _e1091;
+                                    phi_1617_ = _e1095;
                                 }
-                                let _e1094 = phi_1613_;
-                                if (_e996 < _e1022) {
-                                    phi_1624_ = true;
+                                let _e1098 = phi_1617_;
+                                if (_e1000 < _e1026) {
+                                    phi_1628_ = true;
                                 } else {
-                                    if (_e996 == _e1022) {
-                                        phi_1623_ = (_e1000 < _e1026);
+                                    if (_e1000 == _e1026) {
+                                        phi_1627_ = (_e1004 < _e1030);
                                     } else {
-                                        phi_1623_ = false;
+                                        phi_1627_ = false;
                                     }
-                                    let _e1099 = phi_1623_;
-                                    phi_1624_ = _e1099;
+                                    let _e1103 = phi_1627_;
+                                    phi_1628_ = _e1103;
                                 }
-                                let _e1101 = phi_1624_;
-                                if _e1101 {
-                                    phi_1628_ = _e1026;
-                                    phi_1629_ = _e1022;
-                                    phi_1630_ = _e1000;
-                                    phi_1631_ = _e996;
+                                let _e1105 = phi_1628_;
+                                if _e1105 {
+                                    phi_1632_ = _e1030;
+                                    phi_1633_ = _e1026;
+                                    phi_1634_ = _e1004;
+                                    phi_1635_ = _e1000;
                                 } else {
-                                    phi_1628_ = _e1000;
-                                    phi_1629_ = _e996;
-                                    phi_1630_ = _e1026;
-                                    phi_1631_ = _e1022;
+                                    phi_1632_ = _e1004;
+                                    phi_1633_ = _e1000;
+                                    phi_1634_ = _e1030;
+                                    phi_1635_ = _e1026;
                                 }
-                                let _e1103 = phi_1628_;
-                                let _e1105 = phi_1629_;
-                                let _e1107 = phi_1630_;
-                                let _e1109 = phi_1631_;
-                                let _e1112 = ((_e1109 * _e1103) - (_e1107 * _e1105));
-                                if _e1101 {
-                                    phi_1639_ = -(_e1112);
+                                let _e1107 = phi_1632_;
+                                let _e1109 = phi_1633_;
+                                let _e1111 = phi_1634_;
+                                let _e1113 = phi_1635_;
+                                let _e1116 = ((_e1113 * _e1107) - (_e1111 * _e1109));
+                                if _e1105 {
+                                    phi_1643_ = -(_e1116);
                                 } else {
-                                    phi_1639_ = _e1112;
+                                    phi_1643_ = _e1116;
                                 }
-                                let _e1115 = phi_1639_;
-                                if (_e1073 >= 0f) {
-                                    if (_e1094 >= 0f) {
-                                        if (_e1115 >= 0f) {
-                                            phi_1654_ = ((_e1073 + _e1094) + _e1115);
-                                            phi_1655_ = false;
+                                let _e1119 = phi_1643_;
+                                if (_e1077 >= 0f) {
+                                    if (_e1098 >= 0f) {
+                                        if (_e1119 >= 0f) {
+                                            phi_1658_ = ((_e1077 + _e1098) + _e1119);
+                                            phi_1659_ = false;
                                         } else {
-                                            phi_1654_ = f32();
-                                            phi_1655_ = true;
+                                            phi_1658_ = f32();
+                                            phi_1659_ = true;
                                         }
-                                        let _e1122 = phi_1654_;
-                                        let _e1124 = phi_1655_;
-                                        phi_1656_ = _e1122;
-                                        phi_1657_ = _e1124;
+                                        let _e1126 = phi_1658_;
+                                        let _e1128 = phi_1659_;
+                                        phi_1660_ = _e1126;
+                                        phi_1661_ = _e1128;
                                     } else {
-                                        phi_1656_ = f32();
-                                        phi_1657_ = true;
+                                        phi_1660_ = f32();
+                                        phi_1661_ = true;
                                     }
-                                    let _e1126 = phi_1656_;
-                                    let _e1128 = phi_1657_;
-                                    phi_1658_ = _e1126;
-                                    phi_1659_ = _e1128;
+                                    let _e1130 = phi_1660_;
+                                    let _e1132 = phi_1661_;
+                                    phi_1662_ = _e1130;
+                                    phi_1663_ = _e1132;
                                 } else {
-                                    phi_1658_ = f32();
-                                    phi_1659_ = true;
+                                    phi_1662_ = f32();
+                                    phi_1663_ = true;
                                 }
-                                let _e1130 = phi_1658_;
-                                let _e1132 = phi_1659_;
-                                if _e1132 {
-                                    if (_e1073 <= 0f) {
-                                        if (_e1094 <= 0f) {
-                                            let _e1135 = (_e1115 <= 0f);
-                                            if _e1135 {
+                                let _e1134 = phi_1662_;
+                                let _e1136 = phi_1663_;
+                                if _e1136 {
+                                    if (_e1077 <= 0f) {
+                                        if (_e1098 <= 0f) {
+                                            let _e1139 = (_e1119 <= 0f);
+                                            if _e1139 {
                                             }
-                                            phi_1677_ = ((_e1073 + _e1094) + _e1115);
-                                            phi_1678_ = false;
-                                            phi_1679_ = _e1135;
+                                            phi_1681_ = ((_e1077 + _e1098) + _e1119);
+                                            phi_1682_ = false;
+                                            phi_1683_ = _e1139;
                                         } else {
-                                            phi_1677_ = f32();
-                                            phi_1678_ = true;
-                                            phi_1679_ = false;
+                                            phi_1681_ = f32();
+                                            phi_1682_ = true;
+                                            phi_1683_ = false;
                                         }
-                                        let _e1139 = phi_1677_;
-                                        let _e1141 = phi_1678_;
-                                        let _e1143 = phi_1679_;
-                                        phi_1680_ = _e1139;
-                                        phi_1681_ = _e1141;
-                                        phi_1682_ = _e1143;
+                                        let _e1143 = phi_1681_;
+                                        let _e1145 = phi_1682_;
+                                        let _e1147 = phi_1683_;
+                                        phi_1684_ = _e1143;
+                                        phi_1685_ = _e1145;
+                                        phi_1686_ = _e1147;
                                     } else {
-                                        phi_1680_ = f32();
-                                        phi_1681_ = true;
-                                        phi_1682_ = false;
-                                    }
-                                    let _e1145 = phi_1680_;
-                                    let _e1147 = phi_1681_;
-                                    let _e1149 = phi_1682_;
-                                    if _e1147 {
+                                        phi_1684_ = f32();
+                                        phi_1685_ = true;
                                         phi_1686_ = false;
-                                    } else {
-                                        phi_1686_ = _e1149;
                                     }
-                                    let _e1151 = phi_1686_;
-                                    phi_1687_ = _e1145;
-                                    phi_1688_ = _e1151;
-                                } else {
-                                    phi_1687_ = _e1130;
-                                    phi_1688_ = true;
-                                }
-                                let _e1153 = phi_1687_;
-                                let _e1155 = phi_1688_;
-                                if _e1155 {
-                                    let _e1156 = (_e1153 == 0f);
-                                    if _e1156 {
-                                        phi_2004_ = lt_bvh_triangle_Intersection();
-                                        phi_2005_ = false;
+                                    let _e1149 = phi_1684_;
+                                    let _e1151 = phi_1685_;
+                                    let _e1153 = phi_1686_;
+                                    if _e1151 {
+                                        phi_1690_ = false;
                                     } else {
-                                        let _e1158 = triangles.member[(0u + _e969)].v0_;
-                                        let _e1160 = (_e1158.x - _e131);
-                                        let _e1162 = (_e1158.y - _e133);
-                                        let _e1164 = (_e1158.z - _e135);
-                                        if (_e359 == 0u) {
-                                            phi_1717_ = vec3<f32>(_e1162, _e1164, _e1160);
-                                        } else {
-                                            if (_e359 == 1u) {
-                                                phi_1716_ = vec3<f32>(_e1164, _e1160, _e1162);
-                                            } else {
-                                                phi_1716_ = (_e1158 - vec3<f32>(_e131, _e133, _e135));
-                                            }
-                                            let _e1172 = phi_1716_;
-                                            phi_1717_ = _e1172;
-                                        }
-                                        let _e1174 = phi_1717_;
-                                        let _e1176 = triangles.member[(0u + _e969)].v1_;
-                                        let _e1178 = triangles.member[(0u + _e969)].v0_;
-                                        let _e1181 = (_e1176.x - _e1178.x);
-                                        let _e1184 = (_e1176.y - _e1178.y);
-                                        let _e1187 = (_e1176.z - _e1178.z);
-                                        if (_e359 == 0u) {
-                                            phi_1743_ = vec3<f32>(_e1184, _e1187, _e1181);
-                                        } else {
-                                            if (_e359 == 1u) {
-                                                phi_1742_ = vec3<f32>(_e1187, _e1181, _e1184);
-                                            } else {
-                                                phi_1742_ = (_e1176 - _e1178);
-                                            }
-                                            let _e1194 = phi_1742_;
-                                            phi_1743_ = _e1194;
-                                        }
-                                        let _e1196 = phi_1743_;
-                                        let _e1198 = triangles.member[(0u + _e969)].v2_;
-                                        let _e1200 = triangles.member[(0u + _e969)].v0_;
-                                        let _e1203 = (_e1198.x - _e1200.x);
-                                        let _e1206 = (_e1198.y - _e1200.y);
-                                        let _e1209 = (_e1198.z - _e1200.z);
-                                        if (_e359 == 0u) {
-                                            phi_1769_ = vec3<f32>(_e1206, _e1209, _e1203);
-                                        } else {
-                                            if (_e359 == 1u) {
-                                                phi_1768_ = vec3<f32>(_e1209, _e1203, _e1206);
-                                            } else {
-                                                phi_1768_ = (_e1198 - _e1200);
-                                            }
-                                            let _e1216 = phi_1768_;
-                                            phi_1769_ = _e1216;
-                                        }
-                                        let _e1218 = phi_1769_;
-                                        let _e1225 = ((_e1196.y * _e1218.z) - (_e1196.z * _e1218.y));
-                                        let _e1232 = ((_e1196.z * _e1218.x) - (_e1196.x * _e1218.z));
-                                        let _e1239 = ((_e1196.x * _e1218.y) - (_e1196.y * _e1218.x));
-                                        let _e1253 = (((1f / _e367.z) * (((_e1225 * _e1174.x) + (_e1232 * _e1174.y)) + (_e1239 * _e1174.z))) / (((_e1225 * _e370) + (_e1232 * _e373)) + _e1239));
-                                        if (_e1253 > 0f) {
-                                            if (_e1253 < _e139) {
-                                                let _e1257 = triangles.member[(0u + _e969)].v0_;
-                                                let _e1259 = triangles.member[(0u + _e969)].v1_;
-                                                if (_e1257.x < _e1259.x) {
-                                                    phi_1825_ = _e1257.x;
-                                                } else {
-                                                    phi_1825_ = _e1259.x;
-                                                }
-                                                let _e1266 = phi_1825_;
-                                                if (_e1257.y < _e1259.y) {
-                                                    phi_1834_ = _e1257.y;
-                                                } else {
-                                                    phi_1834_ = _e1259.y;
-                                                }
-                                                let _e1273 = phi_1834_;
-                                                if (_e1257.z < _e1259.z) {
-                                                    phi_1843_ = _e1257.z;
-                                                } else {
-                                                    phi_1843_ = _e1259.z;
-                                                }
-                                                let _e1280 = phi_1843_;
-                                                let _e1282 = triangles.member[(0u + _e969)].v2_;
-                                                if (_e1266 < _e1282.x) {
-                                                    phi_1852_ = _e1266;
-                                                } else {
-                                                    phi_1852_ = _e1282.x;
-                                                }
-                                                let _e1287 = phi_1852_;
-                                                if (_e1273 < _e1282.y) {
-                                                    phi_1859_ = _e1273;
-                                                } else {
-                                                    phi_1859_ = _e1282.y;
-                                                }
-                                                let _e1292 = phi_1859_;
-                                                if (_e1280 < _e1282.z) {
-                                                    phi_1866_ = _e1280;
-                                                } else {
-                                                    phi_1866_ = _e1282.z;
-                                                }
-                                                let _e1297 = phi_1866_;
-                                                let _e1299 = triangles.member[(0u + _e969)].v0_;
-                                                let _e1301 = triangles.member[(0u + _e969)].v1_;
-                                                if (_e1299.x > _e1301.x) {
-                                                    phi_1879_ = _e1299.x;
-                                                } else {
-                                                    phi_1879_ = _e1301.x;
-                                                }
-                                                let _e1308 = phi_1879_;
-                                                if (_e1299.y > _e1301.y) {
-                                                    phi_1888_ = _e1299.y;
-                                                } else {
-                                                    phi_1888_ = _e1301.y;
-                                                }
-                                                let _e1315 = phi_1888_;
-                                                if (_e1299.z > _e1301.z) {
-                                                    phi_1897_ = _e1299.z;
-                                                } else {
-                                                    phi_1897_ = _e1301.z;
-                                                }
-                                                let _e1322 = phi_1897_;
-                                                let _e1324 = triangles.member[(0u + _e969)].v2_;
-                                                if (_e1308 > _e1324.x) {
-                                                    phi_1906_ = _e1308;
-                                                } else {
-                                                    phi_1906_ = _e1324.x;
-                                                }
-                                                let _e1329 = phi_1906_;
-                                                if (_e1315 > _e1324.y) {
-                                                    phi_1913_ = _e1315;
-                                                } else {
-                                                    phi_1913_ = _e1324.y;
-                                                }
-                                                let _e1334 = phi_1913_;
-                                                if (_e1322 > _e1324.z) {
-                                                    phi_1920_ = _e1322;
-                                                } else {
-                                                    phi_1920_ = _e1324.z;
-                                                }
-                                                let _e1339 = phi_1920_;
-                                                let _e1343 = ((_e1287 - _e131) * _e288);
-                                                let _e1344 = ((_e1292 - _e133) * _e298);
-                                                let _e1345 = ((_e1297 - _e135) * _e308);
-                                                let _e1349 = ((_e1329 - _e131) * _e288);
-                                                let _e1350 = ((_e1334 - _e133) * _e298);
-                                                let _e1351 = ((_e1339 - _e135) * _e308);
-                                                if (_e1343 < _e1349) {
-                                                    phi_1937_ = _e1343;
-                                                } else {
-                                                    phi_1937_ = _e1349;
-                                                }
-                                                let _e1354 = phi_1937_;
-                                                if (_e1344 < _e1350) {
-                                                    phi_1942_ = _e1344;
-                                                } else {
-                                                    phi_1942_ = _e1350;
-                                                }
-                                                let _e1357 = phi_1942_;
-                                                if (_e1345 < _e1351) {
-                                                    phi_1947_ = _e1345;
-                                                } else {
-                                                    phi_1947_ = _e1351;
-                                                }
-                                                let _e1360 = phi_1947_;
-                                                if (_e1343 > _e1349) {
-                                                    phi_1955_ = _e1343;
-                                                } else {
-                                                    phi_1955_ = _e1349;
-                                                }
-                                                let _e1366 = phi_1955_;
-                                                if (_e1344 > _e1350) {
-                                                    phi_1960_ = _e1344;
-                                                } else {
-                                                    phi_1960_ = _e1350;
-                                                }
-                                                let _e1369 = phi_1960_;
-                                                if (_e1345 > _e1351) {
-                                                    phi_1965_ = _e1345;
-                                                } else {
-                                                    phi_1965_ = _e1351;
-                                                }
-                                                let _e1372 = phi_1965_;
-                                                let _e1376 = core_intrinsics_maximum_number_nsz_f32_((_e1354 - _e343), (_e1357 - _e344));
-                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_(_e1376, (_e1360 - _e345));
-                                                let _e1378 = core_intrinsics_minimum_number_nsz_f32_((_e1366 + _e343), (_e1369 + _e344));
-                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_(_e1378, (_e1372 + _e345));
-                                                if (_e1377 > -300000000000000000000000000000000000000f) {
-                                                    phi_1977_ = _e1377;
-                                                } else {
-                                                    phi_1977_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1382 = phi_1977_;
-                                                if (_e1379 < 300000000000000000000000000000000000000f) {
-                                                    phi_1982_ = _e1379;
-                                                } else {
-                                                    phi_1982_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1385 = phi_1982_;
-                                                if (_e1253 < _e1382) {
-                                                    phi_1987_ = _e1382;
-                                                } else {
-                                                    phi_1987_ = _e1253;
-                                                }
-                                                let _e1388 = phi_1987_;
-                                                if (_e1388 > _e1385) {
-                                                    phi_1992_ = _e1385;
-                                                } else {
-                                                    phi_1992_ = _e1388;
-                                                }
-                                                let _e1391 = phi_1992_;
-                                                phi_1997_ = lt_bvh_triangle_Intersection(_e1391, (_e1094 / _e1153), (_e1115 / _e1153), (_e1382 <= _e1385));
-                                                phi_1998_ = false;
-                                            } else {
-                                                phi_1997_ = lt_bvh_triangle_Intersection();
-                                                phi_1998_ = true;
-                                            }
-                                            let _e1397 = phi_1997_;
-                                            let _e1399 = phi_1998_;
-                                            phi_1999_ = _e1397;
-                                            phi_2000_ = _e1399;
-                                        } else {
-                                            phi_1999_ = lt_bvh_triangle_Intersection();
-                                            phi_2000_ = true;
-                                        }
-                                        let _e1401 = phi_1999_;
-                                        let _e1403 = phi_2000_;
-                                        if _e1403 {
-                                        }
-                                        phi_2004_ = _e1401;
-                                        phi_2005_ = _e1403;
+                                        phi_1690_ = _e1153;
                                     }
-                                    let _e1405 = phi_2004_;
-                                    let _e1407 = phi_2005_;
-                                    phi_2006_ = _e1405;
-                                    phi_2007_ = _e1156;
-                                    phi_2008_ = _e1407;
+                                    let _e1155 = phi_1690_;
+                                    phi_1691_ = _e1149;
+                                    phi_1692_ = _e1155;
                                 } else {
-                                    phi_2006_ = lt_bvh_triangle_Intersection();
-                                    phi_2007_ = true;
-                                    phi_2008_ = false;
+                                    phi_1691_ = _e1134;
+                                    phi_1692_ = true;
                                 }
-                                let _e1409 = phi_2006_;
-                                let _e1411 = phi_2007_;
-                                let _e1413 = phi_2008_;
-                                if _e1411 {
-                                    phi_2012_ = true;
+                                let _e1157 = phi_1691_;
+                                let _e1159 = phi_1692_;
+                                if _e1159 {
+                                    let _e1160 = (_e1157 == 0f);
+                                    if _e1160 {
+                                        phi_2008_ = lt_bvh_triangle_Intersection();
+                                        phi_2009_ = false;
+                                    } else {
+                                        let _e1162 = triangles.member[(0u + _e973)].v0_;
+                                        let _e1164 = (_e1162.x - _e131);
+                                        let _e1166 = (_e1162.y - _e133);
+                                        let _e1168 = (_e1162.z - _e135);
+                                        if (_e359 == 0u) {
+                                            phi_1721_ = vec3<f32>(_e1166, _e1168, _e1164);
+                                        } else {
+                                            if (_e359 == 1u) {
+                                                phi_1720_ = vec3<f32>(_e1168, _e1164, _e1166);
+                                            } else {
+                                                phi_1720_ = (_e1162 - vec3<f32>(_e131, _e133, _e135));
+                                            }
+                                            let _e1176 = phi_1720_;
+                                            phi_1721_ = _e1176;
+                                        }
+                                        let _e1178 = phi_1721_;
+                                        let _e1180 = triangles.member[(0u + _e973)].v1_;
+                                        let _e1182 = triangles.member[(0u + _e973)].v0_;
+                                        let _e1185 = (_e1180.x - _e1182.x);
+                                        let _e1188 = (_e1180.y - _e1182.y);
+                                        let _e1191 = (_e1180.z - _e1182.z);
+                                        if (_e359 == 0u) {
+                                            phi_1747_ = vec3<f32>(_e1188, _e1191, _e1185);
+                                        } else {
+                                            if (_e359 == 1u) {
+                                                phi_1746_ = vec3<f32>(_e1191, _e1185, _e1188);
+                                            } else {
+                                                phi_1746_ = (_e1180 - _e1182);
+                                            }
+                                            let _e1198 = phi_1746_;
+                                            phi_1747_ = _e1198;
+                                        }
+                                        let _e1200 = phi_1747_;
+                                        let _e1202 = triangles.member[(0u + _e973)].v2_;
+                                        let _e1204 = triangles.member[(0u + _e973)].v0_;
+                                        let _e1207 = (_e1202.x - _e1204.x);
+                                        let _e1210 = (_e1202.y - _e1204.y);
+                                        let _e1213 = (_e1202.z - _e1204.z);
+                                        if (_e359 == 0u) {
+                                            phi_1773_ = vec3<f32>(_e1210, _e1213, _e1207);
+                                        } else {
+                                            if (_e359 == 1u) {
+                                                phi_1772_ = vec3<f32>(_e1213, _e1207, _e1210);
+                                            } else {
+                                                phi_1772_ = (_e1202 - _e1204);
+                                            }
+                                            let _e1220 = phi_1772_;
+                                            phi_1773_ = _e1220;
+                                        }
+                                        let _e1222 = phi_1773_;
+                                        let _e1229 = ((_e1200.y * _e1222.z) - (_e1200.z * _e1222.y));
+                                        let _e1236 = ((_e1200.z * _e1222.x) - (_e1200.x * _e1222.z));
+                                        let _e1243 = ((_e1200.x * _e1222.y) - (_e1200.y * _e1222.x));
+                                        let _e1257 = (((1f / _e367.z) * (((_e1229 * _e1178.x) + (_e1236 * _e1178.y)) + (_e1243 * _e1178.z))) / (((_e1229 * _e370) + (_e1236 * _e373)) + _e1243));
+                                        if (_e1257 > 0f) {
+                                            if (_e1257 < _e139) {
+                                                let _e1261 = triangles.member[(0u + _e973)].v0_;
+                                                let _e1263 = triangles.member[(0u + _e973)].v1_;
+                                                if (_e1261.x < _e1263.x) {
+                                                    phi_1829_ = _e1261.x;
+                                                } else {
+                                                    phi_1829_ = _e1263.x;
+                                                }
+                                                let _e1270 = phi_1829_;
+                                                if (_e1261.y < _e1263.y) {
+                                                    phi_1838_ = _e1261.y;
+                                                } else {
+                                                    phi_1838_ = _e1263.y;
+                                                }
+                                                let _e1277 = phi_1838_;
+                                                if (_e1261.z < _e1263.z) {
+                                                    phi_1847_ = _e1261.z;
+                                                } else {
+                                                    phi_1847_ = _e1263.z;
+                                                }
+                                                let _e1284 = phi_1847_;
+                                                let _e1286 = triangles.member[(0u + _e973)].v2_;
+                                                if (_e1270 < _e1286.x) {
+                                                    phi_1856_ = _e1270;
+                                                } else {
+                                                    phi_1856_ = _e1286.x;
+                                                }
+                                                let _e1291 = phi_1856_;
+                                                if (_e1277 < _e1286.y) {
+                                                    phi_1863_ = _e1277;
+                                                } else {
+                                                    phi_1863_ = _e1286.y;
+                                                }
+                                                let _e1296 = phi_1863_;
+                                                if (_e1284 < _e1286.z) {
+                                                    phi_1870_ = _e1284;
+                                                } else {
+                                                    phi_1870_ = _e1286.z;
+                                                }
+                                                let _e1301 = phi_1870_;
+                                                let _e1303 = triangles.member[(0u + _e973)].v0_;
+                                                let _e1305 = triangles.member[(0u + _e973)].v1_;
+                                                if (_e1303.x > _e1305.x) {
+                                                    phi_1883_ = _e1303.x;
+                                                } else {
+                                                    phi_1883_ = _e1305.x;
+                                                }
+                                                let _e1312 = phi_1883_;
+                                                if (_e1303.y > _e1305.y) {
+                                                    phi_1892_ = _e1303.y;
+                                                } else {
+                                                    phi_1892_ = _e1305.y;
+                                                }
+                                                let _e1319 = phi_1892_;
+                                                if (_e1303.z > _e1305.z) {
+                                                    phi_1901_ = _e1303.z;
+                                                } else {
+                                                    phi_1901_ = _e1305.z;
+                                                }
+                                                let _e1326 = phi_1901_;
+                                                let _e1328 = triangles.member[(0u + _e973)].v2_;
+                                                if (_e1312 > _e1328.x) {
+                                                    phi_1910_ = _e1312;
+                                                } else {
+                                                    phi_1910_ = _e1328.x;
+                                                }
+                                                let _e1333 = phi_1910_;
+                                                if (_e1319 > _e1328.y) {
+                                                    phi_1917_ = _e1319;
+                                                } else {
+                                                    phi_1917_ = _e1328.y;
+                                                }
+                                                let _e1338 = phi_1917_;
+                                                if (_e1326 > _e1328.z) {
+                                                    phi_1924_ = _e1326;
+                                                } else {
+                                                    phi_1924_ = _e1328.z;
+                                                }
+                                                let _e1343 = phi_1924_;
+                                                let _e1347 = ((_e1291 - _e131) * _e288);
+                                                let _e1348 = ((_e1296 - _e133) * _e298);
+                                                let _e1349 = ((_e1301 - _e135) * _e308);
+                                                let _e1353 = ((_e1333 - _e131) * _e288);
+                                                let _e1354 = ((_e1338 - _e133) * _e298);
+                                                let _e1355 = ((_e1343 - _e135) * _e308);
+                                                if (_e1347 < _e1353) {
+                                                    phi_1941_ = _e1347;
+                                                } else {
+                                                    phi_1941_ = _e1353;
+                                                }
+                                                let _e1358 = phi_1941_;
+                                                if (_e1348 < _e1354) {
+                                                    phi_1946_ = _e1348;
+                                                } else {
+                                                    phi_1946_ = _e1354;
+                                                }
+                                                let _e1361 = phi_1946_;
+                                                if (_e1349 < _e1355) {
+                                                    phi_1951_ = _e1349;
+                                                } else {
+                                                    phi_1951_ = _e1355;
+                                                }
+                                                let _e1364 = phi_1951_;
+                                                if (_e1347 > _e1353) {
+                                                    phi_1959_ = _e1347;
+                                                } else {
+                                                    phi_1959_ = _e1353;
+                                                }
+                                                let _e1370 = phi_1959_;
+                                                if (_e1348 > _e1354) {
+                                                    phi_1964_ = _e1348;
+                                                } else {
+                                                    phi_1964_ = _e1354;
+                                                }
+                                                let _e1373 = phi_1964_;
+                                                if (_e1349 > _e1355) {
+                                                    phi_1969_ = _e1349;
+                                                } else {
+                                                    phi_1969_ = _e1355;
+                                                }
+                                                let _e1376 = phi_1969_;
+                                                let _e1380 = core_intrinsics_maximum_number_nsz_f32_((_e1358 - _e343), (_e1361 - _e344));
+                                                let _e1381 = core_intrinsics_maximum_number_nsz_f32_(_e1380, (_e1364 - _e345));
+                                                let _e1382 = core_intrinsics_minimum_number_nsz_f32_((_e1370 + _e343), (_e1373 + _e344));
+                                                let _e1383 = core_intrinsics_minimum_number_nsz_f32_(_e1382, (_e1376 + _e345));
+                                                if (_e1381 > -300000000000000000000000000000000000000f) {
+                                                    phi_1981_ = _e1381;
+                                                } else {
+                                                    phi_1981_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1386 = phi_1981_;
+                                                if (_e1383 < 300000000000000000000000000000000000000f) {
+                                                    phi_1986_ = _e1383;
+                                                } else {
+                                                    phi_1986_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1389 = phi_1986_;
+                                                if (_e1257 < _e1386) {
+                                                    phi_1991_ = _e1386;
+                                                } else {
+                                                    phi_1991_ = _e1257;
+                                                }
+                                                let _e1392 = phi_1991_;
+                                                if (_e1392 > _e1389) {
+                                                    phi_1996_ = _e1389;
+                                                } else {
+                                                    phi_1996_ = _e1392;
+                                                }
+                                                let _e1395 = phi_1996_;
+                                                phi_2001_ = lt_bvh_triangle_Intersection(_e1395, (_e1098 / _e1157), (_e1119 / _e1157), (_e1386 <= _e1389));
+                                                phi_2002_ = false;
+                                            } else {
+                                                phi_2001_ = lt_bvh_triangle_Intersection();
+                                                phi_2002_ = true;
+                                            }
+                                            let _e1401 = phi_2001_;
+                                            let _e1403 = phi_2002_;
+                                            phi_2003_ = _e1401;
+                                            phi_2004_ = _e1403;
+                                        } else {
+                                            phi_2003_ = lt_bvh_triangle_Intersection();
+                                            phi_2004_ = true;
+                                        }
+                                        let _e1405 = phi_2003_;
+                                        let _e1407 = phi_2004_;
+                                        if _e1407 {
+                                        }
+                                        phi_2008_ = _e1405;
+                                        phi_2009_ = _e1407;
+                                    }
+                                    let _e1409 = phi_2008_;
+                                    let _e1411 = phi_2009_;
+                                    phi_2010_ = _e1409;
+                                    phi_2011_ = _e1160;
+                                    phi_2012_ = _e1411;
                                 } else {
-                                    phi_2012_ = _e1413;
+                                    phi_2010_ = lt_bvh_triangle_Intersection();
+                                    phi_2011_ = true;
+                                    phi_2012_ = false;
                                 }
-                                let _e1415 = phi_2012_;
+                                let _e1413 = phi_2010_;
+                                let _e1415 = phi_2011_;
+                                let _e1417 = phi_2012_;
                                 if _e1415 {
-                                    phi_2016_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_2016_ = true;
                                 } else {
-                                    phi_2016_ = _e1409;
+                                    phi_2016_ = _e1417;
                                 }
-                                let _e1417 = phi_2016_;
-                                if _e1417.is_hit {
-                                    if (_e1417.t > 0f) {
-                                        if (_e1417.t < _e139) {
-                                            let _e1424 = triangles.member[(0u + _e969)].i0_;
-                                            let _e1426 = ((_e1424 & 2147483648u) == 0u);
-                                            if _e1426 {
-                                                phi_2239_ = false;
-                                                phi_2240_ = false;
+                                let _e1419 = phi_2016_;
+                                if _e1419 {
+                                    phi_2020_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2020_ = _e1413;
+                                }
+                                let _e1421 = phi_2020_;
+                                if _e1421.is_hit {
+                                    if (_e1421.t > 0f) {
+                                        if (_e1421.t < _e139) {
+                                            let _e1428 = triangles.member[(0u + _e973)].i0_;
+                                            if ((_e1428 & 2147483648u) == 0u) {
+                                                phi_2239_ = true;
                                             } else {
-                                                if (_e969 < _e79) {
+                                                if (_e973 < _e79) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1433 = triangles.member[(0u + _e969)].i0_;
-                                                let _e1434 = (_e1433 & 2147483647u);
-                                                let _e1436 = triangles.member[(0u + _e969)].i1_;
-                                                let _e1438 = triangles.member[(0u + _e969)].i2_;
-                                                if (_e1434 < _e91) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1442 = vertices.member[(0u + _e1434)];
-                                                if (_e1436 < _e91) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1446 = vertices.member[(0u + _e1436)];
+                                                let _e1437 = triangles.member[(0u + _e973)].i0_;
+                                                let _e1438 = (_e1437 & 2147483647u);
+                                                let _e1440 = triangles.member[(0u + _e973)].i1_;
+                                                let _e1442 = triangles.member[(0u + _e973)].i2_;
                                                 if (_e1438 < _e91) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1450 = vertices.member[(0u + _e1438)];
-                                                let _e1451 = array<abi_Vertex, 3>(_e1442, _e1446, _e1450);
-                                                if (_e1451[0].material < arrayLength((&materials.member))) {
+                                                let _e1446 = vertices.member[(0u + _e1438)];
+                                                if (_e1440 < _e91) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1457 = materials.member[(0u + _e1451[0].material)];
-                                                if ((_e1457.flags & 1u) == 1u) {
-                                                    let _e1462 = ((1f - _e1417.u) - _e1417.v);
-                                                    if (_e1457.cutoff <= 0f) {
-                                                        phi_2233_ = true;
+                                                let _e1450 = vertices.member[(0u + _e1440)];
+                                                if (_e1442 < _e91) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1454 = vertices.member[(0u + _e1442)];
+                                                let _e1455 = array<abi_Vertex, 3>(_e1446, _e1450, _e1454);
+                                                if (_e1455[0].material < arrayLength((&materials.member))) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1461 = materials.member[(0u + _e1455[0].material)];
+                                                if ((_e1461.flags & 1u) == 1u) {
+                                                    let _e1466 = ((1f - _e1421.u) - _e1421.v);
+                                                    if (_e1461.cutoff <= 0f) {
+                                                        phi_2237_ = true;
                                                     } else {
-                                                        let _e1489 = (_e1457.base_color.w * ((((f32((_e1451[0].color >> bitcast<u32>(24i))) * _e1462) + (f32((_e1451[1].color >> bitcast<u32>(24i))) * _e1417.u)) + (f32((_e1451[2].color >> bitcast<u32>(24i))) * _e1417.v)) * (1f / 255f)));
-                                                        if (_e1457.alpha_size == 0u) {
-                                                            phi_2230_ = _e1489;
+                                                        let _e1493 = (_e1461.base_color.w * ((((f32((_e1455[0].color >> bitcast<u32>(24i))) * _e1466) + (f32((_e1455[1].color >> bitcast<u32>(24i))) * _e1421.u)) + (f32((_e1455[2].color >> bitcast<u32>(24i))) * _e1421.v)) * (1f / 255f)));
+                                                        if (_e1461.alpha_size == 0u) {
+                                                            phi_2234_ = _e1493;
                                                         } else {
-                                                            local.offset = _e1457.alpha_offset;
-                                                            local.size = _e1457.alpha_size;
-                                                            local.flags = _e1457.flags;
-                                                            let _e1520 = _lt_shaders_texture_TextureView_quad((&local), (((_e1451[0].u * _e1462) + (_e1451[1].u * _e1417.u)) + (_e1451[2].u * _e1417.v)), (((_e1451[0].v * _e1462) + (_e1451[1].v * _e1417.u)) + (_e1451[2].v * _e1417.v)));
-                                                            let _e1524 = (_e1520.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1524 < _e97) {
+                                                            local.offset = _e1461.alpha_offset;
+                                                            local.size = _e1461.alpha_size;
+                                                            local.flags = _e1461.flags;
+                                                            let _e1524 = _lt_shaders_texture_TextureView_quad((&local), (((_e1455[0].u * _e1466) + (_e1455[1].u * _e1421.u)) + (_e1455[2].u * _e1421.v)), (((_e1455[0].v * _e1466) + (_e1455[1].v * _e1421.u)) + (_e1455[2].v * _e1421.v)));
+                                                            let _e1528 = (_e1524.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1528 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1528 = alpha_texels.member[(0u + _e1524)];
-                                                            let _e1544 = (_e1520.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1544 < _e97) {
+                                                            let _e1532 = alpha_texels.member[(0u + _e1528)];
+                                                            let _e1548 = (_e1524.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1548 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1548 = alpha_texels.member[(0u + _e1544)];
-                                                            let _e1565 = (_e1520.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1565 < _e97) {
+                                                            let _e1552 = alpha_texels.member[(0u + _e1548)];
+                                                            let _e1569 = (_e1524.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1569 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1569 = alpha_texels.member[(0u + _e1565)];
-                                                            let _e1586 = (_e1520.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1586 < _e97) {
+                                                            let _e1573 = alpha_texels.member[(0u + _e1569)];
+                                                            let _e1590 = (_e1524.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1590 < _e97) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1590 = alpha_texels.member[(0u + _e1586)];
-                                                            phi_2230_ = (_e1489 * (((((f32(((_e1528 >> bitcast<u32>((((_e1520.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.x) + ((f32(((_e1548 >> bitcast<u32>((((_e1520.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.y)) + ((f32(((_e1569 >> bitcast<u32>((((_e1520.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.z)) + ((f32(((_e1590 >> bitcast<u32>((((_e1520.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.w)));
+                                                            let _e1594 = alpha_texels.member[(0u + _e1590)];
+                                                            phi_2234_ = (_e1493 * (((((f32(((_e1532 >> bitcast<u32>((((_e1524.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1524.weights.x) + ((f32(((_e1552 >> bitcast<u32>((((_e1524.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1524.weights.y)) + ((f32(((_e1573 >> bitcast<u32>((((_e1524.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1524.weights.z)) + ((f32(((_e1594 >> bitcast<u32>((((_e1524.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1524.weights.w)));
                                                         }
-                                                        let _e1606 = phi_2230_;
-                                                        phi_2233_ = (_e1606 >= _e1457.cutoff);
+                                                        let _e1610 = phi_2234_;
+                                                        phi_2237_ = (_e1610 >= _e1461.cutoff);
                                                     }
-                                                    let _e1610 = phi_2233_;
-                                                    phi_2234_ = _e1610;
+                                                    let _e1614 = phi_2237_;
+                                                    phi_2238_ = _e1614;
                                                 } else {
-                                                    phi_2234_ = false;
-                                                }
-                                                let _e1612 = phi_2234_;
-                                                if _e1612 {
                                                     phi_2238_ = false;
-                                                } else {
-                                                    phi_2238_ = true;
                                                 }
-                                                let _e1614 = phi_2238_;
-                                                phi_2239_ = _e1614;
-                                                phi_2240_ = _e1612;
+                                                let _e1616 = phi_2238_;
+                                                phi_2239_ = _e1616;
                                             }
-                                            let _e1616 = phi_2239_;
-                                            let _e1618 = phi_2240_;
-                                            phi_2241_ = _e1616;
-                                            phi_2242_ = _e1426;
-                                            phi_2243_ = _e1618;
+                                            let _e1618 = phi_2239_;
+                                            if _e1618 {
+                                                phi_2243_ = false;
+                                            } else {
+                                                phi_2243_ = true;
+                                            }
+                                            let _e1620 = phi_2243_;
+                                            phi_2244_ = _e1618;
+                                            phi_2245_ = _e1618;
+                                            phi_2246_ = _e1620;
                                         } else {
-                                            phi_2241_ = true;
-                                            phi_2242_ = false;
-                                            phi_2243_ = false;
+                                            phi_2244_ = bool();
+                                            phi_2245_ = _e964;
+                                            phi_2246_ = true;
                                         }
-                                        let _e1620 = phi_2241_;
-                                        let _e1622 = phi_2242_;
-                                        let _e1624 = phi_2243_;
-                                        phi_2244_ = _e1620;
-                                        phi_2245_ = _e1622;
-                                        phi_2246_ = _e1624;
+                                        let _e1622 = phi_2244_;
+                                        let _e1624 = phi_2245_;
+                                        let _e1626 = phi_2246_;
+                                        phi_2247_ = _e1622;
+                                        phi_2248_ = _e1624;
+                                        phi_2249_ = _e1626;
                                     } else {
-                                        phi_2244_ = true;
-                                        phi_2245_ = false;
-                                        phi_2246_ = false;
+                                        phi_2247_ = bool();
+                                        phi_2248_ = _e964;
+                                        phi_2249_ = true;
                                     }
-                                    let _e1626 = phi_2244_;
-                                    let _e1628 = phi_2245_;
-                                    let _e1630 = phi_2246_;
-                                    phi_2247_ = _e1626;
-                                    phi_2248_ = _e1628;
-                                    phi_2249_ = _e1630;
+                                    let _e1628 = phi_2247_;
+                                    let _e1630 = phi_2248_;
+                                    let _e1632 = phi_2249_;
+                                    phi_2250_ = _e1628;
+                                    phi_2251_ = _e1630;
+                                    phi_2252_ = _e1632;
                                 } else {
-                                    phi_2247_ = true;
-                                    phi_2248_ = false;
-                                    phi_2249_ = false;
+                                    phi_2250_ = bool();
+                                    phi_2251_ = _e964;
+                                    phi_2252_ = true;
                                 }
-                                let _e1632 = phi_2247_;
-                                let _e1634 = phi_2248_;
-                                let _e1636 = phi_2249_;
-                                if _e1632 {
-                                    phi_2253_ = false;
-                                    phi_2254_ = false;
-                                } else {
-                                    phi_2253_ = _e1634;
-                                    phi_2254_ = _e1636;
+                                let _e1634 = phi_2250_;
+                                let _e1636 = phi_2251_;
+                                let _e1638 = phi_2252_;
+                                if _e1638 {
                                 }
-                                let _e1638 = phi_2253_;
-                                let _e1640 = phi_2254_;
-                                phi_1448_ = (_e960 & (_e960 - 1u));
-                                phi_2255_ = _e1632;
-                                phi_2256_ = _e1638;
-                                phi_2257_ = _e1640;
+                                phi_1450_ = (_e962 & (_e962 - 1u));
+                                phi_1453_ = _e1636;
+                                phi_2256_ = _e1634;
+                                phi_2257_ = _e1638;
                             }
-                            let _e1642 = phi_1448_;
-                            let _e1644 = phi_2255_;
-                            let _e1646 = phi_2256_;
-                            let _e1648 = phi_2257_;
-                            local_7 = _e1646;
-                            local_8 = _e1648;
+                            let _e1640 = phi_1450_;
+                            let _e1642 = phi_1453_;
+                            let _e1644 = phi_2256_;
+                            let _e1646 = phi_2257_;
+                            local_8 = _e1644;
                             continue;
                             continuing {
-                                phi_1447_ = _e1642;
-                                break if !(_e1644);
+                                phi_1449_ = _e1640;
+                                phi_1452_ = _e1642;
+                                break if !(_e1646);
                             }
                         }
-                        let _e1651 = local_5;
-                        if _e1651 {
-                            let _e1653 = local_1.group_mask;
-                            if ((_e1653 & 4278190080u) == 0u) {
-                                let _e1657 = local_1.len;
-                                if (_e1657 == 0u) {
+                        let _e1649 = local_5;
+                        if _e1649 {
+                            let _e1651 = local_1.group_mask;
+                            if ((_e1651 & 4278190080u) == 0u) {
+                                let _e1655 = local_1.len;
+                                if (_e1655 == 0u) {
                                     phi_2299_ = false;
                                 } else {
-                                    let _e1661 = local_1.len;
-                                    local_1.len = (_e1661 - 1u);
-                                    let _e1664 = local_1.len;
-                                    if (_e1664 < 32u) {
+                                    let _e1659 = local_1.len;
+                                    local_1.len = (_e1659 - 1u);
+                                    let _e1662 = local_1.len;
+                                    if (_e1662 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1669 = local_1.first[(0u + _e1664)];
-                                    local_1.group = _e1669;
-                                    let _e1672 = local_1.len;
-                                    if (_e1672 < 32u) {
+                                    let _e1667 = local_1.first[(0u + _e1662)];
+                                    local_1.group = _e1667;
+                                    let _e1670 = local_1.len;
+                                    if (_e1670 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1677 = local_1.mask[(0u + _e1672)];
-                                    local_1.group_mask = _e1677;
+                                    let _e1675 = local_1.mask[(0u + _e1670)];
+                                    local_1.group_mask = _e1675;
                                     phi_2299_ = true;
                                 }
-                                let _e1680 = phi_2299_;
-                                phi_2300_ = _e1680;
+                                let _e1678 = phi_2299_;
+                                phi_2300_ = _e1678;
                             } else {
                                 phi_2300_ = true;
                             }
-                            let _e1682 = phi_2300_;
-                            if _e1682 {
-                                let _e1684 = local_1.group_mask;
-                                let _e1690 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1684)), 32u, (_e1684 == 0u)));
-                                let _e1694 = local_1.group_mask;
-                                let _e1708 = local_1.group_mask;
-                                local_1.group_mask = (_e1708 & ~((1u << bitcast<u32>((_e1690 & 31u)))));
-                                let _e1711 = local_1.group;
-                                phi_2331_ = (_e1711 + countOneBits(((_e1694 & ~((4294967295u << bitcast<u32>((((_e1690 - 24u) ^ _e386) & 31u))))) & 255u)));
+                            let _e1680 = phi_2300_;
+                            if _e1680 {
+                                let _e1682 = local_1.group_mask;
+                                let _e1688 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1682)), 32u, (_e1682 == 0u)));
+                                let _e1692 = local_1.group_mask;
+                                let _e1706 = local_1.group_mask;
+                                local_1.group_mask = (_e1706 & ~((1u << bitcast<u32>((_e1688 & 31u)))));
+                                let _e1709 = local_1.group;
+                                phi_2331_ = (_e1709 + countOneBits(((_e1692 & ~((4294967295u << bitcast<u32>((((_e1688 - 24u) ^ _e386) & 31u))))) & 255u)));
                             } else {
                                 phi_2331_ = 4294967295u;
                             }
-                            let _e1714 = phi_2331_;
-                            phi_2332_ = _e1714;
-                            phi_2333_ = false;
-                            phi_2334_ = false;
+                            let _e1712 = phi_2331_;
+                            phi_2332_ = _e1712;
                         } else {
                             phi_2332_ = u32();
-                            let _e1958 = local_7;
-                            phi_2333_ = _e1958;
-                            let _e1961 = local_8;
-                            phi_2334_ = _e1961;
                         }
-                        let _e1716 = phi_2332_;
-                        let _e1718 = phi_2333_;
-                        let _e1720 = phi_2334_;
-                        phi_1118_ = _e1716;
-                        let _e1965 = local_9;
-                        phi_2335_ = _e1965;
-                        phi_2336_ = false;
-                        phi_2337_ = _e1718;
-                        phi_2338_ = _e1720;
+                        let _e1714 = phi_2332_;
+                        phi_1118_ = _e1714;
+                        let _e1948 = local_7;
+                        phi_1121_ = _e1948;
+                        let _e1951 = local_8;
+                        phi_2333_ = _e1951;
+                        let _e1954 = local_9;
+                        phi_2334_ = _e1954;
+                        phi_2335_ = false;
                     } else {
                         phi_1118_ = u32();
-                        phi_2335_ = false;
-                        phi_2336_ = true;
-                        phi_2337_ = false;
-                        phi_2338_ = false;
+                        phi_1121_ = bool();
+                        phi_2333_ = bool();
+                        phi_2334_ = false;
+                        phi_2335_ = true;
                     }
-                    let _e1722 = phi_1118_;
+                    let _e1716 = phi_1118_;
+                    let _e1718 = phi_1121_;
+                    let _e1720 = phi_2333_;
+                    let _e1722 = phi_2334_;
                     let _e1724 = phi_2335_;
-                    let _e1726 = phi_2336_;
-                    let _e1728 = phi_2337_;
-                    let _e1730 = phi_2338_;
-                    local_6 = _e1726;
-                    local_10 = _e1728;
-                    local_11 = _e1730;
+                    local_6 = _e1724;
+                    local_10 = _e1720;
                     continue;
                     continuing {
-                        phi_1117_ = _e1722;
-                        break if !(_e1724);
+                        phi_1117_ = _e1716;
+                        phi_1120_ = _e1718;
+                        break if !(_e1722);
                     }
                 }
-                let _e1733 = local_6;
-                if _e1733 {
-                    phi_2342_ = false;
-                    phi_2343_ = false;
+                let _e1727 = local_6;
+                if _e1727 {
+                    phi_2339_ = false;
                 } else {
-                    let _e1972 = local_10;
-                    phi_2342_ = _e1972;
-                    let _e1975 = local_11;
-                    phi_2343_ = _e1975;
+                    phi_2339_ = true;
                 }
-                let _e1735 = phi_2342_;
-                let _e1737 = phi_2343_;
-                if _e1735 {
-                    phi_2347_ = true;
+                let _e1729 = phi_2339_;
+                if _e1729 {
+                    let _e1960 = local_10;
+                    phi_2343_ = _e1960;
                 } else {
-                    phi_2347_ = _e1737;
+                    let _e1962 = local_11;
+                    phi_2343_ = _e1962;
                 }
-                let _e1739 = phi_2347_;
-                if _e1739 {
-                    phi_2351_ = true;
-                } else {
-                    phi_2351_ = false;
-                }
-                let _e1741 = phi_2351_;
-                phi_2352_ = _e1741;
+                let _e1731 = phi_2343_;
+                phi_2344_ = _e1731;
             }
-            let _e1743 = phi_2352_;
-            phi_2353_ = _e1743;
-            phi_2354_ = _e212;
+            let _e1733 = phi_2344_;
+            phi_2345_ = _e1733;
+            phi_2346_ = _e212;
         } else {
-            phi_2353_ = bool();
-            phi_2354_ = true;
+            phi_2345_ = bool();
+            phi_2346_ = true;
         }
-        let _e1745 = phi_2353_;
-        let _e1747 = phi_2354_;
-        if _e1747 {
-            phi_2358_ = false;
+        let _e1735 = phi_2345_;
+        let _e1737 = phi_2346_;
+        if _e1737 {
+            phi_2350_ = false;
         } else {
-            phi_2358_ = _e1745;
+            phi_2350_ = _e1735;
         }
-        let _e1749 = phi_2358_;
-        if _e1749 {
-            phi_2362_ = 0f;
+        let _e1739 = phi_2350_;
+        if _e1739 {
+            phi_2354_ = 0f;
         } else {
-            phi_2362_ = 1f;
+            phi_2354_ = 1f;
         }
-        let _e1751 = phi_2362_;
+        let _e1741 = phi_2354_;
         if (_e110 < _e82) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e1751;
+        visibility.member[(0u + _e110)] = _e1741;
         if (_e110 < _e88) {
         } else {
             return;
         }
-        let _e1758 = bits.member[(0u + _e110)];
-        if ((_e1758 & 2u) == 0u) {
-            phi_2383_ = (_e1758 & 1u);
+        let _e1748 = bits.member[(0u + _e110)];
+        if ((_e1748 & 2u) == 0u) {
+            phi_2375_ = (_e1748 & 1u);
         } else {
-            phi_2383_ = (_e1758 & 7u);
+            phi_2375_ = (_e1748 & 7u);
         }
-        let _e1764 = phi_2383_;
+        let _e1754 = phi_2375_;
         if (_e110 < _e82) {
         } else {
             return;
         }
-        let _e1768 = visibility.member[(0u + _e110)];
-        if ((_e1764 & 1u) != 0u) {
-            phi_2398_ = (2u | 1u);
+        let _e1758 = visibility.member[(0u + _e110)];
+        if ((_e1754 & 1u) != 0u) {
+            phi_2390_ = (2u | 1u);
         } else {
-            phi_2398_ = 2u;
+            phi_2390_ = 2u;
         }
-        let _e1774 = phi_2398_;
-        if (_e1768 < 0.5f) {
-            phi_2403_ = (_e1774 | 4u);
+        let _e1764 = phi_2390_;
+        if (_e1758 < 0.5f) {
+            phi_2395_ = (_e1764 | 4u);
         } else {
-            phi_2403_ = _e1774;
+            phi_2395_ = _e1764;
         }
-        let _e1777 = phi_2403_;
+        let _e1767 = phi_2395_;
         if (_e110 < _e88) {
         } else {
             return;
         }
-        bits.member[(0u + _e110)] = _e1777;
+        bits.member[(0u + _e110)] = _e1767;
     }
     return;
 }

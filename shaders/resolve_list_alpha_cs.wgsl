@@ -30,64 +30,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_29 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_33 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_37 {
-    member: array<abi_Material>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -96,28 +38,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_50 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -133,8 +58,84 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_56 {
+struct type_30 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_39 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_43 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    transmission: f32,
+    pad: u32,
+}
+
+struct type_47 {
+    member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -143,411 +144,411 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_56;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_50;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_29;
-@group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> triangles: type_39;
 @group(0) @binding(6) 
-var<storage> vertices: type_33;
+var<storage> vertices: type_43;
 @group(0) @binding(7) 
-var<storage> materials: type_37;
+var<storage> materials: type_47;
 @group(0) @binding(8) 
 var<storage> alpha_texels: type_13;
+@group(0) @binding(5) 
+var<storage> list: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_222_: f32;
-    var phi_227_: f32;
-    var phi_228_: bool;
-    var phi_229_: f32;
-    var phi_230_: bool;
-    var phi_234_: f32;
-    var phi_260_: f32;
-    var phi_265_: f32;
-    var phi_266_: bool;
-    var phi_267_: f32;
-    var phi_268_: bool;
-    var phi_272_: f32;
-    var phi_280_: f32;
-    var phi_281_: f32;
-    var phi_282_: f32;
-    var phi_291_: f32;
+fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
+    var phi_192_: bool;
+    var phi_196_: f32;
+
+    if (param != param) {
+        phi_192_ = true;
+    } else {
+        let _e69 = (param_1 >= param);
+        if _e69 {
+        }
+        phi_192_ = _e69;
+    }
+    let _e71 = phi_192_;
+    if _e71 {
+        phi_196_ = param_1;
+    } else {
+        phi_196_ = param;
+    }
+    let _e73 = phi_196_;
+    return _e73;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
+    var phi_208_: bool;
+    var phi_212_: f32;
+
+    if (param_2 != param_2) {
+        phi_208_ = true;
+    } else {
+        let _e69 = (param_3 <= param_2);
+        if _e69 {
+        }
+        phi_208_ = _e69;
+    }
+    let _e71 = phi_208_;
+    if _e71 {
+        phi_212_ = param_3;
+    } else {
+        phi_212_ = param_2;
+    }
+    let _e73 = phi_212_;
+    return _e73;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
+    var phi_254_: f32;
+    var phi_259_: f32;
+    var phi_260_: bool;
+    var phi_261_: f32;
+    var phi_262_: bool;
+    var phi_266_: f32;
     var phi_292_: f32;
-    var phi_310_: u32;
-    var phi_324_: u32;
-    var phi_331_: u32;
-    var phi_336_: u32;
+    var phi_297_: f32;
+    var phi_298_: bool;
+    var phi_299_: f32;
+    var phi_300_: bool;
+    var phi_304_: f32;
+    var phi_312_: f32;
+    var phi_313_: f32;
+    var phi_314_: f32;
+    var phi_323_: f32;
+    var phi_324_: f32;
     var phi_342_: u32;
-    var phi_347_: u32;
-    var phi_349_: texture_Axis;
-    var phi_377_: f32;
-    var phi_382_: f32;
-    var phi_383_: bool;
-    var phi_384_: f32;
-    var phi_385_: bool;
-    var phi_389_: f32;
-    var phi_415_: f32;
-    var phi_420_: f32;
-    var phi_421_: bool;
-    var phi_422_: f32;
-    var phi_423_: bool;
-    var phi_427_: f32;
-    var phi_435_: f32;
-    var phi_436_: f32;
-    var phi_437_: f32;
-    var phi_446_: f32;
+    var phi_356_: u32;
+    var phi_363_: u32;
+    var phi_368_: u32;
+    var phi_374_: u32;
+    var phi_379_: u32;
+    var phi_381_: texture_Axis;
+    var phi_409_: f32;
+    var phi_414_: f32;
+    var phi_415_: bool;
+    var phi_416_: f32;
+    var phi_417_: bool;
+    var phi_421_: f32;
     var phi_447_: f32;
-    var phi_465_: u32;
-    var phi_479_: u32;
-    var phi_486_: u32;
-    var phi_491_: u32;
+    var phi_452_: f32;
+    var phi_453_: bool;
+    var phi_454_: f32;
+    var phi_455_: bool;
+    var phi_459_: f32;
+    var phi_467_: f32;
+    var phi_468_: f32;
+    var phi_469_: f32;
+    var phi_478_: f32;
+    var phi_479_: f32;
     var phi_497_: u32;
-    var phi_502_: u32;
-    var phi_504_: texture_Axis;
+    var phi_511_: u32;
+    var phi_518_: u32;
+    var phi_523_: u32;
+    var phi_529_: u32;
+    var phi_534_: u32;
+    var phi_536_: texture_Axis;
 
-    let _e70 = (*param).size;
+    let _e70 = (*param_4).size;
     let _e71 = (_e70 & 65535u);
-    let _e73 = (*param).size;
+    let _e73 = (*param_4).size;
     let _e75 = (_e73 >> bitcast<u32>(16i));
-    let _e77 = (*param).flags;
+    let _e77 = (*param_4).flags;
     let _e79 = ((_e77 & 4u) != 0u);
-    let _e81 = (*param).flags;
+    let _e81 = (*param_4).flags;
     let _e84 = ((_e81 >> bitcast<u32>(4u)) & 3u);
     if (_e84 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e97 > param_1) {
-                phi_222_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e97 > param_5) {
+                phi_254_ = 1f;
             } else {
-                phi_222_ = 0f;
+                phi_254_ = 0f;
             }
-            let _e100 = phi_222_;
-            if (param_1 < 8388608f) {
-                phi_227_ = (_e97 - _e100);
-                phi_228_ = false;
+            let _e100 = phi_254_;
+            if (param_5 < 8388608f) {
+                phi_259_ = (_e97 - _e100);
+                phi_260_ = false;
             } else {
-                phi_227_ = f32();
-                phi_228_ = true;
+                phi_259_ = f32();
+                phi_260_ = true;
             }
-            let _e103 = phi_227_;
-            let _e105 = phi_228_;
-            phi_229_ = _e103;
-            phi_230_ = _e105;
+            let _e103 = phi_259_;
+            let _e105 = phi_260_;
+            phi_261_ = _e103;
+            phi_262_ = _e105;
         } else {
-            phi_229_ = f32();
-            phi_230_ = true;
+            phi_261_ = f32();
+            phi_262_ = true;
         }
-        let _e107 = phi_229_;
-        let _e109 = phi_230_;
+        let _e107 = phi_261_;
+        let _e109 = phi_262_;
         if _e109 {
-            phi_234_ = param_1;
+            phi_266_ = param_5;
         } else {
-            phi_234_ = _e107;
+            phi_266_ = _e107;
         }
-        let _e111 = phi_234_;
-        phi_282_ = (param_1 - _e111);
+        let _e111 = phi_266_;
+        phi_314_ = (param_5 - _e111);
     } else {
         if (_e84 == 1u) {
-            let _e114 = (param_1 * 0.5f);
+            let _e114 = (param_5 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_260_ = 1f;
+                    phi_292_ = 1f;
                 } else {
-                    phi_260_ = 0f;
+                    phi_292_ = 0f;
                 }
-                let _e129 = phi_260_;
+                let _e129 = phi_292_;
                 if (_e114 < 8388608f) {
-                    phi_265_ = (_e126 - _e129);
-                    phi_266_ = false;
+                    phi_297_ = (_e126 - _e129);
+                    phi_298_ = false;
                 } else {
-                    phi_265_ = f32();
-                    phi_266_ = true;
+                    phi_297_ = f32();
+                    phi_298_ = true;
                 }
-                let _e132 = phi_265_;
-                let _e134 = phi_266_;
-                phi_267_ = _e132;
-                phi_268_ = _e134;
+                let _e132 = phi_297_;
+                let _e134 = phi_298_;
+                phi_299_ = _e132;
+                phi_300_ = _e134;
             } else {
-                phi_267_ = f32();
-                phi_268_ = true;
+                phi_299_ = f32();
+                phi_300_ = true;
             }
-            let _e136 = phi_267_;
-            let _e138 = phi_268_;
+            let _e136 = phi_299_;
+            let _e138 = phi_300_;
             if _e138 {
-                phi_272_ = _e114;
+                phi_304_ = _e114;
             } else {
-                phi_272_ = _e136;
+                phi_304_ = _e136;
             }
-            let _e140 = phi_272_;
-            let _e142 = (param_1 - (2f * _e140));
+            let _e140 = phi_304_;
+            let _e142 = (param_5 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_280_ = (2f - _e142);
+                phi_312_ = (2f - _e142);
             } else {
-                phi_280_ = _e142;
+                phi_312_ = _e142;
             }
-            let _e146 = phi_280_;
-            phi_281_ = _e146;
+            let _e146 = phi_312_;
+            phi_313_ = _e146;
         } else {
-            phi_281_ = param_1;
+            phi_313_ = param_5;
         }
-        let _e148 = phi_281_;
-        phi_282_ = _e148;
+        let _e148 = phi_313_;
+        phi_314_ = _e148;
     }
-    let _e150 = phi_282_;
+    let _e150 = phi_314_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_291_ = _e150;
+            phi_323_ = _e150;
         } else {
-            phi_291_ = 1f;
+            phi_323_ = 1f;
         }
-        let _e154 = phi_291_;
-        phi_292_ = _e154;
+        let _e154 = phi_323_;
+        phi_324_ = _e154;
     } else {
-        phi_292_ = 0f;
+        phi_324_ = 0f;
     }
-    let _e156 = phi_292_;
+    let _e156 = phi_324_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_310_ = _e157;
+            phi_342_ = _e157;
         } else {
-            phi_310_ = _e166;
+            phi_342_ = _e166;
         }
-        let _e169 = phi_310_;
-        phi_349_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_342_;
+        phi_381_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_324_ = _e71;
+            phi_356_ = _e71;
         } else {
-            phi_324_ = _e178;
+            phi_356_ = _e178;
         }
-        let _e181 = phi_324_;
+        let _e181 = phi_356_;
         if (_e84 == 0u) {
-            phi_331_ = _e157;
+            phi_363_ = _e157;
         } else {
-            phi_331_ = 0u;
+            phi_363_ = 0u;
         }
-        let _e186 = phi_331_;
+        let _e186 = phi_363_;
         if (_e84 == 0u) {
-            phi_336_ = 0u;
+            phi_368_ = 0u;
         } else {
-            phi_336_ = _e157;
+            phi_368_ = _e157;
         }
-        let _e189 = phi_336_;
+        let _e189 = phi_368_;
         if (_e181 == 0u) {
-            phi_342_ = _e186;
+            phi_374_ = _e186;
         } else {
-            phi_342_ = (_e181 - 1u);
+            phi_374_ = (_e181 - 1u);
         }
-        let _e193 = phi_342_;
+        let _e193 = phi_374_;
         if (_e181 > _e157) {
-            phi_347_ = _e189;
+            phi_379_ = _e189;
         } else {
-            phi_347_ = _e181;
+            phi_379_ = _e181;
         }
-        let _e196 = phi_347_;
-        phi_349_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_379_;
+        phi_381_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_349_;
-    let _e201 = (*param).flags;
+    let _e199 = phi_381_;
+    let _e201 = (*param_4).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e217 > param_2) {
-                phi_377_ = 1f;
+        if (param_6 > -8388608f) {
+            let _e217 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e217 > param_6) {
+                phi_409_ = 1f;
             } else {
-                phi_377_ = 0f;
+                phi_409_ = 0f;
             }
-            let _e220 = phi_377_;
-            if (param_2 < 8388608f) {
-                phi_382_ = (_e217 - _e220);
-                phi_383_ = false;
+            let _e220 = phi_409_;
+            if (param_6 < 8388608f) {
+                phi_414_ = (_e217 - _e220);
+                phi_415_ = false;
             } else {
-                phi_382_ = f32();
-                phi_383_ = true;
+                phi_414_ = f32();
+                phi_415_ = true;
             }
-            let _e223 = phi_382_;
-            let _e225 = phi_383_;
-            phi_384_ = _e223;
-            phi_385_ = _e225;
+            let _e223 = phi_414_;
+            let _e225 = phi_415_;
+            phi_416_ = _e223;
+            phi_417_ = _e225;
         } else {
-            phi_384_ = f32();
-            phi_385_ = true;
+            phi_416_ = f32();
+            phi_417_ = true;
         }
-        let _e227 = phi_384_;
-        let _e229 = phi_385_;
+        let _e227 = phi_416_;
+        let _e229 = phi_417_;
         if _e229 {
-            phi_389_ = param_2;
+            phi_421_ = param_6;
         } else {
-            phi_389_ = _e227;
+            phi_421_ = _e227;
         }
-        let _e231 = phi_389_;
-        phi_437_ = (param_2 - _e231);
+        let _e231 = phi_421_;
+        phi_469_ = (param_6 - _e231);
     } else {
         if (_e204 == 1u) {
-            let _e234 = (param_2 * 0.5f);
+            let _e234 = (param_6 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_415_ = 1f;
+                    phi_447_ = 1f;
                 } else {
-                    phi_415_ = 0f;
+                    phi_447_ = 0f;
                 }
-                let _e249 = phi_415_;
+                let _e249 = phi_447_;
                 if (_e234 < 8388608f) {
-                    phi_420_ = (_e246 - _e249);
-                    phi_421_ = false;
+                    phi_452_ = (_e246 - _e249);
+                    phi_453_ = false;
                 } else {
-                    phi_420_ = f32();
-                    phi_421_ = true;
+                    phi_452_ = f32();
+                    phi_453_ = true;
                 }
-                let _e252 = phi_420_;
-                let _e254 = phi_421_;
-                phi_422_ = _e252;
-                phi_423_ = _e254;
+                let _e252 = phi_452_;
+                let _e254 = phi_453_;
+                phi_454_ = _e252;
+                phi_455_ = _e254;
             } else {
-                phi_422_ = f32();
-                phi_423_ = true;
+                phi_454_ = f32();
+                phi_455_ = true;
             }
-            let _e256 = phi_422_;
-            let _e258 = phi_423_;
+            let _e256 = phi_454_;
+            let _e258 = phi_455_;
             if _e258 {
-                phi_427_ = _e234;
+                phi_459_ = _e234;
             } else {
-                phi_427_ = _e256;
+                phi_459_ = _e256;
             }
-            let _e260 = phi_427_;
-            let _e262 = (param_2 - (2f * _e260));
+            let _e260 = phi_459_;
+            let _e262 = (param_6 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_435_ = (2f - _e262);
+                phi_467_ = (2f - _e262);
             } else {
-                phi_435_ = _e262;
+                phi_467_ = _e262;
             }
-            let _e266 = phi_435_;
-            phi_436_ = _e266;
+            let _e266 = phi_467_;
+            phi_468_ = _e266;
         } else {
-            phi_436_ = param_2;
+            phi_468_ = param_6;
         }
-        let _e268 = phi_436_;
-        phi_437_ = _e268;
+        let _e268 = phi_468_;
+        phi_469_ = _e268;
     }
-    let _e270 = phi_437_;
+    let _e270 = phi_469_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_446_ = _e270;
+            phi_478_ = _e270;
         } else {
-            phi_446_ = 1f;
+            phi_478_ = 1f;
         }
-        let _e274 = phi_446_;
-        phi_447_ = _e274;
+        let _e274 = phi_478_;
+        phi_479_ = _e274;
     } else {
-        phi_447_ = 0f;
+        phi_479_ = 0f;
     }
-    let _e276 = phi_447_;
+    let _e276 = phi_479_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_465_ = _e277;
+            phi_497_ = _e277;
         } else {
-            phi_465_ = _e286;
+            phi_497_ = _e286;
         }
-        let _e289 = phi_465_;
-        phi_504_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_497_;
+        phi_536_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_479_ = _e75;
+            phi_511_ = _e75;
         } else {
-            phi_479_ = _e298;
+            phi_511_ = _e298;
         }
-        let _e301 = phi_479_;
+        let _e301 = phi_511_;
         if (_e204 == 0u) {
-            phi_486_ = _e277;
+            phi_518_ = _e277;
         } else {
-            phi_486_ = 0u;
+            phi_518_ = 0u;
         }
-        let _e306 = phi_486_;
+        let _e306 = phi_518_;
         if (_e204 == 0u) {
-            phi_491_ = 0u;
+            phi_523_ = 0u;
         } else {
-            phi_491_ = _e277;
+            phi_523_ = _e277;
         }
-        let _e309 = phi_491_;
+        let _e309 = phi_523_;
         if (_e301 == 0u) {
-            phi_497_ = _e306;
+            phi_529_ = _e306;
         } else {
-            phi_497_ = (_e301 - 1u);
+            phi_529_ = (_e301 - 1u);
         }
-        let _e313 = phi_497_;
+        let _e313 = phi_529_;
         if (_e301 > _e277) {
-            phi_502_ = _e309;
+            phi_534_ = _e309;
         } else {
-            phi_502_ = _e301;
+            phi_534_ = _e301;
         }
-        let _e316 = phi_502_;
-        phi_504_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_534_;
+        phi_536_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_504_;
-    let _e323 = (*param).offset;
-    let _e330 = (*param).offset;
-    let _e337 = (*param).offset;
-    let _e344 = (*param).offset;
+    let _e319 = phi_536_;
+    let _e323 = (*param_4).offset;
+    let _e330 = (*param_4).offset;
+    let _e337 = (*param_4).offset;
+    let _e344 = (*param_4).offset;
     return texture_TexelQuad(array<u32, 4>(((_e323 + (_e319.low * _e71)) + _e199.low), ((_e330 + (_e319.low * _e71)) + _e199.high), ((_e337 + (_e319.high * _e71)) + _e199.low), ((_e344 + (_e319.high * _e71)) + _e199.high)), vec4<f32>(((1f - _e199.fraction) * (1f - _e319.fraction)), (_e199.fraction * (1f - _e319.fraction)), ((1f - _e199.fraction) * _e319.fraction), (_e199.fraction * _e319.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_563_: bool;
-    var phi_567_: f32;
-
-    if (param_3 != param_3) {
-        phi_563_ = true;
-    } else {
-        let _e69 = (param_4 >= param_3);
-        if _e69 {
-        }
-        phi_563_ = _e69;
-    }
-    let _e71 = phi_563_;
-    if _e71 {
-        phi_567_ = param_4;
-    } else {
-        phi_567_ = param_3;
-    }
-    let _e73 = phi_567_;
-    return _e73;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_579_: bool;
-    var phi_583_: f32;
-
-    if (param_5 != param_5) {
-        phi_579_ = true;
-    } else {
-        let _e69 = (param_6 <= param_5);
-        if _e69 {
-        }
-        phi_579_ = _e69;
-    }
-    let _e71 = phi_579_;
-    if _e71 {
-        phi_583_ = param_6;
-    } else {
-        phi_583_ = param_5;
-    }
-    let _e73 = phi_583_;
-    return _e73;
 }
 
 fn function_() {
@@ -599,117 +600,115 @@ fn function_() {
     var phi_1079_: bool;
     var phi_1110_: u32;
     var phi_1112_: u32;
-    var phi_1193_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1220_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1247_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1253_: u32;
-    var phi_1256_: u32;
-    var phi_1270_: u32;
-    var phi_1280_: u32;
-    var phi_1290_: u32;
-    var phi_1308_: u32;
-    var phi_1318_: u32;
-    var phi_1328_: u32;
-    var phi_1364_: u32;
-    var phi_1377_: u32;
-    var phi_1382_: u32;
-    var phi_1383_: u32;
+    var phi_1115_: bool;
+    var phi_1195_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1222_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1249_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1255_: u32;
+    var phi_1258_: u32;
+    var phi_1272_: u32;
+    var phi_1282_: u32;
+    var phi_1292_: u32;
+    var phi_1310_: u32;
+    var phi_1320_: u32;
+    var phi_1330_: u32;
+    var phi_1366_: u32;
+    var phi_1379_: u32;
     var phi_1384_: u32;
-    var phi_1254_: u32;
-    var phi_1257_: u32;
+    var phi_1385_: u32;
+    var phi_1386_: u32;
+    var phi_1256_: u32;
+    var phi_1259_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1442_: u32;
-    var phi_1487_: vec3<f32>;
-    var phi_1488_: vec3<f32>;
-    var phi_1517_: vec3<f32>;
-    var phi_1518_: vec3<f32>;
-    var phi_1547_: vec3<f32>;
-    var phi_1548_: vec3<f32>;
-    var phi_1566_: bool;
-    var phi_1567_: bool;
-    var phi_1571_: f32;
-    var phi_1572_: f32;
-    var phi_1573_: f32;
-    var phi_1574_: f32;
-    var phi_1582_: f32;
-    var phi_1592_: bool;
-    var phi_1593_: bool;
-    var phi_1597_: f32;
-    var phi_1598_: f32;
-    var phi_1599_: f32;
-    var phi_1600_: f32;
-    var phi_1608_: f32;
-    var phi_1618_: bool;
-    var phi_1619_: bool;
-    var phi_1623_: f32;
-    var phi_1624_: f32;
-    var phi_1625_: f32;
-    var phi_1626_: f32;
-    var phi_1634_: f32;
-    var phi_1649_: f32;
-    var phi_1650_: bool;
-    var phi_1651_: f32;
-    var phi_1652_: bool;
+    var phi_1444_: u32;
+    var phi_1447_: bool;
+    var phi_1491_: vec3<f32>;
+    var phi_1492_: vec3<f32>;
+    var phi_1521_: vec3<f32>;
+    var phi_1522_: vec3<f32>;
+    var phi_1551_: vec3<f32>;
+    var phi_1552_: vec3<f32>;
+    var phi_1570_: bool;
+    var phi_1571_: bool;
+    var phi_1575_: f32;
+    var phi_1576_: f32;
+    var phi_1577_: f32;
+    var phi_1578_: f32;
+    var phi_1586_: f32;
+    var phi_1596_: bool;
+    var phi_1597_: bool;
+    var phi_1601_: f32;
+    var phi_1602_: f32;
+    var phi_1603_: f32;
+    var phi_1604_: f32;
+    var phi_1612_: f32;
+    var phi_1622_: bool;
+    var phi_1623_: bool;
+    var phi_1627_: f32;
+    var phi_1628_: f32;
+    var phi_1629_: f32;
+    var phi_1630_: f32;
+    var phi_1638_: f32;
     var phi_1653_: f32;
     var phi_1654_: bool;
-    var phi_1672_: f32;
-    var phi_1673_: bool;
-    var phi_1674_: bool;
-    var phi_1675_: f32;
-    var phi_1676_: bool;
+    var phi_1655_: f32;
+    var phi_1656_: bool;
+    var phi_1657_: f32;
+    var phi_1658_: bool;
+    var phi_1676_: f32;
     var phi_1677_: bool;
+    var phi_1678_: bool;
+    var phi_1679_: f32;
+    var phi_1680_: bool;
     var phi_1681_: bool;
-    var phi_1682_: f32;
-    var phi_1683_: bool;
-    var phi_1711_: vec3<f32>;
-    var phi_1712_: vec3<f32>;
-    var phi_1737_: vec3<f32>;
-    var phi_1738_: vec3<f32>;
-    var phi_1763_: vec3<f32>;
-    var phi_1764_: vec3<f32>;
-    var phi_1820_: f32;
-    var phi_1829_: f32;
-    var phi_1838_: f32;
-    var phi_1847_: f32;
-    var phi_1854_: f32;
-    var phi_1861_: f32;
-    var phi_1874_: f32;
-    var phi_1883_: f32;
-    var phi_1892_: f32;
-    var phi_1901_: f32;
-    var phi_1908_: f32;
-    var phi_1915_: f32;
-    var phi_1932_: f32;
-    var phi_1937_: f32;
-    var phi_1942_: f32;
-    var phi_1950_: f32;
-    var phi_1955_: f32;
-    var phi_1960_: f32;
-    var phi_1972_: f32;
-    var phi_1977_: f32;
-    var phi_1982_: f32;
-    var phi_1987_: f32;
-    var phi_1992_: lt_bvh_triangle_Intersection;
-    var phi_1993_: bool;
-    var phi_1994_: lt_bvh_triangle_Intersection;
-    var phi_1995_: bool;
-    var phi_1999_: lt_bvh_triangle_Intersection;
-    var phi_2000_: bool;
-    var phi_2001_: lt_bvh_triangle_Intersection;
-    var phi_2002_: bool;
-    var phi_2003_: bool;
+    var phi_1685_: bool;
+    var phi_1686_: f32;
+    var phi_1687_: bool;
+    var phi_1715_: vec3<f32>;
+    var phi_1716_: vec3<f32>;
+    var phi_1741_: vec3<f32>;
+    var phi_1742_: vec3<f32>;
+    var phi_1767_: vec3<f32>;
+    var phi_1768_: vec3<f32>;
+    var phi_1824_: f32;
+    var phi_1833_: f32;
+    var phi_1842_: f32;
+    var phi_1851_: f32;
+    var phi_1858_: f32;
+    var phi_1865_: f32;
+    var phi_1878_: f32;
+    var phi_1887_: f32;
+    var phi_1896_: f32;
+    var phi_1905_: f32;
+    var phi_1912_: f32;
+    var phi_1919_: f32;
+    var phi_1936_: f32;
+    var phi_1941_: f32;
+    var phi_1946_: f32;
+    var phi_1954_: f32;
+    var phi_1959_: f32;
+    var phi_1964_: f32;
+    var phi_1976_: f32;
+    var phi_1981_: f32;
+    var phi_1986_: f32;
+    var phi_1991_: f32;
+    var phi_1996_: lt_bvh_triangle_Intersection;
+    var phi_1997_: bool;
+    var phi_1998_: lt_bvh_triangle_Intersection;
+    var phi_1999_: bool;
+    var phi_2003_: lt_bvh_triangle_Intersection;
+    var phi_2004_: bool;
+    var phi_2005_: lt_bvh_triangle_Intersection;
+    var phi_2006_: bool;
     var phi_2007_: bool;
-    var phi_2011_: lt_bvh_triangle_Intersection;
-    var phi_2225_: f32;
-    var phi_2228_: bool;
-    var phi_2229_: bool;
+    var phi_2011_: bool;
+    var phi_2015_: lt_bvh_triangle_Intersection;
+    var phi_2229_: f32;
+    var phi_2232_: bool;
     var phi_2233_: bool;
     var phi_2234_: bool;
-    var phi_2235_: bool;
-    var phi_2236_: bool;
-    var phi_2237_: bool;
     var phi_2238_: bool;
     var phi_2239_: bool;
     var phi_2240_: bool;
@@ -717,10 +716,11 @@ fn function_() {
     var phi_2242_: bool;
     var phi_2243_: bool;
     var phi_2244_: bool;
-    var phi_2248_: bool;
-    var phi_2249_: bool;
-    var phi_1443_: u32;
-    var phi_2250_: bool;
+    var phi_2245_: bool;
+    var phi_2246_: bool;
+    var phi_2247_: bool;
+    var phi_1445_: u32;
+    var phi_1448_: bool;
     var phi_2251_: bool;
     var phi_2252_: bool;
     var local_5: bool;
@@ -728,23 +728,19 @@ fn function_() {
     var phi_2295_: bool;
     var phi_2326_: u32;
     var phi_2327_: u32;
+    var phi_1113_: u32;
+    var phi_1116_: bool;
     var phi_2328_: bool;
     var phi_2329_: bool;
-    var phi_1113_: u32;
     var phi_2330_: bool;
-    var phi_2331_: bool;
-    var phi_2332_: bool;
-    var phi_2333_: bool;
     var local_6: bool;
-    var phi_2337_: bool;
+    var phi_2334_: bool;
     var phi_2338_: bool;
-    var phi_2342_: bool;
-    var phi_2346_: bool;
-    var phi_2347_: bool;
-    var phi_2348_: bool;
-    var phi_2349_: bool;
-    var phi_2353_: bool;
-    var phi_2357_: f32;
+    var phi_2339_: bool;
+    var phi_2340_: bool;
+    var phi_2341_: bool;
+    var phi_2345_: bool;
+    var phi_2349_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -900,7 +896,7 @@ fn function_() {
         if _e207 {
             let _e208 = (0u >= _e75);
             if _e208 {
-                phi_2347_ = bool();
+                phi_2339_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -1091,987 +1087,967 @@ fn function_() {
                 }
                 let _e518 = phi_1110_;
                 phi_1112_ = _e518;
+                phi_1115_ = false;
                 loop {
                     let _e520 = phi_1112_;
+                    let _e522 = phi_1115_;
+                    local_11 = _e522;
                     if (_e520 != 4294967295u) {
                         if (_e520 < _e75) {
                         } else {
                             return;
                         }
-                        let _e527 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e552 = (bitcast<f32>((((_e527 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
-                        let _e553 = (bitcast<f32>((((_e527 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
-                        let _e554 = (bitcast<f32>((((_e527 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e557 = nodes.member[(0u + _e520)].frame[0u];
-                        let _e561 = nodes.member[(0u + _e520)].frame[1u];
-                        let _e565 = nodes.member[(0u + _e520)].frame[2u];
-                        let _e570 = ((bitcast<f32>(_e557) - _e127) * _e284);
-                        let _e571 = ((bitcast<f32>(_e561) - _e129) * _e294);
-                        let _e572 = ((bitcast<f32>(_e565) - _e131) * _e304);
-                        let _e580 = nodes.member[(0u + _e520)].x;
+                        let _e529 = nodes.member[(0u + _e520)].frame[3u];
+                        let _e554 = (bitcast<f32>((((_e529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
+                        let _e555 = (bitcast<f32>((((_e529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
+                        let _e556 = (bitcast<f32>((((_e529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e559 = nodes.member[(0u + _e520)].frame[0u];
+                        let _e563 = nodes.member[(0u + _e520)].frame[1u];
+                        let _e567 = nodes.member[(0u + _e520)].frame[2u];
+                        let _e572 = ((bitcast<f32>(_e559) - _e127) * _e284);
+                        let _e573 = ((bitcast<f32>(_e563) - _e129) * _e294);
+                        let _e574 = ((bitcast<f32>(_e567) - _e131) * _e304);
+                        let _e582 = nodes.member[(0u + _e520)].x;
                         if (_e284 < 0f) {
-                            let _e591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e591.unnamed.root, _e580.w), _e591.unnamed_1);
-                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e597.unnamed, lt_bvh_traverse_Tree(_e580.x, _e597.unnamed_1.first_primitive));
-                            phi_1193_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e603.unnamed_1.root, _e580.y));
+                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e582.w), _e593.unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e582.x, _e599.unnamed_1.first_primitive));
+                            phi_1195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e582.y));
                         } else {
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e619.unnamed.root, _e580.y), _e619.unnamed_1);
-                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e580.z, _e625.unnamed_1.first_primitive));
-                            phi_1193_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e631.unnamed_1.root, _e580.w));
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.unnamed.root, _e582.y), _e621.unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e582.z, _e627.unnamed_1.first_primitive));
+                            phi_1195_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_bvh_traverse_Tree(_e633.unnamed_1.root, _e582.w));
                         }
-                        let _e639 = phi_1193_;
-                        let _e649 = nodes.member[(0u + _e520)].y;
+                        let _e641 = phi_1195_;
+                        let _e651 = nodes.member[(0u + _e520)].y;
                         if (_e294 < 0f) {
-                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e649.w), _e660.unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e649.x, _e666.unnamed_1.first_primitive));
-                            phi_1220_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e649.y));
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e651.w), _e662.unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e651.x, _e668.unnamed_1.first_primitive));
+                            phi_1222_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e651.y));
                         } else {
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.unnamed.root, _e649.y), _e688.unnamed_1);
-                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e649.z, _e694.unnamed_1.first_primitive));
-                            phi_1220_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e700.unnamed_1.root, _e649.w));
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.unnamed.root, _e651.y), _e690.unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e651.z, _e696.unnamed_1.first_primitive));
+                            phi_1222_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_bvh_traverse_Tree(_e702.unnamed_1.root, _e651.w));
                         }
-                        let _e708 = phi_1220_;
-                        let _e718 = nodes.member[(0u + _e520)].z;
+                        let _e710 = phi_1222_;
+                        let _e720 = nodes.member[(0u + _e520)].z;
                         if (_e304 < 0f) {
-                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e718.w), _e729.unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e718.x, _e735.unnamed_1.first_primitive));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e718.y));
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e720.w), _e731.unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e720.x, _e737.unnamed_1.first_primitive));
+                            phi_1249_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e720.y));
                         } else {
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.unnamed.root, _e718.y), _e757.unnamed_1);
-                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e718.z, _e763.unnamed_1.first_primitive));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e718.w));
+                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.unnamed.root, _e720.y), _e759.unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e720.z, _e765.unnamed_1.first_primitive));
+                            phi_1249_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_bvh_traverse_Tree(_e771.unnamed_1.root, _e720.w));
                         }
-                        let _e777 = phi_1247_;
-                        phi_1253_ = 0u;
-                        phi_1256_ = 0u;
+                        let _e779 = phi_1249_;
+                        phi_1255_ = 0u;
+                        phi_1258_ = 0u;
                         loop {
-                            let _e787 = phi_1253_;
-                            let _e789 = phi_1256_;
-                            local_2 = _e789;
-                            local_3 = _e789;
-                            local_4 = _e789;
-                            let _e790 = (_e787 < 8u);
-                            if _e790 {
-                                let _e792 = (_e787 >> bitcast<u32>(2i));
-                                let _e793 = (_e787 & 3u);
-                                if (_e792 == 0u) {
-                                    phi_1270_ = _e639.unnamed.root;
+                            let _e789 = phi_1255_;
+                            let _e791 = phi_1258_;
+                            local_2 = _e791;
+                            local_3 = _e791;
+                            local_4 = _e791;
+                            let _e792 = (_e789 < 8u);
+                            if _e792 {
+                                let _e794 = (_e789 >> bitcast<u32>(2i));
+                                let _e795 = (_e789 & 3u);
+                                if (_e794 == 0u) {
+                                    phi_1272_ = _e641.unnamed.root;
                                 } else {
-                                    phi_1270_ = _e639.unnamed.first_primitive;
+                                    phi_1272_ = _e641.unnamed.first_primitive;
                                 }
-                                let _e796 = phi_1270_;
-                                if (_e792 == 0u) {
-                                    phi_1280_ = _e708.unnamed.root;
+                                let _e798 = phi_1272_;
+                                if (_e794 == 0u) {
+                                    phi_1282_ = _e710.unnamed.root;
                                 } else {
-                                    phi_1280_ = _e708.unnamed.first_primitive;
+                                    phi_1282_ = _e710.unnamed.first_primitive;
                                 }
-                                let _e805 = phi_1280_;
-                                if (_e792 == 0u) {
-                                    phi_1290_ = _e777.unnamed.root;
+                                let _e807 = phi_1282_;
+                                if (_e794 == 0u) {
+                                    phi_1292_ = _e779.unnamed.root;
                                 } else {
-                                    phi_1290_ = _e777.unnamed.first_primitive;
+                                    phi_1292_ = _e779.unnamed.first_primitive;
                                 }
-                                let _e814 = phi_1290_;
-                                let _e827 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e796 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e332)), ((f32(((_e805 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e333)));
-                                let _e828 = core_intrinsics_maximum_number_nsz_f32_(_e827, ((f32(((_e814 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e334)));
-                                if (_e792 == 0u) {
-                                    phi_1308_ = _e639.unnamed_1.root;
+                                let _e816 = phi_1292_;
+                                let _e829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e798 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e332)), ((f32(((_e807 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e333)));
+                                let _e830 = core_intrinsics_maximum_number_nsz_f32_(_e829, ((f32(((_e816 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)));
+                                if (_e794 == 0u) {
+                                    phi_1310_ = _e641.unnamed_1.root;
                                 } else {
-                                    phi_1308_ = _e639.unnamed_1.first_primitive;
+                                    phi_1310_ = _e641.unnamed_1.first_primitive;
                                 }
-                                let _e831 = phi_1308_;
-                                if (_e792 == 0u) {
-                                    phi_1318_ = _e708.unnamed_1.root;
+                                let _e833 = phi_1310_;
+                                if (_e794 == 0u) {
+                                    phi_1320_ = _e710.unnamed_1.root;
                                 } else {
-                                    phi_1318_ = _e708.unnamed_1.first_primitive;
+                                    phi_1320_ = _e710.unnamed_1.first_primitive;
                                 }
-                                let _e840 = phi_1318_;
-                                if (_e792 == 0u) {
-                                    phi_1328_ = _e777.unnamed_1.root;
+                                let _e842 = phi_1320_;
+                                if (_e794 == 0u) {
+                                    phi_1330_ = _e779.unnamed_1.root;
                                 } else {
-                                    phi_1328_ = _e777.unnamed_1.first_primitive;
+                                    phi_1330_ = _e779.unnamed_1.first_primitive;
                                 }
-                                let _e849 = phi_1328_;
-                                let _e862 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e831 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e332)), ((f32(((_e840 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e333)));
-                                let _e863 = core_intrinsics_minimum_number_nsz_f32_(_e862, ((f32(((_e849 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e334)));
-                                if (_e828 <= _e863) {
-                                    if (_e828 <= _e135) {
-                                        if (_e863 >= 0f) {
-                                            if (_e792 == 0u) {
-                                                let _e870 = nodes.member[(0u + _e520)].links[2u];
-                                                phi_1364_ = _e870;
+                                let _e851 = phi_1330_;
+                                let _e864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e833 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e332)), ((f32(((_e842 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e333)));
+                                let _e865 = core_intrinsics_minimum_number_nsz_f32_(_e864, ((f32(((_e851 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)));
+                                if (_e830 <= _e865) {
+                                    if (_e830 <= _e135) {
+                                        if (_e865 >= 0f) {
+                                            if (_e794 == 0u) {
+                                                let _e872 = nodes.member[(0u + _e520)].links[2u];
+                                                phi_1366_ = _e872;
                                             } else {
-                                                let _e873 = nodes.member[(0u + _e520)].links[3u];
-                                                phi_1364_ = _e873;
+                                                let _e875 = nodes.member[(0u + _e520)].links[3u];
+                                                phi_1366_ = _e875;
                                             }
-                                            let _e875 = phi_1364_;
-                                            let _e880 = ((_e875 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u);
-                                            let _e881 = (_e880 & 31u);
-                                            if (_e881 >= 24u) {
-                                                phi_1377_ = (24u + ((_e881 - 24u) ^ _e382));
+                                            let _e877 = phi_1366_;
+                                            let _e882 = ((_e877 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u);
+                                            let _e883 = (_e882 & 31u);
+                                            if (_e883 >= 24u) {
+                                                phi_1379_ = (24u + ((_e883 - 24u) ^ _e382));
                                             } else {
-                                                phi_1377_ = _e881;
+                                                phi_1379_ = _e883;
                                             }
-                                            let _e887 = phi_1377_;
-                                            phi_1382_ = (_e789 | ((_e880 >> bitcast<u32>(5i)) << bitcast<u32>((_e887 & 31u))));
+                                            let _e889 = phi_1379_;
+                                            phi_1384_ = (_e791 | ((_e882 >> bitcast<u32>(5i)) << bitcast<u32>((_e889 & 31u))));
                                         } else {
-                                            phi_1382_ = _e789;
+                                            phi_1384_ = _e791;
                                         }
-                                        let _e895 = phi_1382_;
-                                        phi_1383_ = _e895;
+                                        let _e897 = phi_1384_;
+                                        phi_1385_ = _e897;
                                     } else {
-                                        phi_1383_ = _e789;
+                                        phi_1385_ = _e791;
                                     }
-                                    let _e897 = phi_1383_;
-                                    phi_1384_ = _e897;
+                                    let _e899 = phi_1385_;
+                                    phi_1386_ = _e899;
                                 } else {
-                                    phi_1384_ = _e789;
+                                    phi_1386_ = _e791;
                                 }
-                                let _e899 = phi_1384_;
-                                phi_1254_ = (_e787 + 1u);
-                                phi_1257_ = _e899;
+                                let _e901 = phi_1386_;
+                                phi_1256_ = (_e789 + 1u);
+                                phi_1259_ = _e901;
                             } else {
-                                phi_1254_ = u32();
-                                phi_1257_ = u32();
+                                phi_1256_ = u32();
+                                phi_1259_ = u32();
                             }
-                            let _e902 = phi_1254_;
-                            let _e904 = phi_1257_;
+                            let _e904 = phi_1256_;
+                            let _e906 = phi_1259_;
                             continue;
                             continuing {
-                                phi_1253_ = _e902;
-                                phi_1256_ = _e904;
-                                break if !(_e790);
+                                phi_1255_ = _e904;
+                                phi_1258_ = _e906;
+                                break if !(_e792);
                             }
                         }
-                        let _e908 = nodes.member[(0u + _e520)].links[0u];
-                        let _e912 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e916 = local_2;
-                        if ((_e916 & 4278190080u) == 0u) {
+                        let _e910 = nodes.member[(0u + _e520)].links[0u];
+                        let _e914 = nodes.member[(0u + _e520)].frame[3u];
+                        let _e918 = local_2;
+                        if ((_e918 & 4278190080u) == 0u) {
                         } else {
-                            let _e920 = local_1.group_mask;
-                            if ((_e920 & 4278190080u) == 0u) {
+                            let _e922 = local_1.group_mask;
+                            if ((_e922 & 4278190080u) == 0u) {
                             } else {
-                                let _e924 = local_1.len;
-                                if (_e924 < 32u) {
-                                    let _e927 = local_1.group;
-                                    let _e929 = local_1.len;
-                                    if (_e929 < 32u) {
+                                let _e926 = local_1.len;
+                                if (_e926 < 32u) {
+                                    let _e929 = local_1.group;
+                                    let _e931 = local_1.len;
+                                    if (_e931 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e929)] = _e927;
-                                    let _e935 = local_1.group_mask;
-                                    let _e937 = local_1.len;
-                                    if (_e937 < 32u) {
+                                    local_1.first[(0u + _e931)] = _e929;
+                                    let _e937 = local_1.group_mask;
+                                    let _e939 = local_1.len;
+                                    if (_e939 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e937)] = _e935;
-                                    let _e944 = local_1.len;
-                                    local_1.len = (_e944 + 1u);
+                                    local_1.mask[(0u + _e939)] = _e937;
+                                    let _e946 = local_1.len;
+                                    local_1.len = (_e946 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e908);
-                            let _e948 = local_3;
-                            local_1.group_mask = ((_e948 & 4278190080u) | (_e912 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e910);
+                            let _e950 = local_3;
+                            local_1.group_mask = ((_e950 & 4278190080u) | (_e914 >> bitcast<u32>(24i)));
                         }
-                        let _e953 = local_4;
-                        phi_1442_ = (_e953 & 16777215u);
+                        let _e955 = local_4;
+                        phi_1444_ = (_e955 & 16777215u);
+                        phi_1447_ = _e522;
                         loop {
-                            let _e956 = phi_1442_;
-                            let _e957 = (_e956 == 0u);
-                            local_5 = _e957;
-                            local_9 = _e957;
-                            if _e957 {
-                                phi_1443_ = u32();
-                                phi_2250_ = false;
-                                phi_2251_ = false;
+                            let _e958 = phi_1444_;
+                            let _e960 = phi_1447_;
+                            local_7 = _e960;
+                            let _e961 = (_e958 == 0u);
+                            local_5 = _e961;
+                            local_9 = _e961;
+                            if _e961 {
+                                phi_1445_ = u32();
+                                phi_1448_ = bool();
+                                phi_2251_ = bool();
                                 phi_2252_ = false;
                             } else {
-                                let _e960 = nodes.member[(0u + _e520)].links[1u];
-                                let _e965 = ((0u + _e960) + select(firstTrailingBit(_e956), 32u, (_e956 == 0u)));
-                                if (_e965 < _e78) {
+                                let _e964 = nodes.member[(0u + _e520)].links[1u];
+                                let _e969 = ((0u + _e964) + select(firstTrailingBit(_e958), 32u, (_e958 == 0u)));
+                                if (_e969 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e972 = triangles.member[(0u + _e965)].v0_;
-                                let _e974 = (_e972.x - _e127);
-                                let _e976 = (_e972.y - _e129);
-                                let _e978 = (_e972.z - _e131);
+                                let _e976 = triangles.member[(0u + _e969)].v0_;
+                                let _e978 = (_e976.x - _e127);
+                                let _e980 = (_e976.y - _e129);
+                                let _e982 = (_e976.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1488_ = vec3<f32>(_e976, _e978, _e974);
+                                    phi_1492_ = vec3<f32>(_e980, _e982, _e978);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1487_ = vec3<f32>(_e978, _e974, _e976);
+                                        phi_1491_ = vec3<f32>(_e982, _e978, _e980);
                                     } else {
-                                        phi_1487_ = (_e972 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1491_ = (_e976 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e986 = phi_1487_;
-                                    phi_1488_ = _e986;
+                                    let _e990 = phi_1491_;
+                                    phi_1492_ = _e990;
                                 }
-                                let _e988 = phi_1488_;
-                                let _e992 = (_e988.x - (_e366 * _e988.z));
-                                let _e996 = (_e988.y - (_e369 * _e988.z));
-                                let _e998 = triangles.member[(0u + _e965)].v1_;
-                                let _e1000 = (_e998.x - _e127);
-                                let _e1002 = (_e998.y - _e129);
-                                let _e1004 = (_e998.z - _e131);
+                                let _e992 = phi_1492_;
+                                let _e996 = (_e992.x - (_e366 * _e992.z));
+                                let _e1000 = (_e992.y - (_e369 * _e992.z));
+                                let _e1002 = triangles.member[(0u + _e969)].v1_;
+                                let _e1004 = (_e1002.x - _e127);
+                                let _e1006 = (_e1002.y - _e129);
+                                let _e1008 = (_e1002.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1518_ = vec3<f32>(_e1002, _e1004, _e1000);
+                                    phi_1522_ = vec3<f32>(_e1006, _e1008, _e1004);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1517_ = vec3<f32>(_e1004, _e1000, _e1002);
+                                        phi_1521_ = vec3<f32>(_e1008, _e1004, _e1006);
                                     } else {
-                                        phi_1517_ = (_e998 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1521_ = (_e1002 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1012 = phi_1517_;
-                                    phi_1518_ = _e1012;
+                                    let _e1016 = phi_1521_;
+                                    phi_1522_ = _e1016;
                                 }
-                                let _e1014 = phi_1518_;
-                                let _e1018 = (_e1014.x - (_e366 * _e1014.z));
-                                let _e1022 = (_e1014.y - (_e369 * _e1014.z));
-                                let _e1024 = triangles.member[(0u + _e965)].v2_;
-                                let _e1026 = (_e1024.x - _e127);
-                                let _e1028 = (_e1024.y - _e129);
-                                let _e1030 = (_e1024.z - _e131);
+                                let _e1018 = phi_1522_;
+                                let _e1022 = (_e1018.x - (_e366 * _e1018.z));
+                                let _e1026 = (_e1018.y - (_e369 * _e1018.z));
+                                let _e1028 = triangles.member[(0u + _e969)].v2_;
+                                let _e1030 = (_e1028.x - _e127);
+                                let _e1032 = (_e1028.y - _e129);
+                                let _e1034 = (_e1028.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1548_ = vec3<f32>(_e1028, _e1030, _e1026);
+                                    phi_1552_ = vec3<f32>(_e1032, _e1034, _e1030);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1547_ = vec3<f32>(_e1030, _e1026, _e1028);
+                                        phi_1551_ = vec3<f32>(_e1034, _e1030, _e1032);
                                     } else {
-                                        phi_1547_ = (_e1024 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1551_ = (_e1028 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1038 = phi_1547_;
-                                    phi_1548_ = _e1038;
+                                    let _e1042 = phi_1551_;
+                                    phi_1552_ = _e1042;
                                 }
-                                let _e1040 = phi_1548_;
-                                let _e1044 = (_e1040.x - (_e366 * _e1040.z));
-                                let _e1048 = (_e1040.y - (_e369 * _e1040.z));
-                                if (_e1018 < _e1044) {
-                                    phi_1567_ = true;
+                                let _e1044 = phi_1552_;
+                                let _e1048 = (_e1044.x - (_e366 * _e1044.z));
+                                let _e1052 = (_e1044.y - (_e369 * _e1044.z));
+                                if (_e1022 < _e1048) {
+                                    phi_1571_ = true;
                                 } else {
-                                    if (_e1018 == _e1044) {
-                                        phi_1566_ = (_e1022 < _e1048);
+                                    if (_e1022 == _e1048) {
+                                        phi_1570_ = (_e1026 < _e1052);
                                     } else {
-                                        phi_1566_ = false;
+                                        phi_1570_ = false;
                                     }
-                                    let _e1053 = phi_1566_;
-                                    phi_1567_ = _e1053;
+                                    let _e1057 = phi_1570_;
+                                    phi_1571_ = _e1057;
                                 }
-                                let _e1055 = phi_1567_;
-                                if _e1055 {
-                                    phi_1571_ = _e1048;
-                                    phi_1572_ = _e1044;
-                                    phi_1573_ = _e1022;
-                                    phi_1574_ = _e1018;
+                                let _e1059 = phi_1571_;
+                                if _e1059 {
+                                    phi_1575_ = _e1052;
+                                    phi_1576_ = _e1048;
+                                    phi_1577_ = _e1026;
+                                    phi_1578_ = _e1022;
                                 } else {
-                                    phi_1571_ = _e1022;
-                                    phi_1572_ = _e1018;
-                                    phi_1573_ = _e1048;
-                                    phi_1574_ = _e1044;
+                                    phi_1575_ = _e1026;
+                                    phi_1576_ = _e1022;
+                                    phi_1577_ = _e1052;
+                                    phi_1578_ = _e1048;
                                 }
-                                let _e1057 = phi_1571_;
-                                let _e1059 = phi_1572_;
-                                let _e1061 = phi_1573_;
-                                let _e1063 = phi_1574_;
-                                let _e1066 = ((_e1063 * _e1057) - (_e1061 * _e1059));
-                                if _e1055 {
-                                    phi_1582_ = -(_e1066);
+                                let _e1061 = phi_1575_;
+                                let _e1063 = phi_1576_;
+                                let _e1065 = phi_1577_;
+                                let _e1067 = phi_1578_;
+                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
+                                if _e1059 {
+                                    phi_1586_ = -(_e1070);
                                 } else {
-                                    phi_1582_ = _e1066;
+                                    phi_1586_ = _e1070;
                                 }
-                                let _e1069 = phi_1582_;
-                                if (_e1044 < _e992) {
-                                    phi_1593_ = true;
+                                let _e1073 = phi_1586_;
+                                if (_e1048 < _e996) {
+                                    phi_1597_ = true;
                                 } else {
-                                    if (_e1044 == _e992) {
-                                        phi_1592_ = (_e1048 < _e996);
+                                    if (_e1048 == _e996) {
+                                        phi_1596_ = (_e1052 < _e1000);
                                     } else {
-                                        phi_1592_ = false;
+                                        phi_1596_ = false;
                                     }
-                                    let _e1074 = phi_1592_;
-                                    phi_1593_ = _e1074;
+                                    let _e1078 = phi_1596_;
+                                    phi_1597_ = _e1078;
                                 }
-                                let _e1076 = phi_1593_;
-                                if _e1076 {
-                                    phi_1597_ = _e996;
-                                    phi_1598_ = _e992;
-                                    phi_1599_ = _e1048;
-                                    phi_1600_ = _e1044;
+                                let _e1080 = phi_1597_;
+                                if _e1080 {
+                                    phi_1601_ = _e1000;
+                                    phi_1602_ = _e996;
+                                    phi_1603_ = _e1052;
+                                    phi_1604_ = _e1048;
                                 } else {
-                                    phi_1597_ = _e1048;
-                                    phi_1598_ = _e1044;
-                                    phi_1599_ = _e996;
-                                    phi_1600_ = _e992;
+                                    phi_1601_ = _e1052;
+                                    phi_1602_ = _e1048;
+                                    phi_1603_ = _e1000;
+                                    phi_1604_ = _e996;
                                 }
-                                let _e1078 = phi_1597_;
-                                let _e1080 = phi_1598_;
-                                let _e1082 = phi_1599_;
-                                let _e1084 = phi_1600_;
-                                let _e1087 = ((_e1084 * _e1078) - (_e1082 * _e1080));
-                                if _e1076 {
-                                    phi_1608_ = -(_e1087);
+                                let _e1082 = phi_1601_;
+                                let _e1084 = phi_1602_;
+                                let _e1086 = phi_1603_;
+                                let _e1088 = phi_1604_;
+                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
+                                if _e1080 {
+                                    phi_1612_ = -(_e1091);
                                 } else {
-                                    phi_1608_ = _e1087;
+                                    phi_1612_ = _e1091;
                                 }
-                                let _e1090 = phi_1608_;
-                                if (_e992 < _e1018) {
-                                    phi_1619_ = true;
+                                let _e1094 = phi_1612_;
+                                if (_e996 < _e1022) {
+                                    phi_1623_ = true;
                                 } else {
-                                    if (_e992 == _e1018) {
-                                        phi_1618_ = (_e996 < _e1022);
+                                    if (_e996 == _e1022) {
+                                        phi_1622_ = (_e1000 < _e1026);
                                     } else {
-                                        phi_1618_ = false;
+                                        phi_1622_ = false;
                                     }
-                                    let _e1095 = phi_1618_;
-                                    phi_1619_ = _e1095;
+                                    let _e1099 = phi_1622_;
+                                    phi_1623_ = _e1099;
                                 }
-                                let _e1097 = phi_1619_;
-                                if _e1097 {
-                                    phi_1623_ = _e1022;
-                                    phi_1624_ = _e1018;
-                                    phi_1625_ = _e996;
-                                    phi_1626_ = _e992;
+                                let _e1101 = phi_1623_;
+                                if _e1101 {
+                                    phi_1627_ = _e1026;
+                                    phi_1628_ = _e1022;
+                                    phi_1629_ = _e1000;
+                                    phi_1630_ = _e996;
                                 } else {
-                                    phi_1623_ = _e996;
-                                    phi_1624_ = _e992;
-                                    phi_1625_ = _e1022;
-                                    phi_1626_ = _e1018;
+                                    phi_1627_ = _e1000;
+                                    phi_1628_ = _e996;
+                                    phi_1629_ = _e1026;
+                                    phi_1630_ = _e1022;
                                 }
-                                let _e1099 = phi_1623_;
-                                let _e1101 = phi_1624_;
-                                let _e1103 = phi_1625_;
-                                let _e1105 = phi_1626_;
-                                let _e1108 = ((_e1105 * _e1099) - (_e1103 * _e1101));
-                                if _e1097 {
-                                    phi_1634_ = -(_e1108);
+                                let _e1103 = phi_1627_;
+                                let _e1105 = phi_1628_;
+                                let _e1107 = phi_1629_;
+                                let _e1109 = phi_1630_;
+                                let _e1112 = ((_e1109 * _e1103) - (_e1107 * _e1105));
+                                if _e1101 {
+                                    phi_1638_ = -(_e1112);
                                 } else {
-                                    phi_1634_ = _e1108;
+                                    phi_1638_ = _e1112;
                                 }
-                                let _e1111 = phi_1634_;
-                                if (_e1069 >= 0f) {
-                                    if (_e1090 >= 0f) {
-                                        if (_e1111 >= 0f) {
-                                            phi_1649_ = ((_e1069 + _e1090) + _e1111);
-                                            phi_1650_ = false;
+                                let _e1115 = phi_1638_;
+                                if (_e1073 >= 0f) {
+                                    if (_e1094 >= 0f) {
+                                        if (_e1115 >= 0f) {
+                                            phi_1653_ = ((_e1073 + _e1094) + _e1115);
+                                            phi_1654_ = false;
                                         } else {
-                                            phi_1649_ = f32();
-                                            phi_1650_ = true;
+                                            phi_1653_ = f32();
+                                            phi_1654_ = true;
                                         }
-                                        let _e1118 = phi_1649_;
-                                        let _e1120 = phi_1650_;
-                                        phi_1651_ = _e1118;
-                                        phi_1652_ = _e1120;
+                                        let _e1122 = phi_1653_;
+                                        let _e1124 = phi_1654_;
+                                        phi_1655_ = _e1122;
+                                        phi_1656_ = _e1124;
                                     } else {
-                                        phi_1651_ = f32();
-                                        phi_1652_ = true;
+                                        phi_1655_ = f32();
+                                        phi_1656_ = true;
                                     }
-                                    let _e1122 = phi_1651_;
-                                    let _e1124 = phi_1652_;
-                                    phi_1653_ = _e1122;
-                                    phi_1654_ = _e1124;
+                                    let _e1126 = phi_1655_;
+                                    let _e1128 = phi_1656_;
+                                    phi_1657_ = _e1126;
+                                    phi_1658_ = _e1128;
                                 } else {
-                                    phi_1653_ = f32();
-                                    phi_1654_ = true;
+                                    phi_1657_ = f32();
+                                    phi_1658_ = true;
                                 }
-                                let _e1126 = phi_1653_;
-                                let _e1128 = phi_1654_;
-                                if _e1128 {
-                                    if (_e1069 <= 0f) {
-                                        if (_e1090 <= 0f) {
-                                            let _e1131 = (_e1111 <= 0f);
-                                            if _e1131 {
+                                let _e1130 = phi_1657_;
+                                let _e1132 = phi_1658_;
+                                if _e1132 {
+                                    if (_e1073 <= 0f) {
+                                        if (_e1094 <= 0f) {
+                                            let _e1135 = (_e1115 <= 0f);
+                                            if _e1135 {
                                             }
-                                            phi_1672_ = ((_e1069 + _e1090) + _e1111);
-                                            phi_1673_ = false;
-                                            phi_1674_ = _e1131;
+                                            phi_1676_ = ((_e1073 + _e1094) + _e1115);
+                                            phi_1677_ = false;
+                                            phi_1678_ = _e1135;
                                         } else {
-                                            phi_1672_ = f32();
-                                            phi_1673_ = true;
-                                            phi_1674_ = false;
+                                            phi_1676_ = f32();
+                                            phi_1677_ = true;
+                                            phi_1678_ = false;
                                         }
-                                        let _e1135 = phi_1672_;
-                                        let _e1137 = phi_1673_;
-                                        let _e1139 = phi_1674_;
-                                        phi_1675_ = _e1135;
-                                        phi_1676_ = _e1137;
-                                        phi_1677_ = _e1139;
+                                        let _e1139 = phi_1676_;
+                                        let _e1141 = phi_1677_;
+                                        let _e1143 = phi_1678_;
+                                        phi_1679_ = _e1139;
+                                        phi_1680_ = _e1141;
+                                        phi_1681_ = _e1143;
                                     } else {
-                                        phi_1675_ = f32();
-                                        phi_1676_ = true;
-                                        phi_1677_ = false;
-                                    }
-                                    let _e1141 = phi_1675_;
-                                    let _e1143 = phi_1676_;
-                                    let _e1145 = phi_1677_;
-                                    if _e1143 {
+                                        phi_1679_ = f32();
+                                        phi_1680_ = true;
                                         phi_1681_ = false;
-                                    } else {
-                                        phi_1681_ = _e1145;
                                     }
-                                    let _e1147 = phi_1681_;
-                                    phi_1682_ = _e1141;
-                                    phi_1683_ = _e1147;
-                                } else {
-                                    phi_1682_ = _e1126;
-                                    phi_1683_ = true;
-                                }
-                                let _e1149 = phi_1682_;
-                                let _e1151 = phi_1683_;
-                                if _e1151 {
-                                    let _e1152 = (_e1149 == 0f);
-                                    if _e1152 {
-                                        phi_1999_ = lt_bvh_triangle_Intersection();
-                                        phi_2000_ = false;
+                                    let _e1145 = phi_1679_;
+                                    let _e1147 = phi_1680_;
+                                    let _e1149 = phi_1681_;
+                                    if _e1147 {
+                                        phi_1685_ = false;
                                     } else {
-                                        let _e1154 = triangles.member[(0u + _e965)].v0_;
-                                        let _e1156 = (_e1154.x - _e127);
-                                        let _e1158 = (_e1154.y - _e129);
-                                        let _e1160 = (_e1154.z - _e131);
-                                        if (_e355 == 0u) {
-                                            phi_1712_ = vec3<f32>(_e1158, _e1160, _e1156);
-                                        } else {
-                                            if (_e355 == 1u) {
-                                                phi_1711_ = vec3<f32>(_e1160, _e1156, _e1158);
-                                            } else {
-                                                phi_1711_ = (_e1154 - vec3<f32>(_e127, _e129, _e131));
-                                            }
-                                            let _e1168 = phi_1711_;
-                                            phi_1712_ = _e1168;
-                                        }
-                                        let _e1170 = phi_1712_;
-                                        let _e1172 = triangles.member[(0u + _e965)].v1_;
-                                        let _e1174 = triangles.member[(0u + _e965)].v0_;
-                                        let _e1177 = (_e1172.x - _e1174.x);
-                                        let _e1180 = (_e1172.y - _e1174.y);
-                                        let _e1183 = (_e1172.z - _e1174.z);
-                                        if (_e355 == 0u) {
-                                            phi_1738_ = vec3<f32>(_e1180, _e1183, _e1177);
-                                        } else {
-                                            if (_e355 == 1u) {
-                                                phi_1737_ = vec3<f32>(_e1183, _e1177, _e1180);
-                                            } else {
-                                                phi_1737_ = (_e1172 - _e1174);
-                                            }
-                                            let _e1190 = phi_1737_;
-                                            phi_1738_ = _e1190;
-                                        }
-                                        let _e1192 = phi_1738_;
-                                        let _e1194 = triangles.member[(0u + _e965)].v2_;
-                                        let _e1196 = triangles.member[(0u + _e965)].v0_;
-                                        let _e1199 = (_e1194.x - _e1196.x);
-                                        let _e1202 = (_e1194.y - _e1196.y);
-                                        let _e1205 = (_e1194.z - _e1196.z);
-                                        if (_e355 == 0u) {
-                                            phi_1764_ = vec3<f32>(_e1202, _e1205, _e1199);
-                                        } else {
-                                            if (_e355 == 1u) {
-                                                phi_1763_ = vec3<f32>(_e1205, _e1199, _e1202);
-                                            } else {
-                                                phi_1763_ = (_e1194 - _e1196);
-                                            }
-                                            let _e1212 = phi_1763_;
-                                            phi_1764_ = _e1212;
-                                        }
-                                        let _e1214 = phi_1764_;
-                                        let _e1221 = ((_e1192.y * _e1214.z) - (_e1192.z * _e1214.y));
-                                        let _e1228 = ((_e1192.z * _e1214.x) - (_e1192.x * _e1214.z));
-                                        let _e1235 = ((_e1192.x * _e1214.y) - (_e1192.y * _e1214.x));
-                                        let _e1249 = (((1f / _e363.z) * (((_e1221 * _e1170.x) + (_e1228 * _e1170.y)) + (_e1235 * _e1170.z))) / (((_e1221 * _e366) + (_e1228 * _e369)) + _e1235));
-                                        if (_e1249 > 0f) {
-                                            if (_e1249 < _e135) {
-                                                let _e1253 = triangles.member[(0u + _e965)].v0_;
-                                                let _e1255 = triangles.member[(0u + _e965)].v1_;
-                                                if (_e1253.x < _e1255.x) {
-                                                    phi_1820_ = _e1253.x;
-                                                } else {
-                                                    phi_1820_ = _e1255.x;
-                                                }
-                                                let _e1262 = phi_1820_;
-                                                if (_e1253.y < _e1255.y) {
-                                                    phi_1829_ = _e1253.y;
-                                                } else {
-                                                    phi_1829_ = _e1255.y;
-                                                }
-                                                let _e1269 = phi_1829_;
-                                                if (_e1253.z < _e1255.z) {
-                                                    phi_1838_ = _e1253.z;
-                                                } else {
-                                                    phi_1838_ = _e1255.z;
-                                                }
-                                                let _e1276 = phi_1838_;
-                                                let _e1278 = triangles.member[(0u + _e965)].v2_;
-                                                if (_e1262 < _e1278.x) {
-                                                    phi_1847_ = _e1262;
-                                                } else {
-                                                    phi_1847_ = _e1278.x;
-                                                }
-                                                let _e1283 = phi_1847_;
-                                                if (_e1269 < _e1278.y) {
-                                                    phi_1854_ = _e1269;
-                                                } else {
-                                                    phi_1854_ = _e1278.y;
-                                                }
-                                                let _e1288 = phi_1854_;
-                                                if (_e1276 < _e1278.z) {
-                                                    phi_1861_ = _e1276;
-                                                } else {
-                                                    phi_1861_ = _e1278.z;
-                                                }
-                                                let _e1293 = phi_1861_;
-                                                let _e1295 = triangles.member[(0u + _e965)].v0_;
-                                                let _e1297 = triangles.member[(0u + _e965)].v1_;
-                                                if (_e1295.x > _e1297.x) {
-                                                    phi_1874_ = _e1295.x;
-                                                } else {
-                                                    phi_1874_ = _e1297.x;
-                                                }
-                                                let _e1304 = phi_1874_;
-                                                if (_e1295.y > _e1297.y) {
-                                                    phi_1883_ = _e1295.y;
-                                                } else {
-                                                    phi_1883_ = _e1297.y;
-                                                }
-                                                let _e1311 = phi_1883_;
-                                                if (_e1295.z > _e1297.z) {
-                                                    phi_1892_ = _e1295.z;
-                                                } else {
-                                                    phi_1892_ = _e1297.z;
-                                                }
-                                                let _e1318 = phi_1892_;
-                                                let _e1320 = triangles.member[(0u + _e965)].v2_;
-                                                if (_e1304 > _e1320.x) {
-                                                    phi_1901_ = _e1304;
-                                                } else {
-                                                    phi_1901_ = _e1320.x;
-                                                }
-                                                let _e1325 = phi_1901_;
-                                                if (_e1311 > _e1320.y) {
-                                                    phi_1908_ = _e1311;
-                                                } else {
-                                                    phi_1908_ = _e1320.y;
-                                                }
-                                                let _e1330 = phi_1908_;
-                                                if (_e1318 > _e1320.z) {
-                                                    phi_1915_ = _e1318;
-                                                } else {
-                                                    phi_1915_ = _e1320.z;
-                                                }
-                                                let _e1335 = phi_1915_;
-                                                let _e1339 = ((_e1283 - _e127) * _e284);
-                                                let _e1340 = ((_e1288 - _e129) * _e294);
-                                                let _e1341 = ((_e1293 - _e131) * _e304);
-                                                let _e1345 = ((_e1325 - _e127) * _e284);
-                                                let _e1346 = ((_e1330 - _e129) * _e294);
-                                                let _e1347 = ((_e1335 - _e131) * _e304);
-                                                if (_e1339 < _e1345) {
-                                                    phi_1932_ = _e1339;
-                                                } else {
-                                                    phi_1932_ = _e1345;
-                                                }
-                                                let _e1350 = phi_1932_;
-                                                if (_e1340 < _e1346) {
-                                                    phi_1937_ = _e1340;
-                                                } else {
-                                                    phi_1937_ = _e1346;
-                                                }
-                                                let _e1353 = phi_1937_;
-                                                if (_e1341 < _e1347) {
-                                                    phi_1942_ = _e1341;
-                                                } else {
-                                                    phi_1942_ = _e1347;
-                                                }
-                                                let _e1356 = phi_1942_;
-                                                if (_e1339 > _e1345) {
-                                                    phi_1950_ = _e1339;
-                                                } else {
-                                                    phi_1950_ = _e1345;
-                                                }
-                                                let _e1362 = phi_1950_;
-                                                if (_e1340 > _e1346) {
-                                                    phi_1955_ = _e1340;
-                                                } else {
-                                                    phi_1955_ = _e1346;
-                                                }
-                                                let _e1365 = phi_1955_;
-                                                if (_e1341 > _e1347) {
-                                                    phi_1960_ = _e1341;
-                                                } else {
-                                                    phi_1960_ = _e1347;
-                                                }
-                                                let _e1368 = phi_1960_;
-                                                let _e1372 = core_intrinsics_maximum_number_nsz_f32_((_e1350 - _e339), (_e1353 - _e340));
-                                                let _e1373 = core_intrinsics_maximum_number_nsz_f32_(_e1372, (_e1356 - _e341));
-                                                let _e1374 = core_intrinsics_minimum_number_nsz_f32_((_e1362 + _e339), (_e1365 + _e340));
-                                                let _e1375 = core_intrinsics_minimum_number_nsz_f32_(_e1374, (_e1368 + _e341));
-                                                if (_e1373 > -300000000000000000000000000000000000000f) {
-                                                    phi_1972_ = _e1373;
-                                                } else {
-                                                    phi_1972_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1378 = phi_1972_;
-                                                if (_e1375 < 300000000000000000000000000000000000000f) {
-                                                    phi_1977_ = _e1375;
-                                                } else {
-                                                    phi_1977_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1381 = phi_1977_;
-                                                if (_e1249 < _e1378) {
-                                                    phi_1982_ = _e1378;
-                                                } else {
-                                                    phi_1982_ = _e1249;
-                                                }
-                                                let _e1384 = phi_1982_;
-                                                if (_e1384 > _e1381) {
-                                                    phi_1987_ = _e1381;
-                                                } else {
-                                                    phi_1987_ = _e1384;
-                                                }
-                                                let _e1387 = phi_1987_;
-                                                phi_1992_ = lt_bvh_triangle_Intersection(_e1387, (_e1090 / _e1149), (_e1111 / _e1149), (_e1378 <= _e1381));
-                                                phi_1993_ = false;
-                                            } else {
-                                                phi_1992_ = lt_bvh_triangle_Intersection();
-                                                phi_1993_ = true;
-                                            }
-                                            let _e1393 = phi_1992_;
-                                            let _e1395 = phi_1993_;
-                                            phi_1994_ = _e1393;
-                                            phi_1995_ = _e1395;
-                                        } else {
-                                            phi_1994_ = lt_bvh_triangle_Intersection();
-                                            phi_1995_ = true;
-                                        }
-                                        let _e1397 = phi_1994_;
-                                        let _e1399 = phi_1995_;
-                                        if _e1399 {
-                                        }
-                                        phi_1999_ = _e1397;
-                                        phi_2000_ = _e1399;
+                                        phi_1685_ = _e1149;
                                     }
-                                    let _e1401 = phi_1999_;
-                                    let _e1403 = phi_2000_;
-                                    phi_2001_ = _e1401;
-                                    phi_2002_ = _e1152;
-                                    phi_2003_ = _e1403;
+                                    let _e1151 = phi_1685_;
+                                    phi_1686_ = _e1145;
+                                    phi_1687_ = _e1151;
                                 } else {
-                                    phi_2001_ = lt_bvh_triangle_Intersection();
-                                    phi_2002_ = true;
-                                    phi_2003_ = false;
+                                    phi_1686_ = _e1130;
+                                    phi_1687_ = true;
                                 }
-                                let _e1405 = phi_2001_;
-                                let _e1407 = phi_2002_;
-                                let _e1409 = phi_2003_;
-                                if _e1407 {
-                                    phi_2007_ = true;
+                                let _e1153 = phi_1686_;
+                                let _e1155 = phi_1687_;
+                                if _e1155 {
+                                    let _e1156 = (_e1153 == 0f);
+                                    if _e1156 {
+                                        phi_2003_ = lt_bvh_triangle_Intersection();
+                                        phi_2004_ = false;
+                                    } else {
+                                        let _e1158 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1160 = (_e1158.x - _e127);
+                                        let _e1162 = (_e1158.y - _e129);
+                                        let _e1164 = (_e1158.z - _e131);
+                                        if (_e355 == 0u) {
+                                            phi_1716_ = vec3<f32>(_e1162, _e1164, _e1160);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1715_ = vec3<f32>(_e1164, _e1160, _e1162);
+                                            } else {
+                                                phi_1715_ = (_e1158 - vec3<f32>(_e127, _e129, _e131));
+                                            }
+                                            let _e1172 = phi_1715_;
+                                            phi_1716_ = _e1172;
+                                        }
+                                        let _e1174 = phi_1716_;
+                                        let _e1176 = triangles.member[(0u + _e969)].v1_;
+                                        let _e1178 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1181 = (_e1176.x - _e1178.x);
+                                        let _e1184 = (_e1176.y - _e1178.y);
+                                        let _e1187 = (_e1176.z - _e1178.z);
+                                        if (_e355 == 0u) {
+                                            phi_1742_ = vec3<f32>(_e1184, _e1187, _e1181);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1741_ = vec3<f32>(_e1187, _e1181, _e1184);
+                                            } else {
+                                                phi_1741_ = (_e1176 - _e1178);
+                                            }
+                                            let _e1194 = phi_1741_;
+                                            phi_1742_ = _e1194;
+                                        }
+                                        let _e1196 = phi_1742_;
+                                        let _e1198 = triangles.member[(0u + _e969)].v2_;
+                                        let _e1200 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1203 = (_e1198.x - _e1200.x);
+                                        let _e1206 = (_e1198.y - _e1200.y);
+                                        let _e1209 = (_e1198.z - _e1200.z);
+                                        if (_e355 == 0u) {
+                                            phi_1768_ = vec3<f32>(_e1206, _e1209, _e1203);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1767_ = vec3<f32>(_e1209, _e1203, _e1206);
+                                            } else {
+                                                phi_1767_ = (_e1198 - _e1200);
+                                            }
+                                            let _e1216 = phi_1767_;
+                                            phi_1768_ = _e1216;
+                                        }
+                                        let _e1218 = phi_1768_;
+                                        let _e1225 = ((_e1196.y * _e1218.z) - (_e1196.z * _e1218.y));
+                                        let _e1232 = ((_e1196.z * _e1218.x) - (_e1196.x * _e1218.z));
+                                        let _e1239 = ((_e1196.x * _e1218.y) - (_e1196.y * _e1218.x));
+                                        let _e1253 = (((1f / _e363.z) * (((_e1225 * _e1174.x) + (_e1232 * _e1174.y)) + (_e1239 * _e1174.z))) / (((_e1225 * _e366) + (_e1232 * _e369)) + _e1239));
+                                        if (_e1253 > 0f) {
+                                            if (_e1253 < _e135) {
+                                                let _e1257 = triangles.member[(0u + _e969)].v0_;
+                                                let _e1259 = triangles.member[(0u + _e969)].v1_;
+                                                if (_e1257.x < _e1259.x) {
+                                                    phi_1824_ = _e1257.x;
+                                                } else {
+                                                    phi_1824_ = _e1259.x;
+                                                }
+                                                let _e1266 = phi_1824_;
+                                                if (_e1257.y < _e1259.y) {
+                                                    phi_1833_ = _e1257.y;
+                                                } else {
+                                                    phi_1833_ = _e1259.y;
+                                                }
+                                                let _e1273 = phi_1833_;
+                                                if (_e1257.z < _e1259.z) {
+                                                    phi_1842_ = _e1257.z;
+                                                } else {
+                                                    phi_1842_ = _e1259.z;
+                                                }
+                                                let _e1280 = phi_1842_;
+                                                let _e1282 = triangles.member[(0u + _e969)].v2_;
+                                                if (_e1266 < _e1282.x) {
+                                                    phi_1851_ = _e1266;
+                                                } else {
+                                                    phi_1851_ = _e1282.x;
+                                                }
+                                                let _e1287 = phi_1851_;
+                                                if (_e1273 < _e1282.y) {
+                                                    phi_1858_ = _e1273;
+                                                } else {
+                                                    phi_1858_ = _e1282.y;
+                                                }
+                                                let _e1292 = phi_1858_;
+                                                if (_e1280 < _e1282.z) {
+                                                    phi_1865_ = _e1280;
+                                                } else {
+                                                    phi_1865_ = _e1282.z;
+                                                }
+                                                let _e1297 = phi_1865_;
+                                                let _e1299 = triangles.member[(0u + _e969)].v0_;
+                                                let _e1301 = triangles.member[(0u + _e969)].v1_;
+                                                if (_e1299.x > _e1301.x) {
+                                                    phi_1878_ = _e1299.x;
+                                                } else {
+                                                    phi_1878_ = _e1301.x;
+                                                }
+                                                let _e1308 = phi_1878_;
+                                                if (_e1299.y > _e1301.y) {
+                                                    phi_1887_ = _e1299.y;
+                                                } else {
+                                                    phi_1887_ = _e1301.y;
+                                                }
+                                                let _e1315 = phi_1887_;
+                                                if (_e1299.z > _e1301.z) {
+                                                    phi_1896_ = _e1299.z;
+                                                } else {
+                                                    phi_1896_ = _e1301.z;
+                                                }
+                                                let _e1322 = phi_1896_;
+                                                let _e1324 = triangles.member[(0u + _e969)].v2_;
+                                                if (_e1308 > _e1324.x) {
+                                                    phi_1905_ = _e1308;
+                                                } else {
+                                                    phi_1905_ = _e1324.x;
+                                                }
+                                                let _e1329 = phi_1905_;
+                                                if (_e1315 > _e1324.y) {
+                                                    phi_1912_ = _e1315;
+                                                } else {
+                                                    phi_1912_ = _e1324.y;
+                                                }
+                                                let _e1334 = phi_1912_;
+                                                if (_e1322 > _e1324.z) {
+                                                    phi_1919_ = _e1322;
+                                                } else {
+                                                    phi_1919_ = _e1324.z;
+                                                }
+                                                let _e1339 = phi_1919_;
+                                                let _e1343 = ((_e1287 - _e127) * _e284);
+                                                let _e1344 = ((_e1292 - _e129) * _e294);
+                                                let _e1345 = ((_e1297 - _e131) * _e304);
+                                                let _e1349 = ((_e1329 - _e127) * _e284);
+                                                let _e1350 = ((_e1334 - _e129) * _e294);
+                                                let _e1351 = ((_e1339 - _e131) * _e304);
+                                                if (_e1343 < _e1349) {
+                                                    phi_1936_ = _e1343;
+                                                } else {
+                                                    phi_1936_ = _e1349;
+                                                }
+                                                let _e1354 = phi_1936_;
+                                                if (_e1344 < _e1350) {
+                                                    phi_1941_ = _e1344;
+                                                } else {
+                                                    phi_1941_ = _e1350;
+                                                }
+                                                let _e1357 = phi_1941_;
+                                                if (_e1345 < _e1351) {
+                                                    phi_1946_ = _e1345;
+                                                } else {
+                                                    phi_1946_ = _e1351;
+                                                }
+                                                let _e1360 = phi_1946_;
+                                                if (_e1343 > _e1349) {
+                                                    phi_1954_ = _e1343;
+                                                } else {
+                                                    phi_1954_ = _e1349;
+                                                }
+                                                let _e1366 = phi_1954_;
+                                                if (_e1344 > _e1350) {
+                                                    phi_1959_ = _e1344;
+                                                } else {
+                                                    phi_1959_ = _e1350;
+                                                }
+                                                let _e1369 = phi_1959_;
+                                                if (_e1345 > _e1351) {
+                                                    phi_1964_ = _e1345;
+                                                } else {
+                                                    phi_1964_ = _e1351;
+                                                }
+                                                let _e1372 = phi_1964_;
+                                                let _e1376 = core_intrinsics_maximum_number_nsz_f32_((_e1354 - _e339), (_e1357 - _e340));
+                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_(_e1376, (_e1360 - _e341));
+                                                let _e1378 = core_intrinsics_minimum_number_nsz_f32_((_e1366 + _e339), (_e1369 + _e340));
+                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_(_e1378, (_e1372 + _e341));
+                                                if (_e1377 > -300000000000000000000000000000000000000f) {
+                                                    phi_1976_ = _e1377;
+                                                } else {
+                                                    phi_1976_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1382 = phi_1976_;
+                                                if (_e1379 < 300000000000000000000000000000000000000f) {
+                                                    phi_1981_ = _e1379;
+                                                } else {
+                                                    phi_1981_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1385 = phi_1981_;
+                                                if (_e1253 < _e1382) {
+                                                    phi_1986_ = _e1382;
+                                                } else {
+                                                    phi_1986_ = _e1253;
+                                                }
+                                                let _e1388 = phi_1986_;
+                                                if (_e1388 > _e1385) {
+                                                    phi_1991_ = _e1385;
+                                                } else {
+                                                    phi_1991_ = _e1388;
+                                                }
+                                                let _e1391 = phi_1991_;
+                                                phi_1996_ = lt_bvh_triangle_Intersection(_e1391, (_e1094 / _e1153), (_e1115 / _e1153), (_e1382 <= _e1385));
+                                                phi_1997_ = false;
+                                            } else {
+                                                phi_1996_ = lt_bvh_triangle_Intersection();
+                                                phi_1997_ = true;
+                                            }
+                                            let _e1397 = phi_1996_;
+                                            let _e1399 = phi_1997_;
+                                            phi_1998_ = _e1397;
+                                            phi_1999_ = _e1399;
+                                        } else {
+                                            phi_1998_ = lt_bvh_triangle_Intersection();
+                                            phi_1999_ = true;
+                                        }
+                                        let _e1401 = phi_1998_;
+                                        let _e1403 = phi_1999_;
+                                        if _e1403 {
+                                        }
+                                        phi_2003_ = _e1401;
+                                        phi_2004_ = _e1403;
+                                    }
+                                    let _e1405 = phi_2003_;
+                                    let _e1407 = phi_2004_;
+                                    phi_2005_ = _e1405;
+                                    phi_2006_ = _e1156;
+                                    phi_2007_ = _e1407;
                                 } else {
-                                    phi_2007_ = _e1409;
+                                    phi_2005_ = lt_bvh_triangle_Intersection();
+                                    phi_2006_ = true;
+                                    phi_2007_ = false;
                                 }
-                                let _e1411 = phi_2007_;
+                                let _e1409 = phi_2005_;
+                                let _e1411 = phi_2006_;
+                                let _e1413 = phi_2007_;
                                 if _e1411 {
-                                    phi_2011_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_2011_ = true;
                                 } else {
-                                    phi_2011_ = _e1405;
+                                    phi_2011_ = _e1413;
                                 }
-                                let _e1413 = phi_2011_;
-                                if _e1413.is_hit {
-                                    if (_e1413.t > 0f) {
-                                        if (_e1413.t < _e135) {
-                                            let _e1420 = triangles.member[(0u + _e965)].i0_;
-                                            let _e1422 = ((_e1420 & 2147483648u) == 0u);
-                                            if _e1422 {
-                                                phi_2234_ = false;
-                                                phi_2235_ = false;
+                                let _e1415 = phi_2011_;
+                                if _e1415 {
+                                    phi_2015_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2015_ = _e1409;
+                                }
+                                let _e1417 = phi_2015_;
+                                if _e1417.is_hit {
+                                    if (_e1417.t > 0f) {
+                                        if (_e1417.t < _e135) {
+                                            let _e1424 = triangles.member[(0u + _e969)].i0_;
+                                            if ((_e1424 & 2147483648u) == 0u) {
+                                                phi_2234_ = true;
                                             } else {
-                                                if (_e965 < _e78) {
+                                                if (_e969 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1429 = triangles.member[(0u + _e965)].i0_;
-                                                let _e1430 = (_e1429 & 2147483647u);
-                                                let _e1432 = triangles.member[(0u + _e965)].i1_;
-                                                let _e1434 = triangles.member[(0u + _e965)].i2_;
-                                                if (_e1430 < _e87) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1438 = vertices.member[(0u + _e1430)];
-                                                if (_e1432 < _e87) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1442 = vertices.member[(0u + _e1432)];
+                                                let _e1433 = triangles.member[(0u + _e969)].i0_;
+                                                let _e1434 = (_e1433 & 2147483647u);
+                                                let _e1436 = triangles.member[(0u + _e969)].i1_;
+                                                let _e1438 = triangles.member[(0u + _e969)].i2_;
                                                 if (_e1434 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1446 = vertices.member[(0u + _e1434)];
-                                                let _e1447 = array<abi_Vertex, 3>(_e1438, _e1442, _e1446);
-                                                if (_e1447[0].material < arrayLength((&materials.member))) {
+                                                let _e1442 = vertices.member[(0u + _e1434)];
+                                                if (_e1436 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1453 = materials.member[(0u + _e1447[0].material)];
-                                                if ((_e1453.flags & 1u) == 1u) {
-                                                    let _e1458 = ((1f - _e1413.u) - _e1413.v);
-                                                    if (_e1453.cutoff <= 0f) {
-                                                        phi_2228_ = true;
+                                                let _e1446 = vertices.member[(0u + _e1436)];
+                                                if (_e1438 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1450 = vertices.member[(0u + _e1438)];
+                                                let _e1451 = array<abi_Vertex, 3>(_e1442, _e1446, _e1450);
+                                                if (_e1451[0].material < arrayLength((&materials.member))) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1457 = materials.member[(0u + _e1451[0].material)];
+                                                if ((_e1457.flags & 1u) == 1u) {
+                                                    let _e1462 = ((1f - _e1417.u) - _e1417.v);
+                                                    if (_e1457.cutoff <= 0f) {
+                                                        phi_2232_ = true;
                                                     } else {
-                                                        let _e1485 = (_e1453.base_color.w * ((((f32((_e1447[0].color >> bitcast<u32>(24i))) * _e1458) + (f32((_e1447[1].color >> bitcast<u32>(24i))) * _e1413.u)) + (f32((_e1447[2].color >> bitcast<u32>(24i))) * _e1413.v)) * (1f / 255f)));
-                                                        if (_e1453.alpha_size == 0u) {
-                                                            phi_2225_ = _e1485;
+                                                        let _e1489 = (_e1457.base_color.w * ((((f32((_e1451[0].color >> bitcast<u32>(24i))) * _e1462) + (f32((_e1451[1].color >> bitcast<u32>(24i))) * _e1417.u)) + (f32((_e1451[2].color >> bitcast<u32>(24i))) * _e1417.v)) * (1f / 255f)));
+                                                        if (_e1457.alpha_size == 0u) {
+                                                            phi_2229_ = _e1489;
                                                         } else {
-                                                            local.offset = _e1453.alpha_offset;
-                                                            local.size = _e1453.alpha_size;
-                                                            local.flags = _e1453.flags;
-                                                            let _e1516 = _lt_shaders_texture_TextureView_quad((&local), (((_e1447[0].u * _e1458) + (_e1447[1].u * _e1413.u)) + (_e1447[2].u * _e1413.v)), (((_e1447[0].v * _e1458) + (_e1447[1].v * _e1413.u)) + (_e1447[2].v * _e1413.v)));
-                                                            let _e1520 = (_e1516.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1520 < _e93) {
+                                                            local.offset = _e1457.alpha_offset;
+                                                            local.size = _e1457.alpha_size;
+                                                            local.flags = _e1457.flags;
+                                                            let _e1520 = _lt_shaders_texture_TextureView_quad((&local), (((_e1451[0].u * _e1462) + (_e1451[1].u * _e1417.u)) + (_e1451[2].u * _e1417.v)), (((_e1451[0].v * _e1462) + (_e1451[1].v * _e1417.u)) + (_e1451[2].v * _e1417.v)));
+                                                            let _e1524 = (_e1520.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1524 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1524 = alpha_texels.member[(0u + _e1520)];
-                                                            let _e1540 = (_e1516.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1540 < _e93) {
+                                                            let _e1528 = alpha_texels.member[(0u + _e1524)];
+                                                            let _e1544 = (_e1520.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1544 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1544 = alpha_texels.member[(0u + _e1540)];
-                                                            let _e1561 = (_e1516.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1561 < _e93) {
+                                                            let _e1548 = alpha_texels.member[(0u + _e1544)];
+                                                            let _e1565 = (_e1520.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1565 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1565 = alpha_texels.member[(0u + _e1561)];
-                                                            let _e1582 = (_e1516.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1582 < _e93) {
+                                                            let _e1569 = alpha_texels.member[(0u + _e1565)];
+                                                            let _e1586 = (_e1520.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1586 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1586 = alpha_texels.member[(0u + _e1582)];
-                                                            phi_2225_ = (_e1485 * (((((f32(((_e1524 >> bitcast<u32>((((_e1516.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.x) + ((f32(((_e1544 >> bitcast<u32>((((_e1516.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.y)) + ((f32(((_e1565 >> bitcast<u32>((((_e1516.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.z)) + ((f32(((_e1586 >> bitcast<u32>((((_e1516.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.w)));
+                                                            let _e1590 = alpha_texels.member[(0u + _e1586)];
+                                                            phi_2229_ = (_e1489 * (((((f32(((_e1528 >> bitcast<u32>((((_e1520.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.x) + ((f32(((_e1548 >> bitcast<u32>((((_e1520.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.y)) + ((f32(((_e1569 >> bitcast<u32>((((_e1520.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.z)) + ((f32(((_e1590 >> bitcast<u32>((((_e1520.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.w)));
                                                         }
-                                                        let _e1602 = phi_2225_;
-                                                        phi_2228_ = (_e1602 >= _e1453.cutoff);
+                                                        let _e1606 = phi_2229_;
+                                                        phi_2232_ = (_e1606 >= _e1457.cutoff);
                                                     }
-                                                    let _e1606 = phi_2228_;
-                                                    phi_2229_ = _e1606;
+                                                    let _e1610 = phi_2232_;
+                                                    phi_2233_ = _e1610;
                                                 } else {
-                                                    phi_2229_ = false;
-                                                }
-                                                let _e1608 = phi_2229_;
-                                                if _e1608 {
                                                     phi_2233_ = false;
-                                                } else {
-                                                    phi_2233_ = true;
                                                 }
-                                                let _e1610 = phi_2233_;
-                                                phi_2234_ = _e1610;
-                                                phi_2235_ = _e1608;
+                                                let _e1612 = phi_2233_;
+                                                phi_2234_ = _e1612;
                                             }
-                                            let _e1612 = phi_2234_;
-                                            let _e1614 = phi_2235_;
-                                            phi_2236_ = _e1612;
-                                            phi_2237_ = _e1422;
-                                            phi_2238_ = _e1614;
+                                            let _e1614 = phi_2234_;
+                                            if _e1614 {
+                                                phi_2238_ = false;
+                                            } else {
+                                                phi_2238_ = true;
+                                            }
+                                            let _e1616 = phi_2238_;
+                                            phi_2239_ = _e1614;
+                                            phi_2240_ = _e1614;
+                                            phi_2241_ = _e1616;
                                         } else {
-                                            phi_2236_ = true;
-                                            phi_2237_ = false;
-                                            phi_2238_ = false;
+                                            phi_2239_ = bool();
+                                            phi_2240_ = _e960;
+                                            phi_2241_ = true;
                                         }
-                                        let _e1616 = phi_2236_;
-                                        let _e1618 = phi_2237_;
-                                        let _e1620 = phi_2238_;
-                                        phi_2239_ = _e1616;
-                                        phi_2240_ = _e1618;
-                                        phi_2241_ = _e1620;
+                                        let _e1618 = phi_2239_;
+                                        let _e1620 = phi_2240_;
+                                        let _e1622 = phi_2241_;
+                                        phi_2242_ = _e1618;
+                                        phi_2243_ = _e1620;
+                                        phi_2244_ = _e1622;
                                     } else {
-                                        phi_2239_ = true;
-                                        phi_2240_ = false;
-                                        phi_2241_ = false;
+                                        phi_2242_ = bool();
+                                        phi_2243_ = _e960;
+                                        phi_2244_ = true;
                                     }
-                                    let _e1622 = phi_2239_;
-                                    let _e1624 = phi_2240_;
-                                    let _e1626 = phi_2241_;
-                                    phi_2242_ = _e1622;
-                                    phi_2243_ = _e1624;
-                                    phi_2244_ = _e1626;
+                                    let _e1624 = phi_2242_;
+                                    let _e1626 = phi_2243_;
+                                    let _e1628 = phi_2244_;
+                                    phi_2245_ = _e1624;
+                                    phi_2246_ = _e1626;
+                                    phi_2247_ = _e1628;
                                 } else {
-                                    phi_2242_ = true;
-                                    phi_2243_ = false;
-                                    phi_2244_ = false;
+                                    phi_2245_ = bool();
+                                    phi_2246_ = _e960;
+                                    phi_2247_ = true;
                                 }
-                                let _e1628 = phi_2242_;
-                                let _e1630 = phi_2243_;
-                                let _e1632 = phi_2244_;
-                                if _e1628 {
-                                    phi_2248_ = false;
-                                    phi_2249_ = false;
-                                } else {
-                                    phi_2248_ = _e1630;
-                                    phi_2249_ = _e1632;
+                                let _e1630 = phi_2245_;
+                                let _e1632 = phi_2246_;
+                                let _e1634 = phi_2247_;
+                                if _e1634 {
                                 }
-                                let _e1634 = phi_2248_;
-                                let _e1636 = phi_2249_;
-                                phi_1443_ = (_e956 & (_e956 - 1u));
-                                phi_2250_ = _e1628;
-                                phi_2251_ = _e1634;
-                                phi_2252_ = _e1636;
+                                phi_1445_ = (_e958 & (_e958 - 1u));
+                                phi_1448_ = _e1632;
+                                phi_2251_ = _e1630;
+                                phi_2252_ = _e1634;
                             }
-                            let _e1638 = phi_1443_;
-                            let _e1640 = phi_2250_;
-                            let _e1642 = phi_2251_;
-                            let _e1644 = phi_2252_;
-                            local_7 = _e1642;
-                            local_8 = _e1644;
+                            let _e1636 = phi_1445_;
+                            let _e1638 = phi_1448_;
+                            let _e1640 = phi_2251_;
+                            let _e1642 = phi_2252_;
+                            local_8 = _e1640;
                             continue;
                             continuing {
-                                phi_1442_ = _e1638;
-                                break if !(_e1640);
+                                phi_1444_ = _e1636;
+                                phi_1447_ = _e1638;
+                                break if !(_e1642);
                             }
                         }
-                        let _e1647 = local_5;
-                        if _e1647 {
-                            let _e1649 = local_1.group_mask;
-                            if ((_e1649 & 4278190080u) == 0u) {
-                                let _e1653 = local_1.len;
-                                if (_e1653 == 0u) {
+                        let _e1645 = local_5;
+                        if _e1645 {
+                            let _e1647 = local_1.group_mask;
+                            if ((_e1647 & 4278190080u) == 0u) {
+                                let _e1651 = local_1.len;
+                                if (_e1651 == 0u) {
                                     phi_2294_ = false;
                                 } else {
-                                    let _e1657 = local_1.len;
-                                    local_1.len = (_e1657 - 1u);
-                                    let _e1660 = local_1.len;
-                                    if (_e1660 < 32u) {
+                                    let _e1655 = local_1.len;
+                                    local_1.len = (_e1655 - 1u);
+                                    let _e1658 = local_1.len;
+                                    if (_e1658 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1665 = local_1.first[(0u + _e1660)];
-                                    local_1.group = _e1665;
-                                    let _e1668 = local_1.len;
-                                    if (_e1668 < 32u) {
+                                    let _e1663 = local_1.first[(0u + _e1658)];
+                                    local_1.group = _e1663;
+                                    let _e1666 = local_1.len;
+                                    if (_e1666 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1673 = local_1.mask[(0u + _e1668)];
-                                    local_1.group_mask = _e1673;
+                                    let _e1671 = local_1.mask[(0u + _e1666)];
+                                    local_1.group_mask = _e1671;
                                     phi_2294_ = true;
                                 }
-                                let _e1676 = phi_2294_;
-                                phi_2295_ = _e1676;
+                                let _e1674 = phi_2294_;
+                                phi_2295_ = _e1674;
                             } else {
                                 phi_2295_ = true;
                             }
-                            let _e1678 = phi_2295_;
-                            if _e1678 {
-                                let _e1680 = local_1.group_mask;
-                                let _e1686 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1680)), 32u, (_e1680 == 0u)));
-                                let _e1690 = local_1.group_mask;
-                                let _e1704 = local_1.group_mask;
-                                local_1.group_mask = (_e1704 & ~((1u << bitcast<u32>((_e1686 & 31u)))));
-                                let _e1707 = local_1.group;
-                                phi_2326_ = (_e1707 + countOneBits(((_e1690 & ~((4294967295u << bitcast<u32>((((_e1686 - 24u) ^ _e382) & 31u))))) & 255u)));
+                            let _e1676 = phi_2295_;
+                            if _e1676 {
+                                let _e1678 = local_1.group_mask;
+                                let _e1684 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1678)), 32u, (_e1678 == 0u)));
+                                let _e1688 = local_1.group_mask;
+                                let _e1702 = local_1.group_mask;
+                                local_1.group_mask = (_e1702 & ~((1u << bitcast<u32>((_e1684 & 31u)))));
+                                let _e1705 = local_1.group;
+                                phi_2326_ = (_e1705 + countOneBits(((_e1688 & ~((4294967295u << bitcast<u32>((((_e1684 - 24u) ^ _e382) & 31u))))) & 255u)));
                             } else {
                                 phi_2326_ = 4294967295u;
                             }
-                            let _e1710 = phi_2326_;
-                            phi_2327_ = _e1710;
-                            phi_2328_ = false;
-                            phi_2329_ = false;
+                            let _e1708 = phi_2326_;
+                            phi_2327_ = _e1708;
                         } else {
                             phi_2327_ = u32();
-                            let _e1928 = local_7;
-                            phi_2328_ = _e1928;
-                            let _e1931 = local_8;
-                            phi_2329_ = _e1931;
                         }
-                        let _e1712 = phi_2327_;
-                        let _e1714 = phi_2328_;
-                        let _e1716 = phi_2329_;
-                        phi_1113_ = _e1712;
-                        let _e1935 = local_9;
-                        phi_2330_ = _e1935;
-                        phi_2331_ = false;
-                        phi_2332_ = _e1714;
-                        phi_2333_ = _e1716;
+                        let _e1710 = phi_2327_;
+                        phi_1113_ = _e1710;
+                        let _e1918 = local_7;
+                        phi_1116_ = _e1918;
+                        let _e1921 = local_8;
+                        phi_2328_ = _e1921;
+                        let _e1924 = local_9;
+                        phi_2329_ = _e1924;
+                        phi_2330_ = false;
                     } else {
                         phi_1113_ = u32();
-                        phi_2330_ = false;
-                        phi_2331_ = true;
-                        phi_2332_ = false;
-                        phi_2333_ = false;
+                        phi_1116_ = bool();
+                        phi_2328_ = bool();
+                        phi_2329_ = false;
+                        phi_2330_ = true;
                     }
-                    let _e1718 = phi_1113_;
+                    let _e1712 = phi_1113_;
+                    let _e1714 = phi_1116_;
+                    let _e1716 = phi_2328_;
+                    let _e1718 = phi_2329_;
                     let _e1720 = phi_2330_;
-                    let _e1722 = phi_2331_;
-                    let _e1724 = phi_2332_;
-                    let _e1726 = phi_2333_;
-                    local_6 = _e1722;
-                    local_10 = _e1724;
-                    local_11 = _e1726;
+                    local_6 = _e1720;
+                    local_10 = _e1716;
                     continue;
                     continuing {
-                        phi_1112_ = _e1718;
-                        break if !(_e1720);
+                        phi_1112_ = _e1712;
+                        phi_1115_ = _e1714;
+                        break if !(_e1718);
                     }
                 }
-                let _e1729 = local_6;
-                if _e1729 {
-                    phi_2337_ = false;
-                    phi_2338_ = false;
+                let _e1723 = local_6;
+                if _e1723 {
+                    phi_2334_ = false;
                 } else {
-                    let _e1942 = local_10;
-                    phi_2337_ = _e1942;
-                    let _e1945 = local_11;
-                    phi_2338_ = _e1945;
+                    phi_2334_ = true;
                 }
-                let _e1731 = phi_2337_;
-                let _e1733 = phi_2338_;
-                if _e1731 {
-                    phi_2342_ = true;
+                let _e1725 = phi_2334_;
+                if _e1725 {
+                    let _e1930 = local_10;
+                    phi_2338_ = _e1930;
                 } else {
-                    phi_2342_ = _e1733;
+                    let _e1932 = local_11;
+                    phi_2338_ = _e1932;
                 }
-                let _e1735 = phi_2342_;
-                if _e1735 {
-                    phi_2346_ = true;
-                } else {
-                    phi_2346_ = false;
-                }
-                let _e1737 = phi_2346_;
-                phi_2347_ = _e1737;
+                let _e1727 = phi_2338_;
+                phi_2339_ = _e1727;
             }
-            let _e1739 = phi_2347_;
-            phi_2348_ = _e1739;
-            phi_2349_ = _e208;
+            let _e1729 = phi_2339_;
+            phi_2340_ = _e1729;
+            phi_2341_ = _e208;
         } else {
-            phi_2348_ = bool();
-            phi_2349_ = true;
+            phi_2340_ = bool();
+            phi_2341_ = true;
         }
-        let _e1741 = phi_2348_;
-        let _e1743 = phi_2349_;
-        if _e1743 {
-            phi_2353_ = false;
+        let _e1731 = phi_2340_;
+        let _e1733 = phi_2341_;
+        if _e1733 {
+            phi_2345_ = false;
         } else {
-            phi_2353_ = _e1741;
+            phi_2345_ = _e1731;
         }
-        let _e1745 = phi_2353_;
-        if _e1745 {
-            phi_2357_ = 0f;
+        let _e1735 = phi_2345_;
+        if _e1735 {
+            phi_2349_ = 0f;
         } else {
-            phi_2357_ = 1f;
+            phi_2349_ = 1f;
         }
-        let _e1747 = phi_2357_;
+        let _e1737 = phi_2349_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1747;
+        visibility.member[(0u + _e106)] = _e1737;
     }
     return;
 }
