@@ -1,11 +1,11 @@
 //! Two levels: a tree of instances, each a placed tree of its own (TLAS over BLAS).
 
 use crate::any_hit::AnyHit;
+use crate::fold::Blocked;
 use crate::node::{INNER_BITS, Node, octant};
 use crate::probe::{NoProbe, Probe};
 use crate::ray::{Hit, NONE, Ray};
 use crate::slab::{Slab, Span};
-use crate::fold::Blocked;
 use crate::traverse::{Stack, Tree, closest_in_tree, fold_in_tree};
 use crate::triangle::Triangle;
 use bytemuck::{Pod, Zeroable};

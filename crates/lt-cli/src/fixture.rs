@@ -69,7 +69,16 @@ pub fn played() -> (Comparison, Playback) {
 
 fn frame(visibility: Vec<f32>, doubt: bool) -> Frame {
     let doubt = vec![doubt; visibility.len()];
-    Frame { visibility, tint: Vec::new(), doubt, rays: 0, passes: Vec::new(), map_bytes: 0, mask: Vec::new(), map_draws: 0 }
+    Frame {
+        visibility,
+        tint: Vec::new(),
+        doubt,
+        rays: 0,
+        passes: Vec::new(),
+        map_bytes: 0,
+        mask: Vec::new(),
+        map_draws: 0,
+    }
 }
 
 fn picture(frame: &Frame) -> Vec<[u8; 4]> {

@@ -161,7 +161,10 @@ impl EffectPlan {
                 (0, _) => "nothing lets light through in part".to_owned(),
                 (n, true) => format!("{n} of {} triangles let light through in part", s.triangles),
                 (n, false) => {
-                    format!("{n} of {} triangles would, but coverage is binary: see --translucent", s.triangles)
+                    format!(
+                        "{n} of {} triangles would, but coverage is binary: see --translucent",
+                        s.triangles
+                    )
                 }
             },
             "1 pass, 16 bytes a pixel, a BVH of translucent casters alone, a ray per lit pixel".to_owned(),

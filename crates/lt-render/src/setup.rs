@@ -31,7 +31,13 @@ impl Setup {
         let camera = scene.cameras.first().cloned().unwrap_or_else(|| framing_camera(scene));
         let is_sun = |l: &&Light| matches!(l.kind, LightKind::Directional { .. });
         let light = scene.lights.iter().find(is_sun).cloned().unwrap_or_else(|| Light::sun(DEFAULT_SUN));
-        Self { size: UVec2::new(width, height), camera, light, map_size: DEFAULT_MAP_SIZE, traces_translucency: false }
+        Self {
+            size: UVec2::new(width, height),
+            camera,
+            light,
+            map_size: DEFAULT_MAP_SIZE,
+            traces_translucency: false,
+        }
     }
 
     /// Refuses what cannot be drawn.

@@ -26,8 +26,7 @@ pub fn shade(px: UVec2, sample: &Sample, reaching: Vec3, p: &ShadeParams) -> u32
     let n = sample.shading_normal;
     let to_light = (p.light.truncate() - sample.position * p.light.w).normalize();
     let facing = n.dot(to_light);
-    let sun =
-        if facing > 0.0 { p.light_color.truncate() * (reaching * facing) } else { Vec3::ZERO };
+    let sun = if facing > 0.0 { p.light_color.truncate() * (reaching * facing) } else { Vec3::ZERO };
     let up = 0.5 + 0.5 * n.y;
     let ambient = (HORIZON.lerp(ZENITH, 0.4) * up + BOUNCE * (1.0 - up)) * SKY_STRENGTH;
     // A little form in the shade: surfaces seen edge-on receive less sky.

@@ -182,8 +182,13 @@ impl Backend for CpuBackend {
             (PassKind::Mask, ..) => self.correct(job),
             (PassKind::Resolve, ..) => self.rays = self.resolve(job),
             (PassKind::Tint, ..) => {
-                self.rays +=
-                    tint::trace(&self.scene, job.shadow.light, &self.samples, &self.visibility, &mut self.tint);
+                self.rays += tint::trace(
+                    &self.scene,
+                    job.shadow.light,
+                    &self.samples,
+                    &self.visibility,
+                    &mut self.tint,
+                );
             }
             _ => {}
         }

@@ -27,7 +27,9 @@ pub fn trace(
         color_texels: scene.color_texels(),
     };
     let blocks = tint.par_chunks_mut(BLOCK).zip(samples.par_chunks(BLOCK)).zip(visibility.par_chunks(BLOCK));
-    blocks.map(|((tint, samples), visibility)| trace_block(bvh, casters, light, samples, visibility, tint)).sum()
+    blocks
+        .map(|((tint, samples), visibility)| trace_block(bvh, casters, light, samples, visibility, tint))
+        .sum()
 }
 
 fn trace_block(

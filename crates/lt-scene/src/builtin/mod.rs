@@ -207,7 +207,9 @@ impl Builtin {
             Kind::Fence => CameraPath { truck: 0.5, sway: 0.02, ..still },
             // Around what floats or stands in the middle.
             Kind::Cornell => CameraPath { orbit_rad: 0.3, rise: 0.05, ..still },
-            Kind::Random | Kind::Hairball | Kind::Strands => CameraPath { orbit_rad: 0.6, dolly: 0.1, ..still },
+            Kind::Random | Kind::Hairball | Kind::Strands => {
+                CameraPath { orbit_rad: 0.6, dolly: 0.1, ..still }
+            }
         }
     }
 }
