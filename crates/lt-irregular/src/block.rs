@@ -58,33 +58,6 @@ impl Block {
         let d = lanes.neg_mul_add(lanes.load(row(12)), z, d);
         decide(lanes, a, b, c, d, lanes.splat(tolerance))
     }
-
-    /// What the triangles are to all points of a rectangle (middle and half size) between two nearnesses: `sure` blocks them all,
-    /// not `possible` none.
-    #[inline(always)]
-    pub fn test_rect<L: Lanes>(&self, lanes: L, rect: &Spread) -> Answer {
-        let (x, y) = (lanes.splat(rect.x), lanes.splat(rect.y));
-        let (w, h) = (lanes.splat(rect.half_x), lanes.splat(rect.half_y));
-        let one = lanes.splat(1.0);
-        let minus = lanes.splat(-1.0);
-        let (mut sure, mut possible) = (L::ALL, L::ALL);
-        for edge in 0..3 {
-            let (ex, ey) = (lanes.load(&self.rows[3 * edge]), lanes.load(&self.rows[3 * edge + 1]));
-            let middle = lanes.mul_add(ex, x, lanes.mul_add(ey, y, lanes.load(&self.rows[3 * edge + 2])));
-            let around = lanes.mul_add(lanes.abs(ex), w, lanes.mul(lanes.abs(ey), h));
-            sure &= lanes.lt(one, lanes.sub(middle, around));
-            possible &= lanes.le(minus, lanes.add(middle, around));
-        }
-        let (hx, hy, hz) = (lanes.load(&self.rows[9]), lanes.load(&self.rows[10]), lanes.load(&self.rows[12]));
-        let middle = lanes.mul_add(hx, x, lanes.mul_add(hy, y, lanes.load(&self.rows[11])));
-        let around = lanes.mul_add(lanes.abs(hx), w, lanes.mul(lanes.abs(hy), h));
-        let least = lanes.neg_mul_add(hz, lanes.splat(rect.far), lanes.sub(middle, around));
-        let most = lanes.neg_mul_add(hz, lanes.splat(rect.near), lanes.add(middle, around));
-        let tolerance = lanes.splat(rect.tolerance);
-        sure &= lanes.lt(tolerance, least);
-        possible &= lanes.le(lanes.sub(lanes.splat(0.0), tolerance), most);
-        Answer { sure, possible }
-    }
 }
 
 /// Rows of a slot without a triangle: no depth reaches the tolerance.
@@ -94,28 +67,15 @@ const EMPTY_ROWS: [[f32; BLOCK]; ROWS] = {
     rows
 };
 
-/// A rectangle and range of nearness that holds several points.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Spread {
-    pub x: f32,
-    pub y: f32,
-    /// Half the width, grown for the rounding of the middle.
-    pub half_x: f32,
-    pub half_y: f32,
-    /// Least nearness.
-    pub near: f32,
-    /// Largest nearness.
-    pub far: f32,
-    /// Largest depth tolerance.
-    pub tolerance: f32,
-}
-
 #[inline(always)]
 fn decide<L: Lanes>(lanes: L, a: L::F, b: L::F, c: L::F, d: L::F, tolerance: L::F) -> Answer {
-    let edge = lanes.min(lanes.min(a, b), c);
-    let sure = lanes.lt(lanes.splat(1.0), edge) & lanes.lt(tolerance, d);
+    let least = lanes.min(lanes.min(a, b), c);
+    let most = lanes.max(lanes.max(a, b), c);
+    let one = lanes.splat(1.0);
+    let sure = lanes.lt(one, least) & lanes.lt(tolerance, d);
     // Not ≤: of a settled point, whose nearness is infinite, both sides may be −∞.
-    let possible = lanes.le(lanes.splat(-1.0), edge) & lanes.lt(lanes.sub(lanes.splat(0.0), tolerance), d);
+    let is_before = lanes.lt(lanes.sub(lanes.splat(0.0), tolerance), d);
+    let possible = (lanes.le(lanes.splat(-1.0), least) | lanes.le(most, one)) & is_before;
     Answer { sure, possible }
 }
 

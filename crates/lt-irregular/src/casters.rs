@@ -19,7 +19,6 @@ pub struct Casters<'a> {
 pub(crate) struct Query<'a, A> {
     pub casters: Casters<'a>,
     pub light: Vec4,
-    pub view: &'a View,
     pub any_hit: A,
 }
 

@@ -7,12 +7,8 @@ pub(crate) trait Lanes: Copy {
     /// [`Lanes::WIDTH`] f32.
     type F: Copy;
     const WIDTH: usize;
-    /// All lanes' bits.
-    const ALL: u32 = if Self::WIDTH == 32 { u32::MAX } else { (1 << Self::WIDTH) - 1 };
     /// The first lanes' worth of `from`, which must be that long.
     fn load(self, from: &[f32]) -> Self::F;
-    /// Writes to the start of `to`, which must be long enough.
-    fn store(self, from: Self::F, to: &mut [f32]);
     fn splat(self, x: f32) -> Self::F;
     fn add(self, a: Self::F, b: Self::F) -> Self::F;
     fn sub(self, a: Self::F, b: Self::F) -> Self::F;
@@ -24,7 +20,6 @@ pub(crate) trait Lanes: Copy {
     fn neg_mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
     fn max(self, a: Self::F, b: Self::F) -> Self::F;
-    fn abs(self, a: Self::F) -> Self::F;
     /// A bit per lane where a ≤ b; clear where either is NaN.
     fn le(self, a: Self::F, b: Self::F) -> u32;
     /// A bit per lane where a < b; clear where either is NaN.
@@ -82,10 +77,6 @@ impl Lanes for Portable {
         lanes
     }
     #[inline(always)]
-    fn store(self, from: [f32; 8], to: &mut [f32]) {
-        to[..8].copy_from_slice(&from);
-    }
-    #[inline(always)]
     fn splat(self, x: f32) -> [f32; 8] {
         [x; 8]
     }
@@ -120,10 +111,6 @@ impl Lanes for Portable {
     #[inline(always)]
     fn max(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
         zip(a, b, |a, b| if a > b { a } else { b })
-    }
-    #[inline(always)]
-    fn abs(self, a: [f32; 8]) -> [f32; 8] {
-        a.map(f32::abs)
     }
     #[inline(always)]
     fn le(self, a: [f32; 8], b: [f32; 8]) -> u32 {
@@ -226,7 +213,7 @@ pub(crate) mod x86 {
     /// What all three have in common.
     macro_rules! common {
         (
-            $register:ty, $width:literal, $load:ident, $store:ident, $splat:ident, $add:ident, $sub:ident, $mul:ident,
+            $register:ty, $width:literal, $load:ident, $splat:ident, $add:ident, $sub:ident, $mul:ident,
             $div:ident, $mul_add:ident, $neg_mul_add:ident, $min:ident, $max:ident
         ) => {
             type F = $register;
@@ -236,12 +223,6 @@ pub(crate) mod x86 {
                 let from: &[f32] = &from[..$width];
                 // SAFETY: `self` proves the instruction; so many f32 are readable, and it asks for no alignment.
                 unsafe { $load(from.as_ptr()) }
-            }
-            #[inline(always)]
-            fn store(self, from: $register, to: &mut [f32]) {
-                let to: &mut [f32] = &mut to[..$width];
-                // SAFETY: `self` proves the instruction; so many f32 are writable, and it asks for no alignment.
-                unsafe { $store(to.as_mut_ptr(), from) }
             }
             instruction!(splat(x: f32) -> $register, $splat(x));
             instruction!(add(a: $register, b: $register) -> $register, $add(a, b));
@@ -258,10 +239,9 @@ pub(crate) mod x86 {
     macro_rules! eight {
         () => {
             common!(
-                __m256, 8, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_set1_ps, _mm256_add_ps, _mm256_sub_ps,
+                __m256, 8, _mm256_loadu_ps, _mm256_set1_ps, _mm256_add_ps, _mm256_sub_ps,
                 _mm256_mul_ps, _mm256_div_ps, _mm256_fmadd_ps, _mm256_fnmadd_ps, _mm256_min_ps, _mm256_max_ps
             );
-            instruction!(abs(a: __m256) -> __m256, _mm256_andnot_ps(_mm256_set1_ps(-0.0), a));
         };
     }
 
@@ -316,7 +296,6 @@ pub(crate) mod x86 {
             __m512,
             16,
             _mm512_loadu_ps,
-            _mm512_storeu_ps,
             _mm512_set1_ps,
             _mm512_add_ps,
             _mm512_sub_ps,
@@ -327,7 +306,6 @@ pub(crate) mod x86 {
             _mm512_min_ps,
             _mm512_max_ps
         );
-        instruction!(abs(a: __m512) -> __m512, _mm512_abs_ps(a));
         instruction!(le(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b)));
         instruction!(lt(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b)));
         #[inline(always)]

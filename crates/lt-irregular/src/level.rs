@@ -56,11 +56,6 @@ impl Chosen {
         }
     }
 
-    /// The widest set.
-    pub fn best() -> Self {
-        Self::new(Instructions::best()).unwrap_or(Chosen::Portable)
-    }
-
     #[inline]
     pub fn run<W: Work>(self, work: W) -> W::Output {
         match self {

@@ -4,6 +4,7 @@ use crate::casters::{Casters, Query};
 use crate::lanes::Level;
 use crate::level::{Chosen, Instructions, Work};
 use crate::tree::Tree;
+use crate::validate::Invalid;
 use crate::view::{Bounds, View};
 use crate::walk::Stream;
 use alloc::vec::Vec;
@@ -41,6 +42,14 @@ impl LightBvh {
         Some(LightBvh { chosen: instructions, ..self })
     }
 
+    /// Checks the trees over these triangles.
+    ///
+    /// # Errors
+    /// The first fault found.
+    pub fn validate(&self, casters: Casters<'_>) -> Result<(), Invalid> {
+        self.trees.iter().try_for_each(|tree| tree.validate(casters))
+    }
+
     /// Whether the ray from each origin to the light is blocked: the ray tracer's own answers. Stops at the end of the shorter of
     /// `origins` and `out`. `casters` must be those it was built over.
     pub fn occluded<A: AnyHit>(&self, casters: Casters<'_>, origins: &[Vec3], any_hit: A, out: &mut [bool], scratch: &mut Scratch) {
@@ -69,7 +78,7 @@ impl<A: AnyHit> Work for Ask<'_, A> {
         let (origins, out) = (&origins[..len], &mut out[..len]);
         out.fill(false);
         for tree in &bvh.trees {
-            let query = Query { casters, light: bvh.light, view: &tree.view, any_hit };
+            let query = Query { casters, light: bvh.light, any_hit };
             scratch.stream.fill(&tree.view, bvh.light, origins, 0);
             scratch.stream.walk(level, tree, &query);
             for i in scratch.stream.blocked() {

@@ -22,22 +22,21 @@
 //! 8εDG per component, 24εDG; evaluation and slopes 30εDG. With G ≤ W/2 both stay below 33εDW.
 //! Together below 69εDW; [`EDGE`] has 96.
 //!
-//! *Not inside by rounding.* The ray tracer takes all edge functions ≥ 0 or all ≤ 0. If one is surely negative in our orientation, the
-//! first is ruled out; the second too if another is surely positive. Their sum is twice the projected area A under a sun, so A > 3 · 96εDW
-//! suffices; under a positioned light the sum at a point that passes the depth test is at least (P − tolerance) / D, P = |n·r₀|, see [`Planes::new`].
+//! *Outside.* The ray tracer takes all edge functions ≥ 0 or all ≤ 0, so a point is surely outside where one is surely negative **and**
+//! another surely positive. (Their sum is twice the projected area A under a sun: of triangles that are not slivers one is positive
+//! wherever another is surely negative.) Inside is where all three are surely positive.
 //!
 //! *Depth, ray tracer.* t's sign is that of dist/den, dist = n·(v₀ − o) with n = e×f. n is off by 8εEF per component, dist by 48εEFD, den
-//! by 40εEF; den's sign is sure, since A > 288εDW ≥ 576εEF.
+//! by 40εEF; den's sign is sure where A > 128εEF, ours included.
 //! *Depth, here.* dist again, over light space: n 32, den 40, the constant 18, evaluation 41, points and vertices 26, in εEFD; positioned,
 //! in units of Z = 1/w ≥ 1/D, below 126. Together below 207εEFD; [`DEPTH`] has 256.
 //! t < tmax: without end under a sun; for a position t = 1 is the light itself, and P > 256εEFD keeps every plane surely away from it.
 //! A hit that is surely inside lies in the triangle's box, whose widening outweighs the slab test's rounding, so that clamping t keeps
 //! its verdict.
 //!
-//! Triangles for which this proves nothing (slivers, edge-on, in the light's plane, magnitudes near over- or underflow) are **doubtful**:
-//! their planes are 0 everywhere, which is between −1 and 1.
+//! Triangles edge-on to the light (A ≤ 128εEF, P ≤ 282εEFD) have a depth plane of 0, which is never sure; where magnitudes come near
+//! over- or underflow all planes are 0.
 
-use crate::rect::Rect;
 use crate::view::{Rays, View, permute};
 use lt_bvh::Triangle;
 use lt_math::glam::Vec3;
@@ -48,6 +47,8 @@ pub(crate) const EPSILON: f32 = 1.0 / 16_777_216.0;
 const EDGE: f32 = 96.0 * EPSILON;
 /// Tolerance of the depth test in units of E·F·D.
 const DEPTH: f32 = 256.0 * EPSILON;
+/// Projected area in units of E·F below which a triangle is edge-on to a sun.
+const LEAST_SLOPE: f32 = 128.0 * EPSILON;
 /// Least and largest size of a scene, and of E·F·D, for which no product over- or underflows.
 const SIZES: core::ops::Range<f32> = 1e-9..1e9;
 const VOLUMES: core::ops::Range<f32> = 1e-29..1e29;
@@ -100,13 +101,15 @@ impl Shape {
 }
 
 impl Planes {
-    /// The planes of a triangle with finite vertices.
+    /// The planes of a triangle with finite vertices, and whether it is a **sliver**: a point outside of its rectangle may then pass its
+    /// edges. Of others the three edge values have a sum above 3 wherever a point passes the depth test, so that one is surely
+    /// positive where another is surely negative.
     #[inline(always)]
-    pub fn new(view: &View, triangle: &Triangle) -> Self {
+    pub fn new(view: &View, triangle: &Triangle) -> (Self, bool) {
         let shape = Shape::new(view, triangle);
         let volume = shape.product * view.size;
         if !(SIZES.contains(&view.size) && VOLUMES.contains(&volume)) {
-            return DOUBTFUL;
+            return (DOUBTFUL, true);
         }
         let edge = EDGE * view.size * shape.width;
         match view.rays {
@@ -122,12 +125,9 @@ impl Planes {
     }
 
     #[inline(always)]
-    fn parallel(s: &Shape, v: [Vec3; 3], shear: Vec3, sign: f32, edge: f32, depth: f32) -> Self {
+    fn parallel(s: &Shape, v: [Vec3; 3], shear: Vec3, sign: f32, edge: f32, depth: f32) -> (Self, bool) {
         let n = s.normal;
         let den = n.x * shear.x + n.y * shear.y + n.z;
-        if !(den.abs() > 3.2 * edge) {
-            return DOUBTFUL;
-        }
         let flat = |v: Vec3| (v.x - shear.x * v.z, v.y - shear.y * v.z);
         let turn = if den < 0.0 { -1.0 } else { 1.0 };
         let k = turn / edge;
@@ -139,21 +139,19 @@ impl Planes {
         };
         let (e, g, f) = (flat(s.e), flat(s.g), flat(-s.f));
         let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (line(p0, e), line(p1, g), line(p2, f));
-        let h = turn * sign / depth;
+        let is_edge_on = den.abs() <= LEAST_SLOPE * s.product;
+        let h = if is_edge_on { 0.0 } else { turn * sign / depth };
         let (hx, hy) = (-n.x * h, -n.y * h);
         let z = den * h;
         let hc = z * v[0].z - (hx * p0.0 + hy * p0.1);
-        Planes([a0, a1, a2, b0, b1, b2, c0, c1, c2, hx, hy, hc, z * sign])
+        let planes = Planes([a0, a1, a2, b0, b1, b2, c0, c1, c2, hx, hy, hc, z * sign]);
+        (planes, is_edge_on || den.abs() <= 3.2 * edge)
     }
 
     #[inline(always)]
-    fn converging(s: &Shape, r: [Vec3; 3], view: &View, edge: f32, depth: f32) -> Self {
+    fn converging(s: &Shape, r: [Vec3; 3], view: &View, edge: f32, depth: f32) -> (Self, bool) {
         let n = s.normal;
         let volume = n.x * r[0].x + n.y * r[0].y + n.z * r[0].z;
-        // A point that passes the depth test sees an edge sum of (P − tolerance)·Z at least, and Z ≥ 1/D.
-        if !(volume.abs() > 1.1 * depth + 3.2 * edge * view.size) {
-            return DOUBTFUL;
-        }
         let turn = if volume < 0.0 { view.sign } else { -view.sign };
         let k = turn / edge;
         let line = |r: Vec3, e: Vec3| {
@@ -161,19 +159,11 @@ impl Planes {
         };
         let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) =
             (line(r[0], s.e), line(r[1], s.g), line(r[2], -s.f));
-        let h = turn / depth;
-        Planes([a0, a1, a2, b0, b1, b2, c0, c1, c2, n.x * h, n.y * h, n.z * h, volume.abs() / depth])
-    }
-
-    /// Whether nothing is ever sure.
-    #[inline(always)]
-    pub fn is_doubtful(&self) -> bool {
-        self.0[12] == 0.0
-    }
-
-    /// The rectangle and nearness outside of which the ray tracer says no; `None` where this view cannot see the triangle.
-    #[inline(always)]
-    pub fn bounds(&self, view: &View, triangle: &Triangle) -> Option<Rect> {
-        Rect::of_triangle(view, triangle, self.is_doubtful())
+        let is_edge_on = volume.abs() <= 1.1 * depth;
+        let h = if is_edge_on { 0.0 } else { turn / depth };
+        let z = volume.abs() * h.abs();
+        let planes = Planes([a0, a1, a2, b0, b1, b2, c0, c1, c2, n.x * h, n.y * h, n.z * h, z]);
+        // Such a point sees a sum of (P − tolerance)·Z at least, and Z ≥ 1/D.
+        (planes, volume.abs() <= 1.1 * depth + 3.2 * edge * view.size)
     }
 }

@@ -1,8 +1,8 @@
 //! Rectangles with a nearness: what a point must lie in and behind for a triangle to block it.
 //!
 //! The ray tracer says yes only to rays that meet the triangle's box widened by 16εR, at most 20εR with the slab test's own rounding: so to
-//! none of nearness beyond that of the box, and for doubtful triangles to none beside the projection of the box. Of a triangle that is not
-//! doubtful the projection of the triangle itself will do: if a point outside of its rectangle passed all three edge tests, all three vertices would be seen
+//! none of nearness beyond that of the box, and for slivers to none beside the projection of the box. Of a triangle that is no
+//! sliver the projection of the triangle itself will do: if a point outside of its rectangle passed all three edge tests, all three vertices would be seen
 //! from it within an angle of 4ε, and the triangle would be a sliver. Vertices and point are off by 5εD, 2.5εD and 2.5εD.
 
 use crate::planes::EPSILON;
@@ -10,9 +10,9 @@ use crate::view::{Rays, View, permute};
 use lt_bvh::Triangle;
 use lt_math::glam::{DVec3, Vec3};
 
-/// Margin of place for triangles that are not doubtful, of nearness for all: in units of R.
+/// Margin of place for triangles that are no slivers, of nearness for all: in units of R.
 const MARGIN: f32 = 32.0 * EPSILON;
-/// Margin of place for doubtful triangles: that of a box, sheared.
+/// Margin of place for slivers: that of a box, sheared.
 const BOX_MARGIN: f32 = 80.0 * EPSILON;
 /// Closer to a positioned light than this, in units of D, a triangle is clipped before its slopes are bounded.
 const CLIP: f32 = 1e-3;
@@ -73,7 +73,7 @@ impl Rect {
 
     /// The rectangle of a triangle; see the [module](self). `None` where the view cannot see it.
     #[inline(always)]
-    pub(crate) fn of_triangle(view: &View, triangle: &Triangle, is_doubtful: bool) -> Option<Self> {
+    pub(crate) fn of_triangle(view: &View, triangle: &Triangle, is_sliver: bool) -> Option<Self> {
         let corners = [triangle.v0, triangle.v1, triangle.v2];
         match view.rays {
             Rays::Parallel { shear, middle } => {
@@ -81,7 +81,7 @@ impl Rect {
                 let z = v.map(|v| view.sign * v.z);
                 let mut rect = Rect { z: z[0].max(z[1]).max(z[2]) + MARGIN * view.reach, ..Self::EMPTY };
                 let flat = |r: Rect, v: Vec3| r.with(v.x - shear.x * v.z, v.y - shear.y * v.z);
-                if is_doubtful {
+                if is_sliver {
                     let (low, high) = (v[0].min(v[1]).min(v[2]), v[0].max(v[1]).max(v[2]));
                     rect = (0..8).fold(rect, |r, corner| flat(r, pick(low, high, corner)));
                     return Some(rect.widened(BOX_MARGIN * view.reach));
@@ -95,15 +95,15 @@ impl Rect {
                     // x / z is the slope either way; distance along the face's axis is −sign · z.
                     r * -view.sign
                 });
-                Self::seen(view, r, is_doubtful)
+                Self::seen(view, r, is_sliver)
             }
         }
     }
 
     /// Of a triangle given relative to the light, with its distance along the face's axis as z.
-    fn seen(view: &View, r: [Vec3; 3], is_doubtful: bool) -> Option<Self> {
+    fn seen(view: &View, r: [Vec3; 3], is_sliver: bool) -> Option<Self> {
         let (low, high) = (r[0].min(r[1]).min(r[2]), r[0].max(r[1]).max(r[2]));
-        let margin = if is_doubtful { BOX_MARGIN } else { MARGIN } * view.reach;
+        let margin = if is_sliver { BOX_MARGIN } else { MARGIN } * view.reach;
         let near = low.z - MARGIN * view.reach;
         if high.z + margin < 0.0 {
             return None;
@@ -113,13 +113,13 @@ impl Rect {
         if near > CLIP * view.size {
             rect.z = 1.0 / near * (1.0 + 8.0 * EPSILON);
             // Not clipped: slopes of vertices, or of the corners of the box.
-            if is_doubtful {
+            if is_sliver {
                 rect = (0..8).map(|c| pick(low, high, c)).fold(rect, |q, v| q.with(v.x / v.z, v.y / v.z));
             } else {
                 rect = r.into_iter().fold(rect, |q, v| q.with(v.x / v.z, v.y / v.z));
             }
             rect = rect.widened(2.0 * margin / near);
-        } else if is_doubtful {
+        } else if is_sliver {
             rect = Rect { x0: -1.0, x1: 1.0, y0: -1.0, y1: 1.0, ..rect };
         } else {
             rect = clipped(view, r)?;

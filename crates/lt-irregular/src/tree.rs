@@ -73,8 +73,6 @@ pub(crate) struct Tree {
     /// The root first; empty without triangles.
     pub nodes: Vec<Node>,
     pub blocks: Vec<Block>,
-    /// Triangles that the view can see.
-    pub triangles: usize,
 }
 
 /// A tree or part of one, its links counted from its own start.
@@ -108,10 +106,9 @@ impl Tree {
     /// Builds over all triangles that the view can see. The same tree for any number of threads.
     pub fn build(view: View, casters: Casters<'_>) -> Self {
         let mut items = items(&view, casters);
-        let triangles = items.len();
         let builder = Builder { view: &view, casters };
         let part = if items.is_empty() { Part::default() } else { builder.subtree(&mut items) };
-        Tree { view, nodes: part.nodes, blocks: part.blocks, triangles }
+        Tree { view, nodes: part.nodes, blocks: part.blocks }
     }
 
     /// What a leaf's link leads to.
@@ -124,7 +121,8 @@ impl Tree {
 /// The triangles that a view can see, with their rectangles, in the order of the triangles.
 pub(crate) fn items(view: &View, casters: Casters<'_>) -> Vec<Item> {
     let one = |(index, triangle)| {
-        let rect = Planes::new(view, triangle).bounds(view, triangle)?;
+        let (_, is_sliver) = Planes::new(view, triangle);
+        let rect = Rect::of_triangle(view, triangle, is_sliver)?;
         Some(Item { rect, triangle: index as u32 })
     };
     #[cfg(feature = "std")]
@@ -189,7 +187,7 @@ impl Builder<'_> {
         let mut block = Block::EMPTY;
         for (slot, item) in items.iter().enumerate() {
             let triangle = &self.casters.triangles[item.triangle as usize];
-            let planes = Planes::new(self.view, triangle);
+            let (planes, _) = Planes::new(self.view, triangle);
             block.set(slot, &planes, item.triangle, !triangle.is_opaque());
         }
         block

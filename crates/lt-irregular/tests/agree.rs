@@ -139,6 +139,7 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
     }
     let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
     let tree = LightBvh::build(light, soup.bounds(), casters);
+    tree.validate(casters).unwrap();
     for instructions in Instructions::available() {
         let tree = tree.clone().with_instructions(instructions).unwrap();
         let mut found = vec![false; rays.len()];
