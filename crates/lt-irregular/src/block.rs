@@ -51,10 +51,14 @@ impl Block {
     pub fn test_one<L: Lanes>(&self, lanes: L, point: [f32; 3], tolerance: f32) -> Answer {
         let (x, y, z) = (lanes.splat(point[0]), lanes.splat(point[1]), lanes.splat(point[2]));
         let row = |i: usize| &self.rows[i][..];
-        let a = lanes.mul_add(lanes.load(row(0)), x, lanes.mul_add(lanes.load(row(1)), y, lanes.load(row(2))));
-        let b = lanes.mul_add(lanes.load(row(3)), x, lanes.mul_add(lanes.load(row(4)), y, lanes.load(row(5))));
-        let c = lanes.mul_add(lanes.load(row(6)), x, lanes.mul_add(lanes.load(row(7)), y, lanes.load(row(8))));
-        let d = lanes.mul_add(lanes.load(row(9)), x, lanes.mul_add(lanes.load(row(10)), y, lanes.load(row(11))));
+        let a =
+            lanes.mul_add(lanes.load(row(0)), x, lanes.mul_add(lanes.load(row(1)), y, lanes.load(row(2))));
+        let b =
+            lanes.mul_add(lanes.load(row(3)), x, lanes.mul_add(lanes.load(row(4)), y, lanes.load(row(5))));
+        let c =
+            lanes.mul_add(lanes.load(row(6)), x, lanes.mul_add(lanes.load(row(7)), y, lanes.load(row(8))));
+        let d =
+            lanes.mul_add(lanes.load(row(9)), x, lanes.mul_add(lanes.load(row(10)), y, lanes.load(row(11))));
         let d = lanes.neg_mul_add(lanes.load(row(12)), z, d);
         decide(lanes, a, b, c, d, lanes.splat(tolerance))
     }

@@ -34,7 +34,9 @@ impl<A: AnyHit> Query<'_, A> {
     pub fn is_blocked(&self, origin: Vec3, triangle: u32) -> bool {
         let ray = Ray::to_light(origin, self.light);
         let test = RayTest::new(&ray, self.casters.root);
-        test.is_some_and(|t| t.is_blocked_by(&self.casters.triangles[triangle as usize], triangle, self.any_hit))
+        test.is_some_and(|t| {
+            t.is_blocked_by(&self.casters.triangles[triangle as usize], triangle, self.any_hit)
+        })
     }
 }
 

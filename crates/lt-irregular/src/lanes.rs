@@ -239,8 +239,18 @@ pub(crate) mod x86 {
     macro_rules! eight {
         () => {
             common!(
-                __m256, 8, _mm256_loadu_ps, _mm256_set1_ps, _mm256_add_ps, _mm256_sub_ps,
-                _mm256_mul_ps, _mm256_div_ps, _mm256_fmadd_ps, _mm256_fnmadd_ps, _mm256_min_ps, _mm256_max_ps
+                __m256,
+                8,
+                _mm256_loadu_ps,
+                _mm256_set1_ps,
+                _mm256_add_ps,
+                _mm256_sub_ps,
+                _mm256_mul_ps,
+                _mm256_div_ps,
+                _mm256_fmadd_ps,
+                _mm256_fnmadd_ps,
+                _mm256_min_ps,
+                _mm256_max_ps
             );
         };
     }
@@ -285,7 +295,8 @@ pub(crate) mod x86 {
             let (from, to) = (&from[..8], &mut to[..8]);
             // SAFETY: `self` proves the instructions; eight words are readable and writable.
             unsafe {
-                let packed = _mm256_maskz_compress_epi32(mask as u8, _mm256_loadu_si256(from.as_ptr().cast()));
+                let packed =
+                    _mm256_maskz_compress_epi32(mask as u8, _mm256_loadu_si256(from.as_ptr().cast()));
                 _mm256_storeu_si256(to.as_mut_ptr().cast(), packed);
             }
         }
@@ -319,7 +330,8 @@ pub(crate) mod x86 {
             let (from, to) = (&from[..16], &mut to[..16]);
             // SAFETY: `self` proves the instructions; sixteen words are readable and writable.
             unsafe {
-                let packed = _mm512_maskz_compress_epi32(mask as u16, _mm512_loadu_si512(from.as_ptr().cast()));
+                let packed =
+                    _mm512_maskz_compress_epi32(mask as u16, _mm512_loadu_si512(from.as_ptr().cast()));
                 _mm512_storeu_si512(to.as_mut_ptr().cast(), packed);
             }
         }

@@ -32,7 +32,8 @@ impl LightBvh {
     /// Builds for a homogeneous light (w = 0: a sun, `xyz` towards it; w = 1: a position). `domain` must hold all triangles, and
     /// should hold all origins: a ray from elsewhere is put to every triangle.
     pub fn build(light: Vec4, domain: Bounds, casters: Casters<'_>) -> Self {
-        let trees = View::of_light(light, domain, casters.root).map(|view| Tree::build(view, casters)).collect();
+        let trees =
+            View::of_light(light, domain, casters.root).map(|view| Tree::build(view, casters)).collect();
         LightBvh { light, trees, chosen: Instructions::best() }
     }
 
@@ -52,7 +53,14 @@ impl LightBvh {
 
     /// Whether the ray from each origin to the light is blocked: the ray tracer's own answers. Stops at the end of the shorter of
     /// `origins` and `out`. `casters` must be those it was built over.
-    pub fn occluded<A: AnyHit>(&self, casters: Casters<'_>, origins: &[Vec3], any_hit: A, out: &mut [bool], scratch: &mut Scratch) {
+    pub fn occluded<A: AnyHit>(
+        &self,
+        casters: Casters<'_>,
+        origins: &[Vec3],
+        any_hit: A,
+        out: &mut [bool],
+        scratch: &mut Scratch,
+    ) {
         let chosen = Chosen::new(self.chosen).unwrap_or(Chosen::Portable);
         for (origins, out) in origins.chunks(STREAM).zip(out.chunks_mut(STREAM)) {
             chosen.run(Ask { bvh: self, casters, origins, any_hit, out, scratch });

@@ -157,8 +157,7 @@ impl Planes {
         let line = |r: Vec3, e: Vec3| {
             [(r.y * e.z - r.z * e.y) * k, (r.z * e.x - r.x * e.z) * k, (r.x * e.y - r.y * e.x) * k]
         };
-        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) =
-            (line(r[0], s.e), line(r[1], s.g), line(r[2], -s.f));
+        let ([a0, a1, a2], [b0, b1, b2], [c0, c1, c2]) = (line(r[0], s.e), line(r[1], s.g), line(r[2], -s.f));
         let is_edge_on = volume.abs() <= 1.1 * depth;
         let h = if is_edge_on { 0.0 } else { turn / depth };
         let z = volume.abs() * h.abs();

@@ -34,8 +34,13 @@ pub struct Rect {
 
 impl Rect {
     /// Holds nothing.
-    pub const EMPTY: Self =
-        Self { x0: f32::INFINITY, x1: f32::NEG_INFINITY, y0: f32::INFINITY, y1: f32::NEG_INFINITY, z: f32::NEG_INFINITY };
+    pub const EMPTY: Self = Self {
+        x0: f32::INFINITY,
+        x1: f32::NEG_INFINITY,
+        y0: f32::INFINITY,
+        y1: f32::NEG_INFINITY,
+        z: f32::NEG_INFINITY,
+    };
 
     /// The smallest rectangle over both.
     #[inline(always)]
@@ -53,7 +58,11 @@ impl Rect {
 
     /// Whether `inner` lies within.
     pub fn holds(&self, inner: &Self) -> bool {
-        self.x0 <= inner.x0 && self.x1 >= inner.x1 && self.y0 <= inner.y0 && self.y1 >= inner.y1 && self.z >= inner.z
+        self.x0 <= inner.x0
+            && self.x1 >= inner.x1
+            && self.y0 <= inner.y0
+            && self.y1 >= inner.y1
+            && self.z >= inner.z
     }
 
     /// Area; that of an empty one is 0.
@@ -68,7 +77,13 @@ impl Rect {
     }
 
     fn widened(self, margin: f32) -> Self {
-        Rect { x0: self.x0 - margin, x1: self.x1 + margin, y0: self.y0 - margin, y1: self.y1 + margin, ..self }
+        Rect {
+            x0: self.x0 - margin,
+            x1: self.x1 + margin,
+            y0: self.y0 - margin,
+            y1: self.y1 + margin,
+            ..self
+        }
     }
 
     /// The rectangle of a triangle; see the [module](self). `None` where the view cannot see it.

@@ -26,7 +26,9 @@ impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Invalid::Rectangle { node } => write!(f, "a rectangle of node {node} is too small"),
-            Invalid::Triangle { triangle } => write!(f, "triangle {triangle} is missing, doubled or out of place"),
+            Invalid::Triangle { triangle } => {
+                write!(f, "triangle {triangle} is missing, doubled or out of place")
+            }
         }
     }
 }
@@ -108,13 +110,13 @@ mod tests {
         let tree = Tree::build(view, casters);
         assert_eq!(tree.validate(casters), Ok(()));
         let mut bad = tree.clone();
-        bad.nodes[0].x1[0] -= 1.0;
+        bad.nodes[0].x1[0] -= 0.01;
         assert!(matches!(bad.validate(casters), Err(Invalid::Rectangle { .. })));
         let mut bad = tree.clone();
         bad.nodes[0].z[1] -= 100.0;
         assert!(matches!(bad.validate(casters), Err(Invalid::Rectangle { .. })));
         let mut bad = tree.clone();
-        bad.blocks[0].ids[0] = bad.blocks[1].ids[0];
+        bad.blocks[0].ids[0] = bad.blocks[0].ids[1];
         assert!(matches!(bad.validate(casters), Err(Invalid::Triangle { .. })));
         let mut bad = tree.clone();
         bad.blocks[0].ids[0] = NOBODY;

@@ -111,7 +111,8 @@ impl View {
     /// same triangles.
     pub fn of_light(light: Vec4, domain: Bounds, root: &Node) -> impl Iterator<Item = View> {
         let direction = light.truncate();
-        let is_usable = Ray::new(Vec3::ZERO, direction).is_valid() || (light.w != 0.0 && direction.is_finite());
+        let is_usable =
+            Ray::new(Vec3::ZERO, direction).is_valid() || (light.w != 0.0 && direction.is_finite());
         let views = if !is_usable {
             0
         } else if light.w == 0.0 {
@@ -119,7 +120,13 @@ impl View {
         } else {
             6
         };
-        (0..views).map(move |face| if light.w == 0.0 { Self::sun(direction, domain, root) } else { Self::face(direction, face, domain, root) })
+        (0..views).map(move |face| {
+            if light.w == 0.0 {
+                Self::sun(direction, domain, root)
+            } else {
+                Self::face(direction, face, domain, root)
+            }
+        })
     }
 
     fn sun(direction: Vec3, domain: Bounds, root: &Node) -> Self {
@@ -160,7 +167,8 @@ impl View {
     #[inline(always)]
     fn is_near(&self, ray: &Ray) -> bool {
         let length = ray.direction[self.axis as usize].abs();
-        self.domain.contains(ray.origin) && (matches!(self.rays, Rays::Parallel { .. }) || length > LEAST_LENGTH)
+        self.domain.contains(ray.origin)
+            && (matches!(self.rays, Rays::Parallel { .. }) || length > LEAST_LENGTH)
     }
 
     #[inline(always)]

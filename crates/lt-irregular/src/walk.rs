@@ -93,8 +93,16 @@ impl Stream {
 
     /// Rays of the list that start outside of the view's domain.
     #[inline(always)]
-    pub fn strays<'a>(view: &'a View, light: Vec4, origins: &'a [Vec3]) -> impl Iterator<Item = (usize, Vec3)> + 'a {
-        origins.iter().enumerate().filter(move |(_, o)| view.is_stray(&Ray::to_light(**o, light))).map(|(i, o)| (i, *o))
+    pub fn strays<'a>(
+        view: &'a View,
+        light: Vec4,
+        origins: &'a [Vec3],
+    ) -> impl Iterator<Item = (usize, Vec3)> + 'a {
+        origins
+            .iter()
+            .enumerate()
+            .filter(move |(_, o)| view.is_stray(&Ray::to_light(**o, light)))
+            .map(|(i, o)| (i, *o))
     }
 
     /// The caller's places of the points that are blocked.
@@ -188,8 +196,10 @@ impl Stream {
         let far = lanes.splat(rect.z);
         let mut at = start;
         while at < start + len {
-            let (x, y, z) = (lanes.load(&lists.x[at..]), lanes.load(&lists.y[at..]), lanes.load(&lists.z[at..]));
-            let mut mask = lanes.le(x0, x) & lanes.le(x, x1) & lanes.le(y0, y) & lanes.le(y, y1) & lanes.le(z, far);
+            let (x, y, z) =
+                (lanes.load(&lists.x[at..]), lanes.load(&lists.y[at..]), lanes.load(&lists.z[at..]));
+            let mut mask =
+                lanes.le(x0, x) & lanes.le(x, x1) & lanes.le(y0, y) & lanes.le(y, y1) & lanes.le(z, far);
             mask &= first(start + len - at);
             if mask != 0 {
                 let mut ids = [0; 16];
@@ -207,7 +217,15 @@ impl Stream {
 
     /// Holds a list against a block.
     #[inline(always)]
-    fn leaf<P: Lanes, A: AnyHit>(&mut self, lanes: P, tree: &Tree, query: &Query<'_, A>, block: &Block, start: usize, len: usize) {
+    fn leaf<P: Lanes, A: AnyHit>(
+        &mut self,
+        lanes: P,
+        tree: &Tree,
+        query: &Query<'_, A>,
+        block: &Block,
+        start: usize,
+        len: usize,
+    ) {
         let (constant, factor) = tree.view.depth_tolerance();
         let (constant, factor) = (lanes.splat(constant), lanes.splat(factor));
         // No lane beyond the list is ever possible.
@@ -233,7 +251,15 @@ impl Stream {
 
     /// Settles the points of a register that a triangle blocks.
     #[inline(always)]
-    fn decide<P: Lanes, A: AnyHit>(&mut self, lanes: P, tree: &Tree, query: &Query<'_, A>, triangle: u32, at: usize, answer: Answer) {
+    fn decide<P: Lanes, A: AnyHit>(
+        &mut self,
+        lanes: P,
+        tree: &Tree,
+        query: &Query<'_, A>,
+        triangle: u32,
+        at: usize,
+        answer: Answer,
+    ) {
         let asks = !A::IS_OPAQUE && triangle & ASKS != 0;
         let mut blocked = if asks { 0 } else { answer.sure };
         let mut unsure = answer.possible & !blocked;
@@ -275,7 +301,11 @@ impl Stream {
             let p = permute(self.origins[(id as usize).min(self.origins.len() - 1)], tree.view.axis);
             (o[0][lane], o[1][lane], o[2][lane]) = (p.x, p.y, p.z);
         }
-        let point = [lanes.load(&self.lists.x[at..]), lanes.load(&self.lists.y[at..]), lanes.load(&self.lists.z[at..])];
+        let point = [
+            lanes.load(&self.lists.x[at..]),
+            lanes.load(&self.lists.y[at..]),
+            lanes.load(&self.lists.z[at..]),
+        ];
         plane.meets(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])], point)
     }
 }
@@ -288,7 +318,14 @@ fn first(count: usize) -> u32 {
 
 /// Whether anything below `link` blocks one point.
 #[inline(always)]
-pub(crate) fn walk_one<E: Lanes, A: AnyHit>(lanes: E, tree: &Tree, query: &Query<'_, A>, link: u32, origin: Vec3, point: [f32; 3]) -> bool {
+pub(crate) fn walk_one<E: Lanes, A: AnyHit>(
+    lanes: E,
+    tree: &Tree,
+    query: &Query<'_, A>,
+    link: u32,
+    origin: Vec3,
+    point: [f32; 3],
+) -> bool {
     let (constant, factor) = tree.view.depth_tolerance();
     let tolerance = constant + factor * point[2];
     let around = Rect { x0: point[0], x1: point[0], y0: point[1], y1: point[1], z: point[2] };

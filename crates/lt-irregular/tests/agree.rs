@@ -57,14 +57,19 @@ impl Soup {
             let (mut a, mut b) = (random.vector() * size, random.vector() * size);
             match i % 8 {
                 // A sliver, sometimes as thin as f32 allows.
-                0 => b = a * random.unit() + random.vector() * size * [1e-2, 1e-4, 1e-6, 1e-8][random.below(4)],
+                0 => {
+                    b = a * random.unit() + random.vector() * size * [1e-2, 1e-4, 1e-6, 1e-8][random.below(4)]
+                }
                 // In a plane of two axes.
                 1 => {
                     let axis = random.below(3);
                     (a[axis], b[axis]) = (0.0, 0.0);
                 }
                 // Along the light, nearly or fully.
-                2 => b = light.normalize_or_zero() * size + random.vector() * [0.0, 1e-6, 1e-3][random.below(3)],
+                2 => {
+                    b = light.normalize_or_zero() * size
+                        + random.vector() * [0.0, 1e-6, 1e-3][random.below(3)]
+                }
                 // A tiny one.
                 3 => (a, b) = (a * 1e-4, b * 1e-4),
                 _ => {}
@@ -107,7 +112,11 @@ fn origins(random: &mut Random, soup: &Soup, light: Vec4, count: usize) -> Vec<V
             // As a receiver's origin is: off its surface by some roundings.
             2 => {
                 let normal = (t[1] - t[0]).cross(t[2] - t[0]).normalize_or_zero();
-                lt_bvh::offset_origin(on, if normal.dot(to_light(on)) < 0.0 { -normal } else { normal }, on.abs().max_element())
+                lt_bvh::offset_origin(
+                    on,
+                    if normal.dot(to_light(on)) < 0.0 { -normal } else { normal },
+                    on.abs().max_element(),
+                )
             }
             // Exactly before or behind a vertex or edge, as seen from the light.
             _ => {
@@ -130,7 +139,8 @@ impl AnyHit for Checks {
 }
 
 fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[Vec3], any_hit: A) -> usize {
-    let bvh = Bvh::build(&soup.positions, &soup.triangles, |i| i % 3 != 0, BuildQuality::Fast).unwrap();
+    let bvh =
+        Bvh::build(&soup.positions, &soup.triangles, |i| i % 3 != 0, BuildQuality::Fast).expect("builds");
     let rays: Vec<Ray> = origins.iter().map(|&o| Ray::to_light(o, light)).collect();
     let mut expected = vec![false; rays.len()];
     Simd::new(&bvh).occluded_batch(&rays, any_hit, &mut expected);
@@ -139,14 +149,20 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
     }
     let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
     let tree = LightBvh::build(light, soup.bounds(), casters);
-    tree.validate(casters).unwrap();
+    tree.validate(casters).expect("is valid");
     for instructions in Instructions::available() {
-        let tree = tree.clone().with_instructions(instructions).unwrap();
+        let tree = tree.clone().with_instructions(instructions).expect("available");
         let mut found = vec![false; rays.len()];
         tree.occluded(casters, origins, any_hit, &mut found, &mut Scratch::default());
         let wrong: Vec<usize> = (0..rays.len()).filter(|&i| found[i] != expected[i]).collect();
         if let Some(&i) = wrong.first() {
-            panic!("{label} {instructions:?}: {} of {} differ, first {i}: {:?} expected {}", wrong.len(), rays.len(), rays[i], expected[i]);
+            panic!(
+                "{label} {instructions:?}: {} of {} differ, first {i}: {:?} expected {}",
+                wrong.len(),
+                rays.len(),
+                rays[i],
+                expected[i]
+            );
         }
     }
     expected.iter().filter(|b| **b).count()
@@ -154,10 +170,11 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
 
 /// Suns along axes, diagonals and anything; lights within and around.
 fn lights(random: &mut Random, scale: f32, offset: Vec3) -> Vec<Vec4> {
-    let mut lights: Vec<Vec4> = [Vec3::Y, Vec3::NEG_X, Vec3::Z, Vec3::ONE, Vec3::new(1.0, -1.0, 1e-8), Vec3::new(0.3, 1e-20, 0.2)]
-        .into_iter()
-        .map(|d| d.extend(0.0))
-        .collect();
+    let mut lights: Vec<Vec4> =
+        [Vec3::Y, Vec3::NEG_X, Vec3::Z, Vec3::ONE, Vec3::new(1.0, -1.0, 1e-8), Vec3::new(0.3, 1e-20, 0.2)]
+            .into_iter()
+            .map(|d| d.extend(0.0))
+            .collect();
     lights.extend((0..6).map(|_| random.vector().extend(0.0)));
     lights.extend((0..6).map(|_| (random.vector() * scale * 1.5 + offset).extend(1.0)));
     lights
@@ -196,8 +213,15 @@ fn rays_from_outside_and_broken_rays_are_answered_too() {
     let mut random = Random(2);
     for light in lights(&mut random, 1.0, Vec3::ZERO) {
         let soup = Soup::mixed(&mut random, 300, light.truncate());
-        let mut starts: Vec<Vec3> = (0..2000).map(|_| random.vector() * [2.0, 100.0, 1e6][random.below(3)]).collect();
-        starts.extend([Vec3::NAN, Vec3::INFINITY, Vec3::new(0.0, f32::NAN, 0.0), Vec3::splat(1e16), light.truncate()]);
+        let mut starts: Vec<Vec3> =
+            (0..2000).map(|_| random.vector() * [2.0, 100.0, 1e6][random.below(3)]).collect();
+        starts.extend([
+            Vec3::NAN,
+            Vec3::INFINITY,
+            Vec3::new(0.0, f32::NAN, 0.0),
+            Vec3::splat(1e16),
+            light.truncate(),
+        ]);
         // Towards the soup's middle from outside.
         starts.extend((0..2000).map(|_| random.vector() * 0.3 - light.truncate() * random.unit() * 10.0));
         compare(&format!("light {light}"), &soup, light, &starts, Opaque);
