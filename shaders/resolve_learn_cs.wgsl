@@ -110,55 +110,56 @@ var<storage> list: type_13;
 var<storage, read_write> bits: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_149_: bool;
-    var phi_153_: f32;
+    var phi_148_: bool;
+    var phi_152_: f32;
 
     if (param != param) {
-        phi_149_ = true;
+        phi_148_ = true;
     } else {
         let _e54 = (param_1 >= param);
         if _e54 {
         }
-        phi_149_ = _e54;
+        phi_148_ = _e54;
     }
-    let _e56 = phi_149_;
+    let _e56 = phi_148_;
     if _e56 {
-        phi_153_ = param_1;
+        phi_152_ = param_1;
     } else {
-        phi_153_ = param;
+        phi_152_ = param;
     }
-    let _e58 = phi_153_;
+    let _e58 = phi_152_;
     return _e58;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_165_: bool;
-    var phi_169_: f32;
+    var phi_164_: bool;
+    var phi_168_: f32;
 
     if (param_2 != param_2) {
-        phi_165_ = true;
+        phi_164_ = true;
     } else {
         let _e54 = (param_3 <= param_2);
         if _e54 {
         }
-        phi_165_ = _e54;
+        phi_164_ = _e54;
     }
-    let _e56 = phi_165_;
+    let _e56 = phi_164_;
     if _e56 {
-        phi_169_ = param_3;
+        phi_168_ = param_3;
     } else {
-        phi_169_ = param_2;
+        phi_168_ = param_2;
     }
-    let _e58 = phi_169_;
+    let _e58 = phi_168_;
     return _e58;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_245_: f32;
+    var phi_244_: f32;
+    var phi_299_: bool;
     var phi_300_: bool;
     var phi_301_: bool;
-    var phi_302_: bool;
+    var phi_305_: bool;
     var phi_306_: bool;
     var phi_307_: bool;
     var phi_308_: bool;
@@ -176,166 +177,165 @@ fn function_() {
     var phi_320_: bool;
     var phi_321_: bool;
     var phi_322_: bool;
-    var phi_323_: bool;
-    var phi_327_: bool;
-    var phi_331_: bool;
-    var phi_401_: f32;
-    var phi_408_: f32;
-    var phi_415_: f32;
-    var phi_422_: f32;
-    var phi_429_: f32;
-    var phi_436_: f32;
-    var phi_453_: f32;
-    var phi_458_: f32;
-    var phi_463_: f32;
+    var phi_326_: bool;
+    var phi_330_: bool;
+    var phi_400_: f32;
+    var phi_407_: f32;
+    var phi_414_: f32;
+    var phi_421_: f32;
+    var phi_428_: f32;
+    var phi_435_: f32;
+    var phi_452_: f32;
+    var phi_457_: f32;
+    var phi_462_: f32;
+    var phi_490_: bool;
     var phi_491_: bool;
-    var phi_492_: bool;
+    var phi_499_: u32;
     var phi_500_: u32;
-    var phi_501_: u32;
+    var phi_511_: vec3<f32>;
     var phi_512_: vec3<f32>;
-    var phi_513_: vec3<f32>;
-    var phi_526_: u32;
-    var phi_531_: u32;
-    var phi_536_: u32;
+    var phi_525_: u32;
+    var phi_530_: u32;
+    var phi_535_: u32;
+    var phi_649_: bool;
     var phi_650_: bool;
-    var phi_651_: bool;
-    var phi_682_: u32;
-    var phi_684_: u32;
-    var phi_687_: bool;
-    var phi_767_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_794_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_821_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_827_: u32;
-    var phi_830_: u32;
-    var phi_844_: u32;
-    var phi_854_: u32;
-    var phi_864_: u32;
-    var phi_882_: u32;
-    var phi_892_: u32;
-    var phi_902_: u32;
-    var phi_938_: u32;
-    var phi_951_: u32;
+    var phi_681_: u32;
+    var phi_683_: u32;
+    var phi_686_: bool;
+    var phi_766_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_793_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_820_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_826_: u32;
+    var phi_829_: u32;
+    var phi_843_: u32;
+    var phi_853_: u32;
+    var phi_863_: u32;
+    var phi_881_: u32;
+    var phi_891_: u32;
+    var phi_901_: u32;
+    var phi_937_: u32;
+    var phi_950_: u32;
+    var phi_955_: u32;
     var phi_956_: u32;
     var phi_957_: u32;
-    var phi_958_: u32;
-    var phi_828_: u32;
-    var phi_831_: u32;
+    var phi_827_: u32;
+    var phi_830_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1016_: u32;
-    var phi_1019_: bool;
+    var phi_1015_: u32;
+    var phi_1018_: bool;
+    var phi_1062_: vec3<f32>;
     var phi_1063_: vec3<f32>;
-    var phi_1064_: vec3<f32>;
+    var phi_1092_: vec3<f32>;
     var phi_1093_: vec3<f32>;
-    var phi_1094_: vec3<f32>;
+    var phi_1122_: vec3<f32>;
     var phi_1123_: vec3<f32>;
-    var phi_1124_: vec3<f32>;
+    var phi_1141_: bool;
     var phi_1142_: bool;
-    var phi_1143_: bool;
+    var phi_1146_: f32;
     var phi_1147_: f32;
     var phi_1148_: f32;
     var phi_1149_: f32;
-    var phi_1150_: f32;
-    var phi_1158_: f32;
+    var phi_1157_: f32;
+    var phi_1167_: bool;
     var phi_1168_: bool;
-    var phi_1169_: bool;
+    var phi_1172_: f32;
     var phi_1173_: f32;
     var phi_1174_: f32;
     var phi_1175_: f32;
-    var phi_1176_: f32;
-    var phi_1184_: f32;
+    var phi_1183_: f32;
+    var phi_1193_: bool;
     var phi_1194_: bool;
-    var phi_1195_: bool;
+    var phi_1198_: f32;
     var phi_1199_: f32;
     var phi_1200_: f32;
     var phi_1201_: f32;
-    var phi_1202_: f32;
-    var phi_1210_: f32;
-    var phi_1225_: f32;
-    var phi_1226_: bool;
-    var phi_1227_: f32;
-    var phi_1228_: bool;
-    var phi_1229_: f32;
-    var phi_1230_: bool;
-    var phi_1248_: f32;
+    var phi_1209_: f32;
+    var phi_1224_: f32;
+    var phi_1225_: bool;
+    var phi_1226_: f32;
+    var phi_1227_: bool;
+    var phi_1228_: f32;
+    var phi_1229_: bool;
+    var phi_1247_: f32;
+    var phi_1248_: bool;
     var phi_1249_: bool;
-    var phi_1250_: bool;
-    var phi_1251_: f32;
+    var phi_1250_: f32;
+    var phi_1251_: bool;
     var phi_1252_: bool;
-    var phi_1253_: bool;
-    var phi_1257_: bool;
-    var phi_1258_: f32;
-    var phi_1259_: bool;
+    var phi_1256_: bool;
+    var phi_1257_: f32;
+    var phi_1258_: bool;
+    var phi_1286_: vec3<f32>;
     var phi_1287_: vec3<f32>;
-    var phi_1288_: vec3<f32>;
+    var phi_1312_: vec3<f32>;
     var phi_1313_: vec3<f32>;
-    var phi_1314_: vec3<f32>;
+    var phi_1338_: vec3<f32>;
     var phi_1339_: vec3<f32>;
-    var phi_1340_: vec3<f32>;
-    var phi_1396_: f32;
-    var phi_1405_: f32;
-    var phi_1414_: f32;
-    var phi_1423_: f32;
-    var phi_1430_: f32;
-    var phi_1437_: f32;
-    var phi_1450_: f32;
-    var phi_1459_: f32;
-    var phi_1468_: f32;
-    var phi_1477_: f32;
-    var phi_1484_: f32;
-    var phi_1491_: f32;
-    var phi_1508_: f32;
-    var phi_1513_: f32;
-    var phi_1518_: f32;
-    var phi_1526_: f32;
-    var phi_1531_: f32;
-    var phi_1536_: f32;
-    var phi_1548_: f32;
-    var phi_1553_: f32;
-    var phi_1558_: f32;
-    var phi_1563_: f32;
-    var phi_1568_: lt_bvh_triangle_Intersection;
-    var phi_1569_: bool;
-    var phi_1570_: lt_bvh_triangle_Intersection;
-    var phi_1571_: bool;
-    var phi_1575_: lt_bvh_triangle_Intersection;
-    var phi_1576_: bool;
-    var phi_1577_: lt_bvh_triangle_Intersection;
+    var phi_1395_: f32;
+    var phi_1404_: f32;
+    var phi_1413_: f32;
+    var phi_1422_: f32;
+    var phi_1429_: f32;
+    var phi_1436_: f32;
+    var phi_1449_: f32;
+    var phi_1458_: f32;
+    var phi_1467_: f32;
+    var phi_1476_: f32;
+    var phi_1483_: f32;
+    var phi_1490_: f32;
+    var phi_1507_: f32;
+    var phi_1512_: f32;
+    var phi_1517_: f32;
+    var phi_1525_: f32;
+    var phi_1530_: f32;
+    var phi_1535_: f32;
+    var phi_1547_: f32;
+    var phi_1552_: f32;
+    var phi_1557_: f32;
+    var phi_1562_: f32;
+    var phi_1567_: lt_bvh_triangle_Intersection;
+    var phi_1568_: bool;
+    var phi_1569_: lt_bvh_triangle_Intersection;
+    var phi_1570_: bool;
+    var phi_1574_: lt_bvh_triangle_Intersection;
+    var phi_1575_: bool;
+    var phi_1576_: lt_bvh_triangle_Intersection;
+    var phi_1577_: bool;
     var phi_1578_: bool;
-    var phi_1579_: bool;
-    var phi_1583_: bool;
-    var phi_1587_: lt_bvh_triangle_Intersection;
+    var phi_1582_: bool;
+    var phi_1586_: lt_bvh_triangle_Intersection;
+    var phi_1606_: bool;
     var phi_1607_: bool;
     var phi_1608_: bool;
     var phi_1609_: bool;
     var phi_1610_: bool;
     var phi_1611_: bool;
     var phi_1612_: bool;
-    var phi_1613_: bool;
-    var phi_1017_: u32;
-    var phi_1020_: bool;
-    var phi_1617_: bool;
+    var phi_1016_: u32;
+    var phi_1019_: bool;
+    var phi_1616_: bool;
     var local_4: bool;
+    var phi_1658_: bool;
     var phi_1659_: bool;
-    var phi_1660_: bool;
+    var phi_1690_: u32;
     var phi_1691_: u32;
-    var phi_1692_: u32;
-    var phi_685_: u32;
-    var phi_688_: bool;
+    var phi_684_: u32;
+    var phi_687_: bool;
+    var phi_1692_: bool;
     var phi_1693_: bool;
-    var phi_1694_: bool;
     var local_5: bool;
-    var phi_1698_: bool;
+    var phi_1697_: bool;
+    var phi_1701_: bool;
     var phi_1702_: bool;
     var phi_1703_: bool;
     var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1709_: bool;
-    var phi_1713_: f32;
-    var phi_1734_: u32;
-    var phi_1749_: u32;
-    var phi_1754_: u32;
+    var phi_1708_: bool;
+    var phi_1712_: f32;
+    var phi_1733_: u32;
+    var phi_1748_: u32;
+    var phi_1753_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
@@ -371,11 +371,11 @@ fn function_() {
         let _e107 = (_e91.y + (_e93.y * _e97));
         let _e109 = (_e91.z + (_e93.z * _e97));
         if (_e89.w == 0f) {
-            phi_245_ = 300000000000000000000000000000000000000f;
+            phi_244_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_245_ = 1f;
+            phi_244_ = 1f;
         }
-        let _e113 = phi_245_;
+        let _e113 = phi_244_;
         let _e121 = (_e89.x - (_e105 * _e89.w));
         let _e122 = (_e89.y - (_e107 * _e89.w));
         let _e123 = (_e89.z - (_e109 * _e89.w));
@@ -389,106 +389,106 @@ fn function_() {
                         if (_e129 < 1000000000000000f) {
                             if (_e130 < 1000000000000000f) {
                                 if (_e128 > 0f) {
-                                    phi_301_ = bool();
-                                    phi_302_ = true;
+                                    phi_300_ = bool();
+                                    phi_301_ = true;
                                 } else {
                                     let _e138 = (_e129 > 0f);
                                     if _e138 {
-                                        phi_300_ = bool();
+                                        phi_299_ = bool();
                                     } else {
-                                        phi_300_ = (_e130 > 0f);
+                                        phi_299_ = (_e130 > 0f);
                                     }
-                                    let _e141 = phi_300_;
-                                    phi_301_ = _e141;
-                                    phi_302_ = _e138;
+                                    let _e141 = phi_299_;
+                                    phi_300_ = _e141;
+                                    phi_301_ = _e138;
                                 }
-                                let _e143 = phi_301_;
-                                let _e145 = phi_302_;
+                                let _e143 = phi_300_;
+                                let _e145 = phi_301_;
                                 if _e145 {
-                                    phi_306_ = true;
+                                    phi_305_ = true;
                                 } else {
-                                    phi_306_ = _e143;
+                                    phi_305_ = _e143;
                                 }
-                                let _e147 = phi_306_;
-                                phi_307_ = _e147;
-                                phi_308_ = false;
+                                let _e147 = phi_305_;
+                                phi_306_ = _e147;
+                                phi_307_ = false;
                             } else {
-                                phi_307_ = bool();
-                                phi_308_ = true;
+                                phi_306_ = bool();
+                                phi_307_ = true;
                             }
-                            let _e149 = phi_307_;
-                            let _e151 = phi_308_;
-                            phi_309_ = _e149;
-                            phi_310_ = false;
-                            phi_311_ = _e151;
+                            let _e149 = phi_306_;
+                            let _e151 = phi_307_;
+                            phi_308_ = _e149;
+                            phi_309_ = false;
+                            phi_310_ = _e151;
                         } else {
-                            phi_309_ = bool();
-                            phi_310_ = true;
-                            phi_311_ = false;
+                            phi_308_ = bool();
+                            phi_309_ = true;
+                            phi_310_ = false;
                         }
-                        let _e153 = phi_309_;
-                        let _e155 = phi_310_;
-                        let _e157 = phi_311_;
-                        phi_312_ = _e153;
-                        phi_313_ = _e155;
-                        phi_314_ = _e157;
+                        let _e153 = phi_308_;
+                        let _e155 = phi_309_;
+                        let _e157 = phi_310_;
+                        phi_311_ = _e153;
+                        phi_312_ = _e155;
+                        phi_313_ = _e157;
                     } else {
-                        phi_312_ = bool();
-                        phi_313_ = true;
-                        phi_314_ = false;
+                        phi_311_ = bool();
+                        phi_312_ = true;
+                        phi_313_ = false;
                     }
-                    let _e159 = phi_312_;
-                    let _e161 = phi_313_;
-                    let _e163 = phi_314_;
-                    phi_315_ = _e159;
-                    phi_316_ = _e161;
-                    phi_317_ = _e163;
+                    let _e159 = phi_311_;
+                    let _e161 = phi_312_;
+                    let _e163 = phi_313_;
+                    phi_314_ = _e159;
+                    phi_315_ = _e161;
+                    phi_316_ = _e163;
                 } else {
-                    phi_315_ = bool();
-                    phi_316_ = true;
-                    phi_317_ = false;
+                    phi_314_ = bool();
+                    phi_315_ = true;
+                    phi_316_ = false;
                 }
-                let _e165 = phi_315_;
-                let _e167 = phi_316_;
-                let _e169 = phi_317_;
-                phi_318_ = _e165;
-                phi_319_ = _e167;
-                phi_320_ = _e169;
+                let _e165 = phi_314_;
+                let _e167 = phi_315_;
+                let _e169 = phi_316_;
+                phi_317_ = _e165;
+                phi_318_ = _e167;
+                phi_319_ = _e169;
             } else {
-                phi_318_ = bool();
-                phi_319_ = true;
-                phi_320_ = false;
+                phi_317_ = bool();
+                phi_318_ = true;
+                phi_319_ = false;
             }
-            let _e171 = phi_318_;
-            let _e173 = phi_319_;
-            let _e175 = phi_320_;
-            phi_321_ = _e171;
-            phi_322_ = _e173;
-            phi_323_ = _e175;
+            let _e171 = phi_317_;
+            let _e173 = phi_318_;
+            let _e175 = phi_319_;
+            phi_320_ = _e171;
+            phi_321_ = _e173;
+            phi_322_ = _e175;
         } else {
-            phi_321_ = bool();
-            phi_322_ = true;
-            phi_323_ = false;
+            phi_320_ = bool();
+            phi_321_ = true;
+            phi_322_ = false;
         }
-        let _e177 = phi_321_;
-        let _e179 = phi_322_;
-        let _e181 = phi_323_;
+        let _e177 = phi_320_;
+        let _e179 = phi_321_;
+        let _e181 = phi_322_;
         if _e179 {
-            phi_327_ = true;
+            phi_326_ = true;
         } else {
-            phi_327_ = _e181;
+            phi_326_ = _e181;
         }
-        let _e183 = phi_327_;
+        let _e183 = phi_326_;
         if _e183 {
-            phi_331_ = false;
+            phi_330_ = false;
         } else {
-            phi_331_ = _e177;
+            phi_330_ = _e177;
         }
-        let _e185 = phi_331_;
+        let _e185 = phi_330_;
         if _e185 {
             let _e186 = (0u >= _e59);
             if _e186 {
-                phi_1703_ = bool();
+                phi_1702_ = bool();
             } else {
                 if (0u < _e59) {
                 } else {
@@ -505,41 +505,41 @@ fn function_() {
                 let _e251 = core_intrinsics_maximum_number_nsz_f32_(_e250, abs(_e123));
                 let _e252 = (_e251 * 0.0000000000009094947f);
                 if (abs(_e121) < _e252) {
-                    phi_401_ = _e252;
+                    phi_400_ = _e252;
                 } else {
-                    phi_401_ = abs(_e121);
+                    phi_400_ = abs(_e121);
                 }
-                let _e257 = phi_401_;
+                let _e257 = phi_400_;
                 if (_e121 < 0f) {
-                    phi_408_ = (-1f / _e257);
+                    phi_407_ = (-1f / _e257);
                 } else {
-                    phi_408_ = (1f / _e257);
+                    phi_407_ = (1f / _e257);
                 }
-                let _e262 = phi_408_;
+                let _e262 = phi_407_;
                 if (abs(_e122) < _e252) {
-                    phi_415_ = _e252;
+                    phi_414_ = _e252;
                 } else {
-                    phi_415_ = abs(_e122);
+                    phi_414_ = abs(_e122);
                 }
-                let _e267 = phi_415_;
+                let _e267 = phi_414_;
                 if (_e122 < 0f) {
-                    phi_422_ = (-1f / _e267);
+                    phi_421_ = (-1f / _e267);
                 } else {
-                    phi_422_ = (1f / _e267);
+                    phi_421_ = (1f / _e267);
                 }
-                let _e272 = phi_422_;
+                let _e272 = phi_421_;
                 if (abs(_e123) < _e252) {
-                    phi_429_ = _e252;
+                    phi_428_ = _e252;
                 } else {
-                    phi_429_ = abs(_e123);
+                    phi_428_ = abs(_e123);
                 }
-                let _e277 = phi_429_;
+                let _e277 = phi_428_;
                 if (_e123 < 0f) {
-                    phi_436_ = (-1f / _e277);
+                    phi_435_ = (-1f / _e277);
                 } else {
-                    phi_436_ = (1f / _e277);
+                    phi_435_ = (1f / _e277);
                 }
-                let _e282 = phi_436_;
+                let _e282 = phi_435_;
                 let _e286 = abs((bitcast<f32>(_e192) - _e105));
                 let _e287 = abs((bitcast<f32>(_e196) - _e107));
                 let _e288 = abs((bitcast<f32>(_e200) - _e109));
@@ -547,23 +547,23 @@ fn function_() {
                 let _e293 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e216 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
                 let _e294 = abs(((bitcast<f32>(_e212) + (bitcast<f32>((((_e216 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
                 if (_e286 > _e292) {
-                    phi_453_ = _e286;
+                    phi_452_ = _e286;
                 } else {
-                    phi_453_ = _e292;
+                    phi_452_ = _e292;
                 }
-                let _e297 = phi_453_;
+                let _e297 = phi_452_;
                 if (_e287 > _e293) {
-                    phi_458_ = _e287;
+                    phi_457_ = _e287;
                 } else {
-                    phi_458_ = _e293;
+                    phi_457_ = _e293;
                 }
-                let _e300 = phi_458_;
+                let _e300 = phi_457_;
                 if (_e288 > _e294) {
-                    phi_463_ = _e288;
+                    phi_462_ = _e288;
                 } else {
-                    phi_463_ = _e294;
+                    phi_462_ = _e294;
                 }
-                let _e303 = phi_463_;
+                let _e303 = phi_462_;
                 let _e304 = core_intrinsics_maximum_number_nsz_f32_(_e297, _e300);
                 let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e304, _e303);
                 let _e309 = (_e305 * 0.0000019073486f);
@@ -579,60 +579,60 @@ fn function_() {
                 let _e322 = abs(_e123);
                 if (_e320 >= _e321) {
                     if (_e320 >= _e322) {
-                        phi_491_ = false;
+                        phi_490_ = false;
                     } else {
-                        phi_491_ = true;
+                        phi_490_ = true;
                     }
-                    let _e326 = phi_491_;
-                    phi_492_ = _e326;
+                    let _e326 = phi_490_;
+                    phi_491_ = _e326;
                 } else {
-                    phi_492_ = true;
+                    phi_491_ = true;
                 }
-                let _e328 = phi_492_;
+                let _e328 = phi_491_;
                 if _e328 {
                     if (_e321 >= _e322) {
-                        phi_500_ = 1u;
+                        phi_499_ = 1u;
                     } else {
-                        phi_500_ = 2u;
+                        phi_499_ = 2u;
                     }
-                    let _e331 = phi_500_;
-                    phi_501_ = _e331;
+                    let _e331 = phi_499_;
+                    phi_500_ = _e331;
                 } else {
-                    phi_501_ = 0u;
+                    phi_500_ = 0u;
                 }
-                let _e333 = phi_501_;
+                let _e333 = phi_500_;
                 if (_e333 == 0u) {
-                    phi_513_ = vec3<f32>(_e122, _e123, _e121);
+                    phi_512_ = vec3<f32>(_e122, _e123, _e121);
                 } else {
                     if (_e333 == 1u) {
-                        phi_512_ = vec3<f32>(_e123, _e121, _e122);
+                        phi_511_ = vec3<f32>(_e123, _e121, _e122);
                     } else {
-                        phi_512_ = vec3<f32>(_e121, _e122, _e123);
+                        phi_511_ = vec3<f32>(_e121, _e122, _e123);
                     }
-                    let _e339 = phi_512_;
-                    phi_513_ = _e339;
+                    let _e339 = phi_511_;
+                    phi_512_ = _e339;
                 }
-                let _e341 = phi_513_;
+                let _e341 = phi_512_;
                 let _e344 = (_e341.x / _e341.z);
                 let _e347 = (_e341.y / _e341.z);
                 if (_e262 < 0f) {
-                    phi_526_ = 0u;
+                    phi_525_ = 0u;
                 } else {
-                    phi_526_ = 1u;
+                    phi_525_ = 1u;
                 }
-                let _e352 = phi_526_;
+                let _e352 = phi_525_;
                 if (_e272 < 0f) {
-                    phi_531_ = 0u;
+                    phi_530_ = 0u;
                 } else {
-                    phi_531_ = 2u;
+                    phi_530_ = 2u;
                 }
-                let _e355 = phi_531_;
+                let _e355 = phi_530_;
                 if (_e282 < 0f) {
-                    phi_536_ = 0u;
+                    phi_535_ = 0u;
                 } else {
-                    phi_536_ = 4u;
+                    phi_535_ = 4u;
                 }
-                let _e358 = phi_536_;
+                let _e358 = phi_535_;
                 let _e360 = ((_e352 | _e355) | _e358);
                 let _e361 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
                 local = lt_bvh_traverse_Stack(array<u32, 32>(_e361.first[0], _e361.first[1], _e361.first[2], _e361.first[3], _e361.first[4], _e361.first[5], _e361.first[6], _e361.first[7], _e361.first[8], _e361.first[9], _e361.first[10], _e361.first[11], _e361.first[12], _e361.first[13], _e361.first[14], _e361.first[15], _e361.first[16], _e361.first[17], _e361.first[18], _e361.first[19], _e361.first[20], _e361.first[21], _e361.first[22], _e361.first[23], _e361.first[24], _e361.first[25], _e361.first[26], _e361.first[27], _e361.first[28], _e361.first[29], _e361.first[30], _e361.first[31]), array<u32, 32>(_e361.mask[0], _e361.mask[1], _e361.mask[2], _e361.mask[3], _e361.mask[4], _e361.mask[5], _e361.mask[6], _e361.mask[7], _e361.mask[8], _e361.mask[9], _e361.mask[10], _e361.mask[11], _e361.mask[12], _e361.mask[13], _e361.mask[14], _e361.mask[15], _e361.mask[16], _e361.mask[17], _e361.mask[18], _e361.mask[19], _e361.mask[20], _e361.mask[21], _e361.mask[22], _e361.mask[23], _e361.mask[24], _e361.mask[25], _e361.mask[26], _e361.mask[27], _e361.mask[28], _e361.mask[29], _e361.mask[30], _e361.mask[31]), _e361.len, _e361.group, _e361.group_mask);
@@ -640,7 +640,7 @@ fn function_() {
                 if ((_e435 & 4278190080u) == 0u) {
                     let _e439 = local.len;
                     if (_e439 == 0u) {
-                        phi_650_ = false;
+                        phi_649_ = false;
                     } else {
                         let _e443 = local.len;
                         local.len = (_e443 - 1u);
@@ -658,14 +658,14 @@ fn function_() {
                         }
                         let _e459 = local.mask[(0u + _e454)];
                         local.group_mask = _e459;
-                        phi_650_ = true;
+                        phi_649_ = true;
                     }
-                    let _e462 = phi_650_;
-                    phi_651_ = _e462;
+                    let _e462 = phi_649_;
+                    phi_650_ = _e462;
                 } else {
-                    phi_651_ = true;
+                    phi_650_ = true;
                 }
-                let _e464 = phi_651_;
+                let _e464 = phi_650_;
                 if _e464 {
                     let _e466 = local.group_mask;
                     let _e472 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, (_e466 == 0u)));
@@ -673,16 +673,16 @@ fn function_() {
                     let _e490 = local.group_mask;
                     local.group_mask = (_e490 & ~((1u << bitcast<u32>((_e472 & 31u)))));
                     let _e493 = local.group;
-                    phi_682_ = (_e493 + countOneBits(((_e476 & ~((4294967295u << bitcast<u32>((((_e472 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    phi_681_ = (_e493 + countOneBits(((_e476 & ~((4294967295u << bitcast<u32>((((_e472 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_682_ = 4294967295u;
+                    phi_681_ = 4294967295u;
                 }
-                let _e496 = phi_682_;
-                phi_684_ = _e496;
-                phi_687_ = false;
+                let _e496 = phi_681_;
+                phi_683_ = _e496;
+                phi_686_ = false;
                 loop {
-                    let _e498 = phi_684_;
-                    let _e500 = phi_687_;
+                    let _e498 = phi_683_;
+                    let _e500 = phi_686_;
                     local_8 = _e500;
                     if (_e498 != 4294967295u) {
                         if (_e498 < _e59) {
@@ -704,45 +704,45 @@ fn function_() {
                             let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e571.unnamed.root, _e560.w), _e571.unnamed_1);
                             let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e560.x, _e577.unnamed_1.first_primitive));
-                            phi_767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e583.unnamed_1.root, _e560.y));
+                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e583.unnamed_1.root, _e560.y));
                         } else {
                             let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.unnamed.root, _e560.y), _e599.unnamed_1);
                             let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e560.z, _e605.unnamed_1.first_primitive));
-                            phi_767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e611.unnamed_1.root, _e560.w));
+                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e611.unnamed_1.root, _e560.w));
                         }
-                        let _e619 = phi_767_;
+                        let _e619 = phi_766_;
                         let _e629 = nodes.member[(0u + _e498)].y;
                         if (_e272 < 0f) {
                             let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
                             let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
-                            phi_794_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
+                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
                         } else {
                             let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
                             let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
-                            phi_794_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
+                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
                         }
-                        let _e688 = phi_794_;
+                        let _e688 = phi_793_;
                         let _e698 = nodes.member[(0u + _e498)].z;
                         if (_e282 < 0f) {
                             let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
                             let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
-                            phi_821_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
+                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
                         } else {
                             let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
                             let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
-                            phi_821_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
+                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
                         }
-                        let _e757 = phi_821_;
-                        phi_827_ = 0u;
-                        phi_830_ = 0u;
+                        let _e757 = phi_820_;
+                        phi_826_ = 0u;
+                        phi_829_ = 0u;
                         loop {
-                            let _e767 = phi_827_;
-                            let _e769 = phi_830_;
+                            let _e767 = phi_826_;
+                            let _e769 = phi_829_;
                             local_1 = _e769;
                             local_2 = _e769;
                             local_3 = _e769;
@@ -751,43 +751,43 @@ fn function_() {
                                 let _e772 = (_e767 >> bitcast<u32>(2i));
                                 let _e773 = (_e767 & 3u);
                                 if (_e772 == 0u) {
-                                    phi_844_ = _e619.unnamed.root;
+                                    phi_843_ = _e619.unnamed.root;
                                 } else {
-                                    phi_844_ = _e619.unnamed.first_primitive;
+                                    phi_843_ = _e619.unnamed.first_primitive;
                                 }
-                                let _e776 = phi_844_;
+                                let _e776 = phi_843_;
                                 if (_e772 == 0u) {
-                                    phi_854_ = _e688.unnamed.root;
+                                    phi_853_ = _e688.unnamed.root;
                                 } else {
-                                    phi_854_ = _e688.unnamed.first_primitive;
+                                    phi_853_ = _e688.unnamed.first_primitive;
                                 }
-                                let _e785 = phi_854_;
+                                let _e785 = phi_853_;
                                 if (_e772 == 0u) {
-                                    phi_864_ = _e757.unnamed.root;
+                                    phi_863_ = _e757.unnamed.root;
                                 } else {
-                                    phi_864_ = _e757.unnamed.first_primitive;
+                                    phi_863_ = _e757.unnamed.first_primitive;
                                 }
-                                let _e794 = phi_864_;
+                                let _e794 = phi_863_;
                                 let _e807 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e776 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e310)), ((f32(((_e785 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)));
                                 let _e808 = core_intrinsics_maximum_number_nsz_f32_(_e807, ((f32(((_e794 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
                                 if (_e772 == 0u) {
-                                    phi_882_ = _e619.unnamed_1.root;
+                                    phi_881_ = _e619.unnamed_1.root;
                                 } else {
-                                    phi_882_ = _e619.unnamed_1.first_primitive;
+                                    phi_881_ = _e619.unnamed_1.first_primitive;
                                 }
-                                let _e811 = phi_882_;
+                                let _e811 = phi_881_;
                                 if (_e772 == 0u) {
-                                    phi_892_ = _e688.unnamed_1.root;
+                                    phi_891_ = _e688.unnamed_1.root;
                                 } else {
-                                    phi_892_ = _e688.unnamed_1.first_primitive;
+                                    phi_891_ = _e688.unnamed_1.first_primitive;
                                 }
-                                let _e820 = phi_892_;
+                                let _e820 = phi_891_;
                                 if (_e772 == 0u) {
-                                    phi_902_ = _e757.unnamed_1.root;
+                                    phi_901_ = _e757.unnamed_1.root;
                                 } else {
-                                    phi_902_ = _e757.unnamed_1.first_primitive;
+                                    phi_901_ = _e757.unnamed_1.first_primitive;
                                 }
-                                let _e829 = phi_902_;
+                                let _e829 = phi_901_;
                                 let _e842 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e811 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e310)), ((f32(((_e820 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)));
                                 let _e843 = core_intrinsics_minimum_number_nsz_f32_(_e842, ((f32(((_e829 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
                                 if (_e808 <= _e843) {
@@ -795,47 +795,47 @@ fn function_() {
                                         if (_e843 >= 0f) {
                                             if (_e772 == 0u) {
                                                 let _e850 = nodes.member[(0u + _e498)].links[2u];
-                                                phi_938_ = _e850;
+                                                phi_937_ = _e850;
                                             } else {
                                                 let _e853 = nodes.member[(0u + _e498)].links[3u];
-                                                phi_938_ = _e853;
+                                                phi_937_ = _e853;
                                             }
-                                            let _e855 = phi_938_;
+                                            let _e855 = phi_937_;
                                             let _e860 = ((_e855 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u);
                                             let _e861 = (_e860 & 31u);
                                             if (_e861 >= 24u) {
-                                                phi_951_ = (24u + ((_e861 - 24u) ^ _e360));
+                                                phi_950_ = (24u + ((_e861 - 24u) ^ _e360));
                                             } else {
-                                                phi_951_ = _e861;
+                                                phi_950_ = _e861;
                                             }
-                                            let _e867 = phi_951_;
-                                            phi_956_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
+                                            let _e867 = phi_950_;
+                                            phi_955_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
                                         } else {
-                                            phi_956_ = _e769;
+                                            phi_955_ = _e769;
                                         }
-                                        let _e875 = phi_956_;
-                                        phi_957_ = _e875;
+                                        let _e875 = phi_955_;
+                                        phi_956_ = _e875;
                                     } else {
-                                        phi_957_ = _e769;
+                                        phi_956_ = _e769;
                                     }
-                                    let _e877 = phi_957_;
-                                    phi_958_ = _e877;
+                                    let _e877 = phi_956_;
+                                    phi_957_ = _e877;
                                 } else {
-                                    phi_958_ = _e769;
+                                    phi_957_ = _e769;
                                 }
-                                let _e879 = phi_958_;
-                                phi_828_ = (_e767 + 1u);
-                                phi_831_ = _e879;
+                                let _e879 = phi_957_;
+                                phi_827_ = (_e767 + 1u);
+                                phi_830_ = _e879;
                             } else {
-                                phi_828_ = u32();
-                                phi_831_ = u32();
+                                phi_827_ = u32();
+                                phi_830_ = u32();
                             }
-                            let _e882 = phi_828_;
-                            let _e884 = phi_831_;
+                            let _e882 = phi_827_;
+                            let _e884 = phi_830_;
                             continue;
                             continuing {
-                                phi_827_ = _e882;
-                                phi_830_ = _e884;
+                                phi_826_ = _e882;
+                                phi_829_ = _e884;
                                 break if !(_e770);
                             }
                         }
@@ -872,19 +872,19 @@ fn function_() {
                             local.group_mask = ((_e928 & 4278190080u) | (_e892 >> bitcast<u32>(24i)));
                         }
                         let _e933 = local_3;
-                        phi_1016_ = (_e933 & 16777215u);
-                        phi_1019_ = _e500;
+                        phi_1015_ = (_e933 & 16777215u);
+                        phi_1018_ = _e500;
                         loop {
-                            let _e936 = phi_1016_;
-                            let _e938 = phi_1019_;
+                            let _e936 = phi_1015_;
+                            let _e938 = phi_1018_;
                             local_6 = _e938;
                             let _e939 = (_e936 == 0u);
                             local_4 = _e939;
                             local_7 = _e939;
                             if _e939 {
-                                phi_1017_ = u32();
-                                phi_1020_ = bool();
-                                phi_1617_ = false;
+                                phi_1016_ = u32();
+                                phi_1019_ = bool();
+                                phi_1616_ = false;
                             } else {
                                 let _e942 = nodes.member[(0u + _e498)].links[1u];
                                 let _e947 = ((0u + _e942) + select(firstTrailingBit(_e936), 32u, (_e936 == 0u)));
@@ -897,17 +897,17 @@ fn function_() {
                                 let _e958 = (_e954.y - _e107);
                                 let _e960 = (_e954.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1064_ = vec3<f32>(_e958, _e960, _e956);
+                                    phi_1063_ = vec3<f32>(_e958, _e960, _e956);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1063_ = vec3<f32>(_e960, _e956, _e958);
+                                        phi_1062_ = vec3<f32>(_e960, _e956, _e958);
                                     } else {
-                                        phi_1063_ = (_e954 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1062_ = (_e954 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e968 = phi_1063_;
-                                    phi_1064_ = _e968;
+                                    let _e968 = phi_1062_;
+                                    phi_1063_ = _e968;
                                 }
-                                let _e970 = phi_1064_;
+                                let _e970 = phi_1063_;
                                 let _e974 = (_e970.x - (_e344 * _e970.z));
                                 let _e978 = (_e970.y - (_e347 * _e970.z));
                                 let _e980 = triangles.member[(0u + _e947)].v1_;
@@ -915,17 +915,17 @@ fn function_() {
                                 let _e984 = (_e980.y - _e107);
                                 let _e986 = (_e980.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1094_ = vec3<f32>(_e984, _e986, _e982);
+                                    phi_1093_ = vec3<f32>(_e984, _e986, _e982);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1093_ = vec3<f32>(_e986, _e982, _e984);
+                                        phi_1092_ = vec3<f32>(_e986, _e982, _e984);
                                     } else {
-                                        phi_1093_ = (_e980 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1092_ = (_e980 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e994 = phi_1093_;
-                                    phi_1094_ = _e994;
+                                    let _e994 = phi_1092_;
+                                    phi_1093_ = _e994;
                                 }
-                                let _e996 = phi_1094_;
+                                let _e996 = phi_1093_;
                                 let _e1000 = (_e996.x - (_e344 * _e996.z));
                                 let _e1004 = (_e996.y - (_e347 * _e996.z));
                                 let _e1006 = triangles.member[(0u + _e947)].v2_;
@@ -933,246 +933,246 @@ fn function_() {
                                 let _e1010 = (_e1006.y - _e107);
                                 let _e1012 = (_e1006.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1124_ = vec3<f32>(_e1010, _e1012, _e1008);
+                                    phi_1123_ = vec3<f32>(_e1010, _e1012, _e1008);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1123_ = vec3<f32>(_e1012, _e1008, _e1010);
+                                        phi_1122_ = vec3<f32>(_e1012, _e1008, _e1010);
                                     } else {
-                                        phi_1123_ = (_e1006 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1122_ = (_e1006 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e1020 = phi_1123_;
-                                    phi_1124_ = _e1020;
+                                    let _e1020 = phi_1122_;
+                                    phi_1123_ = _e1020;
                                 }
-                                let _e1022 = phi_1124_;
+                                let _e1022 = phi_1123_;
                                 let _e1026 = (_e1022.x - (_e344 * _e1022.z));
                                 let _e1030 = (_e1022.y - (_e347 * _e1022.z));
                                 if (_e1000 < _e1026) {
-                                    phi_1143_ = true;
+                                    phi_1142_ = true;
                                 } else {
                                     if (_e1000 == _e1026) {
-                                        phi_1142_ = (_e1004 < _e1030);
+                                        phi_1141_ = (_e1004 < _e1030);
                                     } else {
-                                        phi_1142_ = false;
+                                        phi_1141_ = false;
                                     }
-                                    let _e1035 = phi_1142_;
-                                    phi_1143_ = _e1035;
+                                    let _e1035 = phi_1141_;
+                                    phi_1142_ = _e1035;
                                 }
-                                let _e1037 = phi_1143_;
+                                let _e1037 = phi_1142_;
                                 if _e1037 {
-                                    phi_1147_ = _e1030;
-                                    phi_1148_ = _e1026;
-                                    phi_1149_ = _e1004;
-                                    phi_1150_ = _e1000;
+                                    phi_1146_ = _e1030;
+                                    phi_1147_ = _e1026;
+                                    phi_1148_ = _e1004;
+                                    phi_1149_ = _e1000;
                                 } else {
-                                    phi_1147_ = _e1004;
-                                    phi_1148_ = _e1000;
-                                    phi_1149_ = _e1030;
-                                    phi_1150_ = _e1026;
+                                    phi_1146_ = _e1004;
+                                    phi_1147_ = _e1000;
+                                    phi_1148_ = _e1030;
+                                    phi_1149_ = _e1026;
                                 }
-                                let _e1039 = phi_1147_;
-                                let _e1041 = phi_1148_;
-                                let _e1043 = phi_1149_;
-                                let _e1045 = phi_1150_;
+                                let _e1039 = phi_1146_;
+                                let _e1041 = phi_1147_;
+                                let _e1043 = phi_1148_;
+                                let _e1045 = phi_1149_;
                                 let _e1048 = ((_e1045 * _e1039) - (_e1043 * _e1041));
                                 if _e1037 {
-                                    phi_1158_ = -(_e1048);
+                                    phi_1157_ = -(_e1048);
                                 } else {
-                                    phi_1158_ = _e1048;
+                                    phi_1157_ = _e1048;
                                 }
-                                let _e1051 = phi_1158_;
+                                let _e1051 = phi_1157_;
                                 if (_e1026 < _e974) {
-                                    phi_1169_ = true;
+                                    phi_1168_ = true;
                                 } else {
                                     if (_e1026 == _e974) {
-                                        phi_1168_ = (_e1030 < _e978);
+                                        phi_1167_ = (_e1030 < _e978);
                                     } else {
-                                        phi_1168_ = false;
+                                        phi_1167_ = false;
                                     }
-                                    let _e1056 = phi_1168_;
-                                    phi_1169_ = _e1056;
+                                    let _e1056 = phi_1167_;
+                                    phi_1168_ = _e1056;
                                 }
-                                let _e1058 = phi_1169_;
+                                let _e1058 = phi_1168_;
                                 if _e1058 {
-                                    phi_1173_ = _e978;
-                                    phi_1174_ = _e974;
-                                    phi_1175_ = _e1030;
-                                    phi_1176_ = _e1026;
+                                    phi_1172_ = _e978;
+                                    phi_1173_ = _e974;
+                                    phi_1174_ = _e1030;
+                                    phi_1175_ = _e1026;
                                 } else {
-                                    phi_1173_ = _e1030;
-                                    phi_1174_ = _e1026;
-                                    phi_1175_ = _e978;
-                                    phi_1176_ = _e974;
+                                    phi_1172_ = _e1030;
+                                    phi_1173_ = _e1026;
+                                    phi_1174_ = _e978;
+                                    phi_1175_ = _e974;
                                 }
-                                let _e1060 = phi_1173_;
-                                let _e1062 = phi_1174_;
-                                let _e1064 = phi_1175_;
-                                let _e1066 = phi_1176_;
+                                let _e1060 = phi_1172_;
+                                let _e1062 = phi_1173_;
+                                let _e1064 = phi_1174_;
+                                let _e1066 = phi_1175_;
                                 let _e1069 = ((_e1066 * _e1060) - (_e1064 * _e1062));
                                 if _e1058 {
-                                    phi_1184_ = -(_e1069);
+                                    phi_1183_ = -(_e1069);
                                 } else {
-                                    phi_1184_ = _e1069;
+                                    phi_1183_ = _e1069;
                                 }
-                                let _e1072 = phi_1184_;
+                                let _e1072 = phi_1183_;
                                 if (_e974 < _e1000) {
-                                    phi_1195_ = true;
+                                    phi_1194_ = true;
                                 } else {
                                     if (_e974 == _e1000) {
-                                        phi_1194_ = (_e978 < _e1004);
+                                        phi_1193_ = (_e978 < _e1004);
                                     } else {
-                                        phi_1194_ = false;
+                                        phi_1193_ = false;
                                     }
-                                    let _e1077 = phi_1194_;
-                                    phi_1195_ = _e1077;
+                                    let _e1077 = phi_1193_;
+                                    phi_1194_ = _e1077;
                                 }
-                                let _e1079 = phi_1195_;
+                                let _e1079 = phi_1194_;
                                 if _e1079 {
-                                    phi_1199_ = _e1004;
-                                    phi_1200_ = _e1000;
-                                    phi_1201_ = _e978;
-                                    phi_1202_ = _e974;
+                                    phi_1198_ = _e1004;
+                                    phi_1199_ = _e1000;
+                                    phi_1200_ = _e978;
+                                    phi_1201_ = _e974;
                                 } else {
-                                    phi_1199_ = _e978;
-                                    phi_1200_ = _e974;
-                                    phi_1201_ = _e1004;
-                                    phi_1202_ = _e1000;
+                                    phi_1198_ = _e978;
+                                    phi_1199_ = _e974;
+                                    phi_1200_ = _e1004;
+                                    phi_1201_ = _e1000;
                                 }
-                                let _e1081 = phi_1199_;
-                                let _e1083 = phi_1200_;
-                                let _e1085 = phi_1201_;
-                                let _e1087 = phi_1202_;
+                                let _e1081 = phi_1198_;
+                                let _e1083 = phi_1199_;
+                                let _e1085 = phi_1200_;
+                                let _e1087 = phi_1201_;
                                 let _e1090 = ((_e1087 * _e1081) - (_e1085 * _e1083));
                                 if _e1079 {
-                                    phi_1210_ = -(_e1090);
+                                    phi_1209_ = -(_e1090);
                                 } else {
-                                    phi_1210_ = _e1090;
+                                    phi_1209_ = _e1090;
                                 }
-                                let _e1093 = phi_1210_;
+                                let _e1093 = phi_1209_;
                                 if (_e1051 >= 0f) {
                                     if (_e1072 >= 0f) {
                                         if (_e1093 >= 0f) {
-                                            phi_1225_ = ((_e1051 + _e1072) + _e1093);
-                                            phi_1226_ = false;
+                                            phi_1224_ = ((_e1051 + _e1072) + _e1093);
+                                            phi_1225_ = false;
                                         } else {
-                                            phi_1225_ = f32();
-                                            phi_1226_ = true;
+                                            phi_1224_ = f32();
+                                            phi_1225_ = true;
                                         }
-                                        let _e1100 = phi_1225_;
-                                        let _e1102 = phi_1226_;
-                                        phi_1227_ = _e1100;
-                                        phi_1228_ = _e1102;
+                                        let _e1100 = phi_1224_;
+                                        let _e1102 = phi_1225_;
+                                        phi_1226_ = _e1100;
+                                        phi_1227_ = _e1102;
                                     } else {
-                                        phi_1227_ = f32();
-                                        phi_1228_ = true;
+                                        phi_1226_ = f32();
+                                        phi_1227_ = true;
                                     }
-                                    let _e1104 = phi_1227_;
-                                    let _e1106 = phi_1228_;
-                                    phi_1229_ = _e1104;
-                                    phi_1230_ = _e1106;
+                                    let _e1104 = phi_1226_;
+                                    let _e1106 = phi_1227_;
+                                    phi_1228_ = _e1104;
+                                    phi_1229_ = _e1106;
                                 } else {
-                                    phi_1229_ = f32();
-                                    phi_1230_ = true;
+                                    phi_1228_ = f32();
+                                    phi_1229_ = true;
                                 }
-                                let _e1108 = phi_1229_;
-                                let _e1110 = phi_1230_;
+                                let _e1108 = phi_1228_;
+                                let _e1110 = phi_1229_;
                                 if _e1110 {
                                     if (_e1051 <= 0f) {
                                         if (_e1072 <= 0f) {
                                             let _e1113 = (_e1093 <= 0f);
                                             if _e1113 {
                                             }
-                                            phi_1248_ = ((_e1051 + _e1072) + _e1093);
-                                            phi_1249_ = false;
-                                            phi_1250_ = _e1113;
+                                            phi_1247_ = ((_e1051 + _e1072) + _e1093);
+                                            phi_1248_ = false;
+                                            phi_1249_ = _e1113;
                                         } else {
-                                            phi_1248_ = f32();
-                                            phi_1249_ = true;
-                                            phi_1250_ = false;
+                                            phi_1247_ = f32();
+                                            phi_1248_ = true;
+                                            phi_1249_ = false;
                                         }
-                                        let _e1117 = phi_1248_;
-                                        let _e1119 = phi_1249_;
-                                        let _e1121 = phi_1250_;
-                                        phi_1251_ = _e1117;
-                                        phi_1252_ = _e1119;
-                                        phi_1253_ = _e1121;
+                                        let _e1117 = phi_1247_;
+                                        let _e1119 = phi_1248_;
+                                        let _e1121 = phi_1249_;
+                                        phi_1250_ = _e1117;
+                                        phi_1251_ = _e1119;
+                                        phi_1252_ = _e1121;
                                     } else {
-                                        phi_1251_ = f32();
-                                        phi_1252_ = true;
-                                        phi_1253_ = false;
+                                        phi_1250_ = f32();
+                                        phi_1251_ = true;
+                                        phi_1252_ = false;
                                     }
-                                    let _e1123 = phi_1251_;
-                                    let _e1125 = phi_1252_;
-                                    let _e1127 = phi_1253_;
+                                    let _e1123 = phi_1250_;
+                                    let _e1125 = phi_1251_;
+                                    let _e1127 = phi_1252_;
                                     if _e1125 {
-                                        phi_1257_ = false;
+                                        phi_1256_ = false;
                                     } else {
-                                        phi_1257_ = _e1127;
+                                        phi_1256_ = _e1127;
                                     }
-                                    let _e1129 = phi_1257_;
-                                    phi_1258_ = _e1123;
-                                    phi_1259_ = _e1129;
+                                    let _e1129 = phi_1256_;
+                                    phi_1257_ = _e1123;
+                                    phi_1258_ = _e1129;
                                 } else {
-                                    phi_1258_ = _e1108;
-                                    phi_1259_ = true;
+                                    phi_1257_ = _e1108;
+                                    phi_1258_ = true;
                                 }
-                                let _e1131 = phi_1258_;
-                                let _e1133 = phi_1259_;
+                                let _e1131 = phi_1257_;
+                                let _e1133 = phi_1258_;
                                 if _e1133 {
                                     let _e1134 = (_e1131 == 0f);
                                     if _e1134 {
-                                        phi_1575_ = lt_bvh_triangle_Intersection();
-                                        phi_1576_ = false;
+                                        phi_1574_ = lt_bvh_triangle_Intersection();
+                                        phi_1575_ = false;
                                     } else {
                                         let _e1136 = triangles.member[(0u + _e947)].v0_;
                                         let _e1138 = (_e1136.x - _e105);
                                         let _e1140 = (_e1136.y - _e107);
                                         let _e1142 = (_e1136.z - _e109);
                                         if (_e333 == 0u) {
-                                            phi_1288_ = vec3<f32>(_e1140, _e1142, _e1138);
+                                            phi_1287_ = vec3<f32>(_e1140, _e1142, _e1138);
                                         } else {
                                             if (_e333 == 1u) {
-                                                phi_1287_ = vec3<f32>(_e1142, _e1138, _e1140);
+                                                phi_1286_ = vec3<f32>(_e1142, _e1138, _e1140);
                                             } else {
-                                                phi_1287_ = (_e1136 - vec3<f32>(_e105, _e107, _e109));
+                                                phi_1286_ = (_e1136 - vec3<f32>(_e105, _e107, _e109));
                                             }
-                                            let _e1150 = phi_1287_;
-                                            phi_1288_ = _e1150;
+                                            let _e1150 = phi_1286_;
+                                            phi_1287_ = _e1150;
                                         }
-                                        let _e1152 = phi_1288_;
+                                        let _e1152 = phi_1287_;
                                         let _e1154 = triangles.member[(0u + _e947)].v1_;
                                         let _e1156 = triangles.member[(0u + _e947)].v0_;
                                         let _e1159 = (_e1154.x - _e1156.x);
                                         let _e1162 = (_e1154.y - _e1156.y);
                                         let _e1165 = (_e1154.z - _e1156.z);
                                         if (_e333 == 0u) {
-                                            phi_1314_ = vec3<f32>(_e1162, _e1165, _e1159);
+                                            phi_1313_ = vec3<f32>(_e1162, _e1165, _e1159);
                                         } else {
                                             if (_e333 == 1u) {
-                                                phi_1313_ = vec3<f32>(_e1165, _e1159, _e1162);
+                                                phi_1312_ = vec3<f32>(_e1165, _e1159, _e1162);
                                             } else {
-                                                phi_1313_ = (_e1154 - _e1156);
+                                                phi_1312_ = (_e1154 - _e1156);
                                             }
-                                            let _e1172 = phi_1313_;
-                                            phi_1314_ = _e1172;
+                                            let _e1172 = phi_1312_;
+                                            phi_1313_ = _e1172;
                                         }
-                                        let _e1174 = phi_1314_;
+                                        let _e1174 = phi_1313_;
                                         let _e1176 = triangles.member[(0u + _e947)].v2_;
                                         let _e1178 = triangles.member[(0u + _e947)].v0_;
                                         let _e1181 = (_e1176.x - _e1178.x);
                                         let _e1184 = (_e1176.y - _e1178.y);
                                         let _e1187 = (_e1176.z - _e1178.z);
                                         if (_e333 == 0u) {
-                                            phi_1340_ = vec3<f32>(_e1184, _e1187, _e1181);
+                                            phi_1339_ = vec3<f32>(_e1184, _e1187, _e1181);
                                         } else {
                                             if (_e333 == 1u) {
-                                                phi_1339_ = vec3<f32>(_e1187, _e1181, _e1184);
+                                                phi_1338_ = vec3<f32>(_e1187, _e1181, _e1184);
                                             } else {
-                                                phi_1339_ = (_e1176 - _e1178);
+                                                phi_1338_ = (_e1176 - _e1178);
                                             }
-                                            let _e1194 = phi_1339_;
-                                            phi_1340_ = _e1194;
+                                            let _e1194 = phi_1338_;
+                                            phi_1339_ = _e1194;
                                         }
-                                        let _e1196 = phi_1340_;
+                                        let _e1196 = phi_1339_;
                                         let _e1203 = ((_e1174.y * _e1196.z) - (_e1174.z * _e1196.y));
                                         let _e1210 = ((_e1174.z * _e1196.x) - (_e1174.x * _e1196.z));
                                         let _e1217 = ((_e1174.x * _e1196.y) - (_e1174.y * _e1196.x));
@@ -1182,81 +1182,81 @@ fn function_() {
                                                 let _e1235 = triangles.member[(0u + _e947)].v0_;
                                                 let _e1237 = triangles.member[(0u + _e947)].v1_;
                                                 if (_e1235.x < _e1237.x) {
-                                                    phi_1396_ = _e1235.x;
+                                                    phi_1395_ = _e1235.x;
                                                 } else {
-                                                    phi_1396_ = _e1237.x;
+                                                    phi_1395_ = _e1237.x;
                                                 }
-                                                let _e1244 = phi_1396_;
+                                                let _e1244 = phi_1395_;
                                                 if (_e1235.y < _e1237.y) {
-                                                    phi_1405_ = _e1235.y;
+                                                    phi_1404_ = _e1235.y;
                                                 } else {
-                                                    phi_1405_ = _e1237.y;
+                                                    phi_1404_ = _e1237.y;
                                                 }
-                                                let _e1251 = phi_1405_;
+                                                let _e1251 = phi_1404_;
                                                 if (_e1235.z < _e1237.z) {
-                                                    phi_1414_ = _e1235.z;
+                                                    phi_1413_ = _e1235.z;
                                                 } else {
-                                                    phi_1414_ = _e1237.z;
+                                                    phi_1413_ = _e1237.z;
                                                 }
-                                                let _e1258 = phi_1414_;
+                                                let _e1258 = phi_1413_;
                                                 let _e1260 = triangles.member[(0u + _e947)].v2_;
                                                 if (_e1244 < _e1260.x) {
-                                                    phi_1423_ = _e1244;
+                                                    phi_1422_ = _e1244;
                                                 } else {
-                                                    phi_1423_ = _e1260.x;
+                                                    phi_1422_ = _e1260.x;
                                                 }
-                                                let _e1265 = phi_1423_;
+                                                let _e1265 = phi_1422_;
                                                 if (_e1251 < _e1260.y) {
-                                                    phi_1430_ = _e1251;
+                                                    phi_1429_ = _e1251;
                                                 } else {
-                                                    phi_1430_ = _e1260.y;
+                                                    phi_1429_ = _e1260.y;
                                                 }
-                                                let _e1270 = phi_1430_;
+                                                let _e1270 = phi_1429_;
                                                 if (_e1258 < _e1260.z) {
-                                                    phi_1437_ = _e1258;
+                                                    phi_1436_ = _e1258;
                                                 } else {
-                                                    phi_1437_ = _e1260.z;
+                                                    phi_1436_ = _e1260.z;
                                                 }
-                                                let _e1275 = phi_1437_;
+                                                let _e1275 = phi_1436_;
                                                 let _e1277 = triangles.member[(0u + _e947)].v0_;
                                                 let _e1279 = triangles.member[(0u + _e947)].v1_;
                                                 if (_e1277.x > _e1279.x) {
-                                                    phi_1450_ = _e1277.x;
+                                                    phi_1449_ = _e1277.x;
                                                 } else {
-                                                    phi_1450_ = _e1279.x;
+                                                    phi_1449_ = _e1279.x;
                                                 }
-                                                let _e1286 = phi_1450_;
+                                                let _e1286 = phi_1449_;
                                                 if (_e1277.y > _e1279.y) {
-                                                    phi_1459_ = _e1277.y;
+                                                    phi_1458_ = _e1277.y;
                                                 } else {
-                                                    phi_1459_ = _e1279.y;
+                                                    phi_1458_ = _e1279.y;
                                                 }
-                                                let _e1293 = phi_1459_;
+                                                let _e1293 = phi_1458_;
                                                 if (_e1277.z > _e1279.z) {
-                                                    phi_1468_ = _e1277.z;
+                                                    phi_1467_ = _e1277.z;
                                                 } else {
-                                                    phi_1468_ = _e1279.z;
+                                                    phi_1467_ = _e1279.z;
                                                 }
-                                                let _e1300 = phi_1468_;
+                                                let _e1300 = phi_1467_;
                                                 let _e1302 = triangles.member[(0u + _e947)].v2_;
                                                 if (_e1286 > _e1302.x) {
-                                                    phi_1477_ = _e1286;
+                                                    phi_1476_ = _e1286;
                                                 } else {
-                                                    phi_1477_ = _e1302.x;
+                                                    phi_1476_ = _e1302.x;
                                                 }
-                                                let _e1307 = phi_1477_;
+                                                let _e1307 = phi_1476_;
                                                 if (_e1293 > _e1302.y) {
-                                                    phi_1484_ = _e1293;
+                                                    phi_1483_ = _e1293;
                                                 } else {
-                                                    phi_1484_ = _e1302.y;
+                                                    phi_1483_ = _e1302.y;
                                                 }
-                                                let _e1312 = phi_1484_;
+                                                let _e1312 = phi_1483_;
                                                 if (_e1300 > _e1302.z) {
-                                                    phi_1491_ = _e1300;
+                                                    phi_1490_ = _e1300;
                                                 } else {
-                                                    phi_1491_ = _e1302.z;
+                                                    phi_1490_ = _e1302.z;
                                                 }
-                                                let _e1317 = phi_1491_;
+                                                let _e1317 = phi_1490_;
                                                 let _e1321 = ((_e1265 - _e105) * _e262);
                                                 let _e1322 = ((_e1270 - _e107) * _e272);
                                                 let _e1323 = ((_e1275 - _e109) * _e282);
@@ -1264,161 +1264,161 @@ fn function_() {
                                                 let _e1328 = ((_e1312 - _e107) * _e272);
                                                 let _e1329 = ((_e1317 - _e109) * _e282);
                                                 if (_e1321 < _e1327) {
-                                                    phi_1508_ = _e1321;
+                                                    phi_1507_ = _e1321;
                                                 } else {
-                                                    phi_1508_ = _e1327;
+                                                    phi_1507_ = _e1327;
                                                 }
-                                                let _e1332 = phi_1508_;
+                                                let _e1332 = phi_1507_;
                                                 if (_e1322 < _e1328) {
-                                                    phi_1513_ = _e1322;
+                                                    phi_1512_ = _e1322;
                                                 } else {
-                                                    phi_1513_ = _e1328;
+                                                    phi_1512_ = _e1328;
                                                 }
-                                                let _e1335 = phi_1513_;
+                                                let _e1335 = phi_1512_;
                                                 if (_e1323 < _e1329) {
-                                                    phi_1518_ = _e1323;
+                                                    phi_1517_ = _e1323;
                                                 } else {
-                                                    phi_1518_ = _e1329;
+                                                    phi_1517_ = _e1329;
                                                 }
-                                                let _e1338 = phi_1518_;
+                                                let _e1338 = phi_1517_;
                                                 if (_e1321 > _e1327) {
-                                                    phi_1526_ = _e1321;
+                                                    phi_1525_ = _e1321;
                                                 } else {
-                                                    phi_1526_ = _e1327;
+                                                    phi_1525_ = _e1327;
                                                 }
-                                                let _e1344 = phi_1526_;
+                                                let _e1344 = phi_1525_;
                                                 if (_e1322 > _e1328) {
-                                                    phi_1531_ = _e1322;
+                                                    phi_1530_ = _e1322;
                                                 } else {
-                                                    phi_1531_ = _e1328;
+                                                    phi_1530_ = _e1328;
                                                 }
-                                                let _e1347 = phi_1531_;
+                                                let _e1347 = phi_1530_;
                                                 if (_e1323 > _e1329) {
-                                                    phi_1536_ = _e1323;
+                                                    phi_1535_ = _e1323;
                                                 } else {
-                                                    phi_1536_ = _e1329;
+                                                    phi_1535_ = _e1329;
                                                 }
-                                                let _e1350 = phi_1536_;
+                                                let _e1350 = phi_1535_;
                                                 let _e1354 = core_intrinsics_maximum_number_nsz_f32_((_e1332 - _e317), (_e1335 - _e318));
                                                 let _e1355 = core_intrinsics_maximum_number_nsz_f32_(_e1354, (_e1338 - _e319));
                                                 let _e1356 = core_intrinsics_minimum_number_nsz_f32_((_e1344 + _e317), (_e1347 + _e318));
                                                 let _e1357 = core_intrinsics_minimum_number_nsz_f32_(_e1356, (_e1350 + _e319));
                                                 if (_e1355 > -300000000000000000000000000000000000000f) {
-                                                    phi_1548_ = _e1355;
+                                                    phi_1547_ = _e1355;
                                                 } else {
-                                                    phi_1548_ = -300000000000000000000000000000000000000f;
+                                                    phi_1547_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1360 = phi_1548_;
+                                                let _e1360 = phi_1547_;
                                                 if (_e1357 < 300000000000000000000000000000000000000f) {
-                                                    phi_1553_ = _e1357;
+                                                    phi_1552_ = _e1357;
                                                 } else {
-                                                    phi_1553_ = 300000000000000000000000000000000000000f;
+                                                    phi_1552_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1363 = phi_1553_;
+                                                let _e1363 = phi_1552_;
                                                 if (_e1231 < _e1360) {
-                                                    phi_1558_ = _e1360;
+                                                    phi_1557_ = _e1360;
                                                 } else {
-                                                    phi_1558_ = _e1231;
+                                                    phi_1557_ = _e1231;
                                                 }
-                                                let _e1366 = phi_1558_;
+                                                let _e1366 = phi_1557_;
                                                 if (_e1366 > _e1363) {
-                                                    phi_1563_ = _e1363;
+                                                    phi_1562_ = _e1363;
                                                 } else {
-                                                    phi_1563_ = _e1366;
+                                                    phi_1562_ = _e1366;
                                                 }
-                                                let _e1369 = phi_1563_;
-                                                phi_1568_ = lt_bvh_triangle_Intersection(_e1369, (_e1072 / _e1131), (_e1093 / _e1131), (_e1360 <= _e1363));
-                                                phi_1569_ = false;
+                                                let _e1369 = phi_1562_;
+                                                phi_1567_ = lt_bvh_triangle_Intersection(_e1369, (_e1072 / _e1131), (_e1093 / _e1131), (_e1360 <= _e1363));
+                                                phi_1568_ = false;
                                             } else {
-                                                phi_1568_ = lt_bvh_triangle_Intersection();
-                                                phi_1569_ = true;
+                                                phi_1567_ = lt_bvh_triangle_Intersection();
+                                                phi_1568_ = true;
                                             }
-                                            let _e1375 = phi_1568_;
-                                            let _e1377 = phi_1569_;
-                                            phi_1570_ = _e1375;
-                                            phi_1571_ = _e1377;
+                                            let _e1375 = phi_1567_;
+                                            let _e1377 = phi_1568_;
+                                            phi_1569_ = _e1375;
+                                            phi_1570_ = _e1377;
                                         } else {
-                                            phi_1570_ = lt_bvh_triangle_Intersection();
-                                            phi_1571_ = true;
+                                            phi_1569_ = lt_bvh_triangle_Intersection();
+                                            phi_1570_ = true;
                                         }
-                                        let _e1379 = phi_1570_;
-                                        let _e1381 = phi_1571_;
+                                        let _e1379 = phi_1569_;
+                                        let _e1381 = phi_1570_;
                                         if _e1381 {
                                         }
-                                        phi_1575_ = _e1379;
-                                        phi_1576_ = _e1381;
+                                        phi_1574_ = _e1379;
+                                        phi_1575_ = _e1381;
                                     }
-                                    let _e1383 = phi_1575_;
-                                    let _e1385 = phi_1576_;
-                                    phi_1577_ = _e1383;
-                                    phi_1578_ = _e1134;
-                                    phi_1579_ = _e1385;
+                                    let _e1383 = phi_1574_;
+                                    let _e1385 = phi_1575_;
+                                    phi_1576_ = _e1383;
+                                    phi_1577_ = _e1134;
+                                    phi_1578_ = _e1385;
                                 } else {
-                                    phi_1577_ = lt_bvh_triangle_Intersection();
-                                    phi_1578_ = true;
-                                    phi_1579_ = false;
+                                    phi_1576_ = lt_bvh_triangle_Intersection();
+                                    phi_1577_ = true;
+                                    phi_1578_ = false;
                                 }
-                                let _e1387 = phi_1577_;
-                                let _e1389 = phi_1578_;
-                                let _e1391 = phi_1579_;
+                                let _e1387 = phi_1576_;
+                                let _e1389 = phi_1577_;
+                                let _e1391 = phi_1578_;
                                 if _e1389 {
-                                    phi_1583_ = true;
+                                    phi_1582_ = true;
                                 } else {
-                                    phi_1583_ = _e1391;
+                                    phi_1582_ = _e1391;
                                 }
-                                let _e1393 = phi_1583_;
+                                let _e1393 = phi_1582_;
                                 if _e1393 {
-                                    phi_1587_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_1586_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1587_ = _e1387;
+                                    phi_1586_ = _e1387;
                                 }
-                                let _e1395 = phi_1587_;
+                                let _e1395 = phi_1586_;
                                 if _e1395.is_hit {
                                     if (_e1395.t > 0f) {
                                         if (_e1395.t < _e113) {
                                             if true {
-                                                phi_1607_ = false;
+                                                phi_1606_ = false;
                                             } else {
-                                                phi_1607_ = true;
+                                                phi_1606_ = true;
                                             }
-                                            let _e1404 = phi_1607_;
-                                            phi_1608_ = true;
-                                            phi_1609_ = _e1404;
+                                            let _e1404 = phi_1606_;
+                                            phi_1607_ = true;
+                                            phi_1608_ = _e1404;
                                         } else {
-                                            phi_1608_ = _e938;
-                                            phi_1609_ = true;
+                                            phi_1607_ = _e938;
+                                            phi_1608_ = true;
                                         }
-                                        let _e1406 = phi_1608_;
-                                        let _e1408 = phi_1609_;
-                                        phi_1610_ = _e1406;
-                                        phi_1611_ = _e1408;
+                                        let _e1406 = phi_1607_;
+                                        let _e1408 = phi_1608_;
+                                        phi_1609_ = _e1406;
+                                        phi_1610_ = _e1408;
                                     } else {
-                                        phi_1610_ = _e938;
-                                        phi_1611_ = true;
+                                        phi_1609_ = _e938;
+                                        phi_1610_ = true;
                                     }
-                                    let _e1410 = phi_1610_;
-                                    let _e1412 = phi_1611_;
-                                    phi_1612_ = _e1410;
-                                    phi_1613_ = _e1412;
+                                    let _e1410 = phi_1609_;
+                                    let _e1412 = phi_1610_;
+                                    phi_1611_ = _e1410;
+                                    phi_1612_ = _e1412;
                                 } else {
-                                    phi_1612_ = _e938;
-                                    phi_1613_ = true;
+                                    phi_1611_ = _e938;
+                                    phi_1612_ = true;
                                 }
-                                let _e1414 = phi_1612_;
-                                let _e1416 = phi_1613_;
+                                let _e1414 = phi_1611_;
+                                let _e1416 = phi_1612_;
                                 if _e1416 {
                                 }
-                                phi_1017_ = (_e936 & (_e936 - 1u));
-                                phi_1020_ = _e1414;
-                                phi_1617_ = _e1416;
+                                phi_1016_ = (_e936 & (_e936 - 1u));
+                                phi_1019_ = _e1414;
+                                phi_1616_ = _e1416;
                             }
-                            let _e1418 = phi_1017_;
-                            let _e1420 = phi_1020_;
-                            let _e1422 = phi_1617_;
+                            let _e1418 = phi_1016_;
+                            let _e1420 = phi_1019_;
+                            let _e1422 = phi_1616_;
                             continue;
                             continuing {
-                                phi_1016_ = _e1418;
-                                phi_1019_ = _e1420;
+                                phi_1015_ = _e1418;
+                                phi_1018_ = _e1420;
                                 break if !(_e1422);
                             }
                         }
@@ -1428,7 +1428,7 @@ fn function_() {
                             if ((_e1427 & 4278190080u) == 0u) {
                                 let _e1431 = local.len;
                                 if (_e1431 == 0u) {
-                                    phi_1659_ = false;
+                                    phi_1658_ = false;
                                 } else {
                                     let _e1435 = local.len;
                                     local.len = (_e1435 - 1u);
@@ -1446,14 +1446,14 @@ fn function_() {
                                     }
                                     let _e1451 = local.mask[(0u + _e1446)];
                                     local.group_mask = _e1451;
-                                    phi_1659_ = true;
+                                    phi_1658_ = true;
                                 }
-                                let _e1454 = phi_1659_;
-                                phi_1660_ = _e1454;
+                                let _e1454 = phi_1658_;
+                                phi_1659_ = _e1454;
                             } else {
-                                phi_1660_ = true;
+                                phi_1659_ = true;
                             }
-                            let _e1456 = phi_1660_;
+                            let _e1456 = phi_1659_;
                             if _e1456 {
                                 let _e1458 = local.group_mask;
                                 let _e1464 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1458)), 32u, (_e1458 == 0u)));
@@ -1461,77 +1461,77 @@ fn function_() {
                                 let _e1482 = local.group_mask;
                                 local.group_mask = (_e1482 & ~((1u << bitcast<u32>((_e1464 & 31u)))));
                                 let _e1485 = local.group;
-                                phi_1691_ = (_e1485 + countOneBits(((_e1468 & ~((4294967295u << bitcast<u32>((((_e1464 - 24u) ^ _e360) & 31u))))) & 255u)));
+                                phi_1690_ = (_e1485 + countOneBits(((_e1468 & ~((4294967295u << bitcast<u32>((((_e1464 - 24u) ^ _e360) & 31u))))) & 255u)));
                             } else {
-                                phi_1691_ = 4294967295u;
+                                phi_1690_ = 4294967295u;
                             }
-                            let _e1488 = phi_1691_;
-                            phi_1692_ = _e1488;
+                            let _e1488 = phi_1690_;
+                            phi_1691_ = _e1488;
                         } else {
-                            phi_1692_ = u32();
+                            phi_1691_ = u32();
                         }
-                        let _e1490 = phi_1692_;
-                        phi_685_ = _e1490;
+                        let _e1490 = phi_1691_;
+                        phi_684_ = _e1490;
                         let _e1714 = local_6;
-                        phi_688_ = _e1714;
+                        phi_687_ = _e1714;
                         let _e1717 = local_7;
-                        phi_1693_ = _e1717;
-                        phi_1694_ = false;
-                    } else {
-                        phi_685_ = u32();
-                        phi_688_ = bool();
+                        phi_1692_ = _e1717;
                         phi_1693_ = false;
-                        phi_1694_ = true;
+                    } else {
+                        phi_684_ = u32();
+                        phi_687_ = bool();
+                        phi_1692_ = false;
+                        phi_1693_ = true;
                     }
-                    let _e1492 = phi_685_;
-                    let _e1494 = phi_688_;
-                    let _e1496 = phi_1693_;
-                    let _e1498 = phi_1694_;
+                    let _e1492 = phi_684_;
+                    let _e1494 = phi_687_;
+                    let _e1496 = phi_1692_;
+                    let _e1498 = phi_1693_;
                     local_5 = _e1498;
                     continue;
                     continuing {
-                        phi_684_ = _e1492;
-                        phi_687_ = _e1494;
+                        phi_683_ = _e1492;
+                        phi_686_ = _e1494;
                         break if !(_e1496);
                     }
                 }
                 let _e1501 = local_5;
                 if _e1501 {
-                    phi_1698_ = false;
+                    phi_1697_ = false;
                 } else {
-                    phi_1698_ = true;
+                    phi_1697_ = true;
                 }
-                let _e1503 = phi_1698_;
+                let _e1503 = phi_1697_;
                 if _e1503 {
-                    phi_1702_ = true;
+                    phi_1701_ = true;
                 } else {
                     let _e1723 = local_8;
-                    phi_1702_ = _e1723;
+                    phi_1701_ = _e1723;
                 }
-                let _e1505 = phi_1702_;
-                phi_1703_ = _e1505;
+                let _e1505 = phi_1701_;
+                phi_1702_ = _e1505;
             }
-            let _e1507 = phi_1703_;
-            phi_1704_ = _e1507;
-            phi_1705_ = _e186;
+            let _e1507 = phi_1702_;
+            phi_1703_ = _e1507;
+            phi_1704_ = _e186;
         } else {
-            phi_1704_ = bool();
-            phi_1705_ = true;
+            phi_1703_ = bool();
+            phi_1704_ = true;
         }
-        let _e1509 = phi_1704_;
-        let _e1511 = phi_1705_;
+        let _e1509 = phi_1703_;
+        let _e1511 = phi_1704_;
         if _e1511 {
-            phi_1709_ = false;
+            phi_1708_ = false;
         } else {
-            phi_1709_ = _e1509;
+            phi_1708_ = _e1509;
         }
-        let _e1513 = phi_1709_;
+        let _e1513 = phi_1708_;
         if _e1513 {
-            phi_1713_ = 0f;
+            phi_1712_ = 0f;
         } else {
-            phi_1713_ = 1f;
+            phi_1712_ = 1f;
         }
-        let _e1515 = phi_1713_;
+        let _e1515 = phi_1712_;
         if (_e84 < _e65) {
         } else {
             return;
@@ -1543,28 +1543,28 @@ fn function_() {
         }
         let _e1522 = bits.member[(0u + _e84)];
         if ((_e1522 & 2u) == 0u) {
-            phi_1734_ = (_e1522 & 1u);
+            phi_1733_ = (_e1522 & 1u);
         } else {
-            phi_1734_ = (_e1522 & 7u);
+            phi_1733_ = (_e1522 & 7u);
         }
-        let _e1528 = phi_1734_;
+        let _e1528 = phi_1733_;
         if (_e84 < _e65) {
         } else {
             return;
         }
         let _e1532 = visibility.member[(0u + _e84)];
         if ((_e1528 & 1u) != 0u) {
-            phi_1749_ = (2u | 1u);
+            phi_1748_ = (2u | 1u);
         } else {
-            phi_1749_ = 2u;
+            phi_1748_ = 2u;
         }
-        let _e1538 = phi_1749_;
+        let _e1538 = phi_1748_;
         if (_e1532 < 0.5f) {
-            phi_1754_ = (_e1538 | 4u);
+            phi_1753_ = (_e1538 | 4u);
         } else {
-            phi_1754_ = _e1538;
+            phi_1753_ = _e1538;
         }
-        let _e1541 = phi_1754_;
+        let _e1541 = phi_1753_;
         if (_e84 < _e71) {
         } else {
             return;
