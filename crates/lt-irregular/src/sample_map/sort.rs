@@ -26,6 +26,7 @@ pub(crate) struct Point {
 }
 
 /// Parts of at least this many samples are sorted as tasks of their own.
+#[cfg(feature = "std")]
 const TASK: usize = 8192;
 /// Bits per axis of a cell on the Morton curve: two passes of 10 bits sort it.
 const CELL_BITS: u32 = 10;
