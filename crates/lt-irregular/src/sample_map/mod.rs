@@ -48,7 +48,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Options { leaf: 64, part_levels: 5, order: PointOrder::Morton, instructions: Instructions::best() }
+        Options { leaf: 64, part_levels: 5, order: PointOrder::Median, instructions: Instructions::best() }
     }
 }
 
