@@ -9,6 +9,7 @@ mod prepared;
 mod refit;
 mod traverse;
 mod tree;
+mod visits;
 
 use crate::any_hit::AnyHit;
 use crate::build::{Bvh, InstancedBvh, instance_bounds};
