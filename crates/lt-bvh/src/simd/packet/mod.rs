@@ -13,7 +13,7 @@ mod record;
 use super::lanes::{Lanes, NodeLanes};
 use super::prepared::{BoxRay, Prepared};
 use super::tree::SimdTree;
-use crate::ray::Ray;
+use crate::ray::{COORDINATE_LIMIT, Ray};
 use crate::slab::{LEAST_COMPONENT, NODE_MARGIN, Slab, Span, TRIANGLE_MARGIN, WHOLE_RAY};
 use crate::triangle::Shear;
 pub(crate) use frusta::Frusta;
@@ -61,6 +61,17 @@ impl Kind {
     }
 }
 
+/// Whether all rays have the direction of the first, a valid one, and origins as valid; without a branch per ray.
+#[inline(always)]
+fn are_parallel(rays: &[Ray]) -> bool {
+    let d = rays[0].direction;
+    rays.iter().fold(true, |all, ray| {
+        let is_same = (ray.direction.x == d.x) & (ray.direction.y == d.y) & (ray.direction.z == d.z);
+        let o = ray.origin.abs();
+        all & is_same & (o.x < COORDINATE_LIMIT) & (o.y < COORDINATE_LIMIT) & (o.z < COORDINATE_LIMIT)
+    })
+}
+
 /// Neighbours in a batch that one packet can take.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Run {
@@ -78,6 +89,10 @@ impl Run {
     pub fn first(rays: &[Ray]) -> Self {
         let Some(first) = rays.first() else { return Run { kind: None, len: 0, is_parallel: true } };
         let mut run = Run { kind: Kind::of(first), len: 1, is_parallel: true };
+        let most = &rays[..rays.len().min(PACKET)];
+        if run.kind.is_some() && are_parallel(most) {
+            return Run { len: most.len(), ..run };
+        }
         for ray in rays.iter().take(PACKET).skip(1) {
             // Under a sun all directions are the same, and only origins differ.
             let is_same = ray.direction == first.direction;
