@@ -3,8 +3,11 @@
 //! The same input gives the same bits for any number of threads: every pixel is computed alone, and the only order
 //! that matters (the depth test's) is a minimum.
 
+mod asks;
 mod batch;
 mod history;
+mod mask_batch;
+mod planes;
 mod raster;
 mod shortcut;
 mod tiles;
