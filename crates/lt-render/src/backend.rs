@@ -63,6 +63,9 @@ pub struct FrameJob {
     pub map: Option<DepthMapJob>,
     /// Whether the map is drawn in this frame; otherwise the slot's own is still good.
     pub draws_map: bool,
+    /// Whether casters that do not move are in the slot's map already, by the same projection: only those that move need
+    /// drawing.
+    pub keeps_still: bool,
     /// The temporal mask's frame, if the plan has one.
     pub mask: Option<MaskParams>,
     /// Which storage keeps map and history between frames: 0 for techniques that keep nothing, else the technique's own.
@@ -70,6 +73,11 @@ pub struct FrameJob {
 }
 
 impl FrameJob {
+    /// Maps drawn whole in this frame.
+    pub fn map_draws(&self) -> u32 {
+        u32::from(self.draws_map && !self.keeps_still)
+    }
+
     /// The passes of this frame, in order: the plan's, less those that would draw a map anew that still serves.
     pub fn passes(&self) -> Vec<PassKind> {
         self.plan.passes().into_iter().filter(|k| self.draws_map || !k.makes_map()).collect()

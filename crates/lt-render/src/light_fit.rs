@@ -48,15 +48,17 @@ pub fn fit_kept(scene: Bounds, camera: &CameraParams, direction: Vec3, map_size:
 }
 
 impl LightFit {
-    /// Whether a map drawn for this fit still serves a camera: it covers all that the camera sees, and is not much coarser
-    /// than a new one would be.
+    /// Whether a map drawn for this fit still serves a camera: it covers all that the camera sees, no caster lies before
+    /// its near plane, and it is not much coarser than a new one would be.
     pub fn serves(&self, scene: Bounds, camera: &CameraParams, direction: Vec3, map_size: u32) -> bool {
         let scene = or_unit_box(scene);
         let seen = visible_region(scene, camera);
         let points = if seen.is_empty() { scene.corners().to_vec() } else { seen };
         let covers = points.iter().all(|&p| self.projection.project(p).is_inside);
+        let holds_casters = scene.corners().iter().all(|&p| self.projection.project(p).depth >= 0.0);
         let fresh = fit_kept(scene, camera, direction, map_size);
         covers
+            && holds_casters
             && self.extent_world.xy().max_element() <= fresh.extent_world.xy().max_element() * KEPT_LOOSENESS
     }
 }
@@ -206,6 +208,8 @@ mod tests {
         assert!(fit.serves(BOX, &at(0.2, 4.8), sun, 1024));
         let turned = camera(start.eye, Vec3::new(0.0, -0.3, 1.0).normalize());
         assert!(!fit.serves(BOX, &turned, sun, 1024), "looks elsewhere");
+        let taller = Bounds { max: BOX.max + Vec3::Y * 3.0, ..BOX };
+        assert!(!fit.serves(taller, &start, sun, 1024), "a caster rose out of the map");
         let near = camera(Vec3::new(0.0, -9.0, -8.0), Vec3::new(0.0, -0.9, -0.2).normalize());
         assert!(!fit.serves(BOX, &near, sun, 1024), "sees so little that a new map is much finer");
         assert!(!fit_directional(BOX, &start, sun, 1024).serves(BOX, &at(0.0, 9.0), sun, 1024), "not grown");

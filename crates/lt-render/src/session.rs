@@ -263,6 +263,7 @@ impl Session {
             }
             None => self.light_fit(map_size),
         };
+        let has_moved = slot.last.as_ref().is_some_and(|l| l.pose != self.pose);
         let test = technique.map_test().map_or(Vec4::ZERO, |(test, _)| test_params(test));
         let shadow = ShadowParams {
             projection: fit.projection,
@@ -284,7 +285,8 @@ impl Session {
         let job = FrameJob {
             plan,
             shadow,
-            draws_map: map.is_some() && kept.is_none(),
+            draws_map: map.is_some() && (kept.is_none() || has_moved),
+            keeps_still: kept.is_some(),
             map,
             mask,
             slot: slot.index,

@@ -6,6 +6,7 @@
 mod asks;
 mod batch;
 mod history;
+mod kept_map;
 mod mask_batch;
 mod planes;
 mod raster;
@@ -15,6 +16,7 @@ mod tiles;
 use std::time::Instant;
 
 use history::{History, Seen};
+use kept_map::{Draw, StillMap};
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
@@ -62,6 +64,7 @@ pub struct CpuBackend {
 #[derive(Default)]
 struct Slot {
     depths: Vec<f32>,
+    still: StillMap,
     rows: Vec<Vec4>,
     vectors: Vec<Vec4>,
     history: History,
@@ -170,7 +173,12 @@ impl Backend for CpuBackend {
         let slot = &mut self.slots[self.slot];
         match (kind, job.map, job.plan.map) {
             (PassKind::DepthMap, Some(map), _) => {
-                raster::draw_depths(&self.scene, &map.depth, &mut slot.depths)
+                let kind = match (job.plan.reuse, job.keeps_still) {
+                    (false, _) => Draw::Once,
+                    (true, false) => Draw::Whole,
+                    (true, true) => Draw::Moving,
+                };
+                slot.still.draw(kind, &self.scene, &map.depth, &mut slot.depths);
             }
             (PassKind::FilterX, Some(map), Some((test, _))) => {
                 blur_rows(test, &map.filter, &slot.depths, &mut slot.rows)
@@ -187,8 +195,10 @@ impl Backend for CpuBackend {
 
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError> {
         let slot = &self.slots[self.slot];
-        let bytes =
-            size_of_val(&slot.depths[..]) + size_of_val(&slot.rows[..]) + size_of_val(&slot.vectors[..]);
+        let bytes = size_of_val(&slot.depths[..])
+            + slot.still.bytes()
+            + size_of_val(&slot.rows[..])
+            + size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
             let lit_side = |s: &Sample| !settle(s, job.shadow.light).1;
@@ -202,7 +212,7 @@ impl Backend for CpuBackend {
             passes: std::mem::take(&mut self.passes),
             map_bytes: bytes as u64,
             mask: job.plan.mask.map_or(Vec::new(), |_| slot.history.rows(self.tiles)),
-            map_draws: u32::from(job.draws_map),
+            map_draws: job.map_draws(),
         })
     }
 
