@@ -115,7 +115,8 @@ fn prepare(
     let has_holes = draw.has_holes && !t.is_opaque();
     let prepared = Prepared { corners, snapped, triangle: index, has_holes };
     let (low, high) = rows_of(&prepared, p.map_size as usize);
-    (low < high && corners.iter().any(|c| c.z < 1.0)).then_some(prepared)
+    let (left, right) = span(prepared.snapped.map(|c| c[0]), p.map_size as usize);
+    (low < high && left < right && corners.iter().any(|c| c.z < 1.0)).then_some(prepared)
 }
 
 impl Prepared {

@@ -216,7 +216,7 @@ impl Backend for GpuBackend {
                 words.into_iter().map(MaskBits::from_bits).collect()
             }
         };
-        Ok(Frame { visibility, doubt, rays, passes, map_bytes, mask, map_draws: u32::from(job.draws_map) })
+        Ok(Frame { visibility, doubt, rays, passes, map_bytes, mask, map_draws: job.map_draws() })
     }
 
     fn shade(&mut self, visibility: &[f32], params: &ShadeParams) -> Result<Vec<[u8; 4]>, RenderError> {
