@@ -19,13 +19,15 @@ use history::{History, Seen};
 use kept_map::{Draw, StillMap};
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
 use lt_math::glam::{UVec2, Vec3, Vec4};
-use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
+use lt_math::{
+    Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
+};
 use lt_shaders::abi::{CameraParams, FilterParams, Material, Sample, ShadeParams, ShadowParams};
 use lt_shaders::camera::{
     ColorSource, ColorTextures, NoColorTextures, previous_position, primary_ray, sample_at_hit,
 };
 use lt_shaders::evaluate::{
-    FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate, settle,
+    FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels, settle,
 };
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
@@ -40,7 +42,7 @@ use crate::{
     Backend, EffectPlan, Frame, FrameJob, MapSource, MapTest, PackedScene, Pass, PassKind, RenderError,
 };
 
-pub use batch::{BatchTest, evaluate_batch};
+pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 
 /// See the [module](self).
 pub struct CpuBackend {
@@ -64,14 +66,15 @@ pub struct CpuBackend {
 #[derive(Default)]
 struct Slot {
     depths: Vec<f32>,
-    still: StillMap,
+    /// Of every level, what stands still.
+    still: Vec<StillMap>,
     rows: Vec<Vec4>,
     vectors: Vec<Vec4>,
     history: History,
 }
 
 impl CpuBackend {
-    /// The depth map that the last frame drew, in rows; empty before the first.
+    /// The depth maps of the last frame, in rows, level after level; empty before the first.
     pub fn depth_map(&self) -> &[f32] {
         &self.slots[self.slot].depths
     }
@@ -151,7 +154,7 @@ impl Backend for CpuBackend {
     }
 
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
-        let map_texels = job.map.map_or(0, |m| (m.depth.map_size as usize).pow(2));
+        let map_texels = job.map.as_ref().map_or(0, |m| (m.map_size() as usize).pow(2) * m.levels.len());
         let vector_texels = if job.plan.is_prefiltered() { map_texels } else { 0 };
         self.slot = job.slot;
         if self.slots.len() <= job.slot {
@@ -171,19 +174,24 @@ impl Backend for CpuBackend {
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
         let start = Instant::now();
         let slot = &mut self.slots[self.slot];
-        match (kind, job.map, job.plan.map) {
+        match (kind, &job.map, job.plan.map) {
             (PassKind::DepthMap, Some(map), _) => {
-                let kind = match (job.plan.reuse, job.keeps_still) {
-                    (false, _) => Draw::Once,
-                    (true, false) => Draw::Whole,
-                    (true, true) => Draw::Moving,
-                };
-                slot.still.draw(kind, &self.scene, &map.depth, &mut slot.depths);
+                slot.still.resize_with(map.levels.len(), StillMap::default);
+                let whole = if job.plan.reuse { Draw::Whole } else { Draw::Once };
+                let draws = map.draws.iter().map(|level| (level, whole));
+                for (&level, draw) in draws.chain(map.refreshes.iter().map(|level| (level, Draw::Moving))) {
+                    let (params, depths) = (&map.levels[level as usize], &mut slot.depths[map.texels(level)]);
+                    slot.still[level as usize].draw(draw, &self.scene, params, depths);
+                }
             }
-            (PassKind::FilterX, Some(map), Some((test, _))) => {
-                blur_rows(test, &map.filter, &slot.depths, &mut slot.rows)
-            }
-            (PassKind::FilterY, Some(map), _) => blur_columns(&map.filter, &slot.rows, &mut slot.vectors),
+            (PassKind::FilterX, Some(map), Some((test, _))) => map.drawn().for_each(|level| {
+                let at = map.texels(level);
+                blur_rows(test, &map.filter, &slot.depths[at.clone()], &mut slot.rows[at]);
+            }),
+            (PassKind::FilterY, Some(map), _) => map.drawn().for_each(|level| {
+                let at = map.texels(level);
+                blur_columns(&map.filter, &slot.rows[at.clone()], &mut slot.vectors[at]);
+            }),
             (PassKind::Evaluate, _, Some((test, source))) => self.estimate(test, source, job),
             (PassKind::Mask, ..) => self.correct(job),
             (PassKind::Resolve, ..) => self.rays = self.resolve(job),
@@ -196,7 +204,7 @@ impl Backend for CpuBackend {
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError> {
         let slot = &self.slots[self.slot];
         let bytes = size_of_val(&slot.depths[..])
-            + slot.still.bytes()
+            + slot.still.iter().map(StillMap::bytes).sum::<usize>()
             + size_of_val(&slot.rows[..])
             + size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
@@ -249,33 +257,32 @@ impl CpuBackend {
 
     fn estimate_batched<T: BatchTest>(&mut self, job: &FrameJob) {
         let depths = &self.slots[self.slot].depths[..];
-        let (p, has_doubts) = (&job.shadow, job.plan.doubt_list);
+        let (p, has_doubts, levels) = (&job.shadow, job.plan.doubt_list, job.searched_levels());
         let blocks = (self.samples.par_chunks(BLOCK))
             .zip(self.visibility.par_chunks_mut(BLOCK))
             .zip(self.is_doubted.par_chunks_mut(BLOCK));
-        blocks.for_each(|((samples, lit), doubted)| match has_doubts {
-            false => evaluate_batch::<T, false>(samples, p, depths, lit, doubted),
-            true => evaluate_batch::<T, true>(samples, p, depths, lit, doubted),
+        blocks.for_each(|((samples, lit), doubted)| match (&levels, has_doubts) {
+            (None, false) => evaluate_batch::<T, false>(samples, p, depths, lit, doubted),
+            (None, true) => evaluate_batch::<T, true>(samples, p, depths, lit, doubted),
+            (Some(l), false) => evaluate_batch_levels::<T, false>(samples, p, l, depths, lit, doubted),
+            (Some(l), true) => evaluate_batch_levels::<T, true>(samples, p, l, depths, lit, doubted),
         });
     }
 
     fn estimate_with<T: TestFromParams>(&mut self, source: MapSource, job: &FrameJob) {
         let slot = &self.slots[self.slot];
-        let gathered = GatheredDepths { depths: &slot.depths };
-        let filtered = FilteredVectors { vectors: &slot.vectors };
-        let (samples, lit, doubted) = (&self.samples[..], &mut self.visibility[..], &mut self.is_doubted[..]);
-        match (source, job.plan.doubt_list) {
-            (MapSource::Gather, false) => {
-                estimate_tiles::<T, _, false>(&job.shadow, gathered, samples, lit, doubted)
+        let mut pixels = Estimated {
+            p: &job.shadow,
+            samples: &self.samples,
+            visibility: &mut self.visibility,
+            is_doubted: &mut self.is_doubted,
+        };
+        match source {
+            MapSource::Gather => {
+                pixels.estimate::<T, _>(GatheredDepths { depths: &slot.depths }, job);
             }
-            (MapSource::Gather, true) => {
-                estimate_tiles::<T, _, true>(&job.shadow, gathered, samples, lit, doubted)
-            }
-            (MapSource::Prefiltered, false) => {
-                estimate_tiles::<T, _, false>(&job.shadow, filtered, samples, lit, doubted);
-            }
-            (MapSource::Prefiltered, true) => {
-                estimate_tiles::<T, _, true>(&job.shadow, filtered, samples, lit, doubted);
+            MapSource::Prefiltered => {
+                pixels.estimate::<T, _>(FilteredVectors { vectors: &slot.vectors }, job);
             }
         }
     }
@@ -368,22 +375,45 @@ impl Batch {
     }
 }
 
-fn estimate_tiles<T: TestFromParams, M: MapView + Sync, const LTT: bool>(
-    p: &ShadowParams,
-    map: M,
-    samples: &[Sample],
-    visibility: &mut [f32],
-    is_doubted: &mut [bool],
-) {
-    let blocks =
-        samples.par_chunks(BLOCK).zip(visibility.par_chunks_mut(BLOCK)).zip(is_doubted.par_chunks_mut(BLOCK));
-    blocks.for_each(|((samples, visibility), is_doubted)| {
-        for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
-            let verdict = evaluate::<T, M, LTT>(sample, p, map);
-            *visibility = verdict.visibility;
-            *is_doubted = verdict.is_doubted;
+/// The pixels that the evaluate pass reads and writes.
+struct Estimated<'a> {
+    p: &'a ShadowParams,
+    samples: &'a [Sample],
+    visibility: &'a mut [f32],
+    is_doubted: &'a mut [bool],
+}
+
+impl Estimated<'_> {
+    fn estimate<T: TestFromParams, M: MapView + Sync>(&mut self, map: M, job: &FrameJob) {
+        let one = OneLevel { projection: self.p.projection };
+        match (job.searched_levels(), job.plan.doubt_list) {
+            (None, false) => self.run::<T, M, _, false>(map, one),
+            (None, true) => self.run::<T, M, _, true>(map, one),
+            (Some(all), false) => self.run::<T, M, _, false>(map, levels(&all)),
+            (Some(all), true) => self.run::<T, M, _, true>(map, levels(&all)),
         }
-    });
+    }
+
+    fn run<T: TestFromParams, M: MapView + Sync, L: LevelSource + Sync, const LTT: bool>(
+        &mut self,
+        map: M,
+        levels: L,
+    ) {
+        let blocks = (self.samples.par_chunks(BLOCK))
+            .zip(self.visibility.par_chunks_mut(BLOCK))
+            .zip(self.is_doubted.par_chunks_mut(BLOCK));
+        blocks.for_each(|((samples, visibility), is_doubted)| {
+            for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
+                let verdict = evaluate_levels::<T, M, L, LTT>(sample, self.p, map, levels);
+                *visibility = verdict.visibility;
+                *is_doubted = verdict.is_doubted;
+            }
+        });
+    }
+}
+
+fn levels(projections: &[LightProjection]) -> Levels<'_> {
+    Levels { projections, count: projections.len() as u32 }
 }
 
 fn blur_rows(test: MapTest, p: &FilterParams, depths: &[f32], rows: &mut [Vec4]) {
