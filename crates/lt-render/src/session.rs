@@ -59,7 +59,7 @@ pub struct Session {
 
 /// What planning and fitting need of a scene once the backend owns its buffers.
 struct PackedSummary {
-    bounds: lt_scene::Bounds,
+    bounds: Bounds,
     stats: PackStats,
     root: u32,
 }

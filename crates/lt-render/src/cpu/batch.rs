@@ -64,7 +64,7 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
 
 /// What a batch reads of a light's maps.
 #[derive(Clone, Copy)]
-struct Maps<'a> {
+pub(super) struct Maps<'a> {
     projections: &'a [LightProjection],
     /// Map after map.
     depths: &'a [f32],

@@ -1,12 +1,11 @@
 //! The temporal mask on the CPU: histories in blocks, two that take turns.
 
 use lt_mask::{MaskBits, Pattern};
-use lt_math::glam::Vec3;
-use lt_shaders::abi::{MaskParams, Sample};
+use lt_shaders::abi::MaskParams;
 use rayon::prelude::*;
 
 use super::asks::Asks;
-use super::mask_batch::{BlockPixels, Frames, mask_block};
+use super::mask_batch::Frames;
 use super::planes::{BlockBits, PIECE, pack, store_piece};
 use super::tiles::{BLOCK, Tiles};
 use crate::MaskEffects;
@@ -24,15 +23,33 @@ pub struct History {
     current: usize,
 }
 
-/// What the camera pass found, in tile order.
-#[derive(Clone, Copy)]
-pub struct Seen<'a> {
-    /// The order.
-    pub tiles: Tiles,
-    /// Visible samples.
-    pub samples: &'a [Sample],
-    /// Where they were in the last frame; empty if only the camera moves.
-    pub previous: &'a [Vec3],
+/// A history in a frame's midst.
+pub struct Open<'a> {
+    /// What the mask reads.
+    pub frames: Frames<'a>,
+    /// What it writes, by block.
+    pub blocks: Vec<Memory<'a>>,
+}
+
+/// What one block remembers of this frame.
+pub struct Memory<'a> {
+    /// The three bits.
+    pub bits: &'a mut BlockBits,
+    /// Depths along the view axis; empty without the temporal depth test.
+    pub depths: &'a mut [f32],
+}
+
+impl Memory<'_> {
+    /// After the block's rays: remembers what they found.
+    pub fn learn(&mut self, visibility: &[f32], is_doubted: &[bool]) {
+        let pieces = visibility.as_chunks::<PIECE>().0.iter().zip(is_doubted.as_chunks::<PIECE>().0);
+        for (piece, (visibility, is_traced)) in pieces.enumerate() {
+            let is_hit = std::array::from_fn(|i| {
+                u8::from(is_traced[i]) & u8::from(lt_mask::is_test_shadowed(visibility[i]))
+            });
+            store_piece(&mut self.bits.hit, piece, pack(&is_hit));
+        }
+    }
 }
 
 impl History {
@@ -49,59 +66,18 @@ impl History {
         self.current = 1 - self.current;
     }
 
-    /// Runs the mask over all pixels.
-    pub fn correct(
-        &mut self,
-        seen: Seen<'_>,
-        p: &MaskParams,
-        effects: MaskEffects,
-        visibility: &mut [f32],
-        is_doubted: &mut [bool],
-    ) {
+    /// Hears the last frame's neighbourhoods, and opens this frame's memory for [`super::mask_batch::mask_block`] to fill.
+    pub fn open<'a>(&'a mut self, tiles: Tiles, params: &'a MaskParams, effects: MaskEffects) -> Open<'a> {
         let [first, second] = &mut self.bits;
         let (last, bits) = if self.current == 1 { (first, second) } else { (second, first) };
         let [first, second] = &mut self.depths;
         let (last_depths, depths) = if self.current == 1 { (first, second) } else { (second, first) };
-        let patterns = [p.still_pattern, p.moving_pattern].map(Pattern::from_index);
-        self.asks.hear(seen.tiles, last, patterns, p.frame);
-        let frames = Frames { tiles: seen.tiles, params: p, effects, asks: &self.asks, last_depths };
-        let blocks = seen
-            .samples
-            .par_chunks(BLOCK)
-            .zip(visibility.par_chunks_mut(BLOCK))
-            .zip(is_doubted.par_chunks_mut(BLOCK))
-            .zip(bits);
-        let run = |block: usize, (((samples, visibility), is_doubted), bits), depths: &mut [f32]| {
-            let previous = seen.previous.get(block * BLOCK..(block + 1) * BLOCK).unwrap_or(&[]);
-            mask_block(
-                frames,
-                block,
-                BlockPixels { samples, previous, visibility, is_doubted, bits, depths },
-            );
-        };
-        if depths.is_empty() {
-            blocks.enumerate().for_each(|(block, pixels)| run(block, pixels, &mut []));
-        } else {
-            let both = blocks.zip(depths.par_chunks_mut(BLOCK)).enumerate();
-            both.for_each(|(block, (pixels, depths))| run(block, pixels, depths));
-        }
-    }
-
-    /// After the resolve pass: remembers what the rays found.
-    pub fn learn(&mut self, visibility: &[f32], is_doubted: &[bool]) {
-        let blocks = self.bits[self.current]
-            .par_iter_mut()
-            .zip(visibility.par_chunks(BLOCK))
-            .zip(is_doubted.par_chunks(BLOCK));
-        blocks.for_each(|((bits, visibility), is_doubted)| {
-            let pieces = visibility.as_chunks::<PIECE>().0.iter().zip(is_doubted.as_chunks::<PIECE>().0);
-            for (piece, (visibility, is_traced)) in pieces.enumerate() {
-                let is_hit = std::array::from_fn(|i| {
-                    u8::from(is_traced[i]) & u8::from(lt_mask::is_test_shadowed(visibility[i]))
-                });
-                store_piece(&mut bits.hit, piece, pack(&is_hit));
-            }
-        });
+        let patterns = [params.still_pattern, params.moving_pattern].map(Pattern::from_index);
+        self.asks.hear(tiles, last, patterns, params.frame);
+        let frames = Frames { tiles, params, effects, asks: &self.asks, last_depths };
+        let mut depths = depths.chunks_mut(BLOCK);
+        let blocks = bits.iter_mut().map(|bits| Memory { bits, depths: depths.next().unwrap_or(&mut []) });
+        Open { frames, blocks: blocks.collect() }
     }
 
     /// This frame's bits, row by row.

@@ -301,7 +301,7 @@ fn rows_of_points(points: &[Vec3]) -> [Lanes; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::history::{History, Seen};
+    use super::super::history::History;
     use super::super::tiles::BLOCK;
     use super::*;
     use lt_mask::{MaskBits, Pattern};
@@ -414,10 +414,22 @@ mod tests {
             let previous = if object_motion { to_tiles(tiles, &case.1) } else { Vec::new() };
             let (mut lit, mut doubted) = (to_tiles(tiles, &case.2), vec![false; tiles.len()]);
             history.begin(tiles, Some(effects));
-            let seen = Seen { tiles, samples: &samples, previous: &previous };
-            history.correct(seen, &p, effects, &mut lit, &mut doubted);
+            let seen_rays = to_tiles(tiles, &rays);
+            let mut open = history.open(tiles, &p, effects);
+            for (block, memory) in open.blocks.iter_mut().enumerate() {
+                let range = block * BLOCK..(block + 1) * BLOCK;
+                let pixels = BlockPixels {
+                    samples: &samples[range.clone()],
+                    previous: previous.get(range.clone()).unwrap_or(&[]),
+                    visibility: &mut lit[range.clone()],
+                    is_doubted: &mut doubted[range.clone()],
+                    bits: memory.bits,
+                    depths: memory.depths,
+                };
+                mask_block(open.frames, block, pixels);
+                memory.learn(&seen_rays[range.clone()], &doubted[range]);
+            }
             let (lit, doubted) = (tiles.to_rows(&lit), tiles.to_rows(&doubted));
-            history.learn(&to_tiles(tiles, &rays), &to_tiles(tiles, &doubted));
             let learnt = history.rows(tiles);
             for (i, m) in expected.iter().enumerate() {
                 let decided = (lit[i], doubted[i]);
