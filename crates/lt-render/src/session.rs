@@ -362,7 +362,7 @@ impl Session {
             light: homogeneous_light(&self.setup),
             frame: slot.frame,
             still_pattern: mask.pattern.to_index(),
-            moving_pattern: mask.moving_pattern.to_index(),
+            moving_pattern: mask.moving_pattern_for(self.scene.stats.masked_triangles > 0).to_index(),
             flags,
             depth_tolerance: DEPTH_CONSISTENCY_TOLERANCE,
             pad0: 0,

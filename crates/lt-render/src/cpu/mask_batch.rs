@@ -463,7 +463,7 @@ mod tests {
                         previous: camera(size, if flag(4) { Vec3::ZERO } else { Vec3::new(0.1, 0.05, 0.3) }),
                         light: Vec4::new(0.1, 0.2, 1.0, 0.0),
                         still_pattern: pattern.to_index(),
-                        moving_pattern: Pattern::ALL[(bits % 7) as usize].to_index(),
+                        moving_pattern: Pattern::ALL[(bits % 8) as usize].to_index(),
                         flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | published,
                         depth_tolerance: 0.3,
                         ..bytemuck::Zeroable::zeroed()
