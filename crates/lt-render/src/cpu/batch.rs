@@ -295,7 +295,7 @@ impl Places {
             let (w, depth) = (along(row_w), along(row_z));
             let (at_u, at_v) = (along(row_x) / w, along(row_y) / w);
             let is_between = |x: f32| (x >= low) & (x <= high);
-            let is_unit = |x: f32| (x >= 0.0) & (x <= 1.0);
+            let is_unit = |x: f32| (0.0..=1.0).contains(&x);
             let is_inside = (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
             self.u[i] = if is_inside { at_u } else { self.u[i] };
             self.v[i] = if is_inside { at_v } else { self.v[i] };
@@ -312,6 +312,10 @@ impl Footprints {
     }
 
     /// Projects and gathers, and finds who is `OUTSIDE`.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "four texels of a footprint lie side by side: pixel by pixel"
+    )]
     #[inline(always)]
     fn fill(&mut self, rows: &Rows, p: &ShadowParams, maps: Maps<'_>, states: &mut [u32; BATCH]) {
         let mut places = Places::new();
