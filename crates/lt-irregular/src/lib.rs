@@ -18,6 +18,7 @@
 //! # Structures
 //!
 //! - [`LightBvh`]: a tree over the triangles, for a light that stands still.
+//! - [`SampleMap`]: a tree over the points, which every triangle walks: the alias-free shadow map of Aila and Laine (2004).
 //!
 //! # Conventions
 //!
@@ -35,6 +36,7 @@ mod level;
 mod light_bvh;
 mod planes;
 mod rect;
+mod sample_map;
 mod split;
 mod tree;
 mod validate;
@@ -45,5 +47,6 @@ pub use casters::Casters;
 pub use level::Instructions;
 pub use light_bvh::{LightBvh, Scratch};
 pub use rect::Rect;
+pub use sample_map::{Counters, Options, PointOrder, SampleMap};
 pub use validate::Invalid;
 pub use view::{Bounds, LightPoint, View};
