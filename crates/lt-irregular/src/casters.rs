@@ -1,6 +1,7 @@
 //! The triangles that block, as the ray tracer knows them, and its own test as the last instance.
 
-use crate::lanes::Lanes;
+use crate::block::ASKS;
+use crate::lanes::{Lanes, Level};
 use crate::view::{Rays, View, permute};
 use lt_bvh::{AnyHit, Node, Ray, RayTest, Triangle};
 use lt_math::glam::{Vec3, Vec4};
@@ -12,6 +13,16 @@ pub struct Casters<'a> {
     pub root: &'a Node,
     /// The triangles.
     pub triangles: &'a [Triangle],
+}
+
+impl Casters<'_> {
+    /// Asks for a triangle by its id in a block, that it may have come by the time it is needed.
+    #[inline(always)]
+    pub(crate) fn prefetch<L: Level>(&self, level: L, id: u32) {
+        if let Some(triangle) = self.triangles.get((id & !ASKS) as usize) {
+            level.prefetch(triangle);
+        }
+    }
 }
 
 /// What is asked about rays to one light.

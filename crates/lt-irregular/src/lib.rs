@@ -36,6 +36,7 @@ mod light_bvh;
 mod planes;
 mod rect;
 mod split;
+mod tile;
 mod tree;
 mod validate;
 mod view;
@@ -43,7 +44,7 @@ mod walk;
 
 pub use casters::Casters;
 pub use level::Instructions;
-pub use light_bvh::{LightBvh, Scratch};
+pub use light_bvh::{LightBvh, Scratch, Walk};
 pub use rect::Rect;
 pub use validate::Invalid;
 pub use view::{Bounds, LightPoint, View};

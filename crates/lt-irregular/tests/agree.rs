@@ -1,7 +1,7 @@
 //! Every structure answers as the ray tracer does, bit for bit, on millions of rays, hard ones among them.
 
 use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
-use lt_irregular::{Bounds, Casters, Instructions, LightBvh, Scratch};
+use lt_irregular::{Bounds, Casters, Instructions, LightBvh, Scratch, Walk};
 use lt_math::glam::{Vec3, Vec4};
 
 /// A small generator of numbers (splitmix64).
@@ -152,17 +152,17 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
     tree.validate(casters).expect("is valid");
     for instructions in Instructions::available() {
         let tree = tree.clone().with_instructions(instructions).expect("available");
-        let mut found = vec![false; rays.len()];
-        tree.occluded(casters, origins, any_hit, &mut found, &mut Scratch::default());
-        let wrong: Vec<usize> = (0..rays.len()).filter(|&i| found[i] != expected[i]).collect();
-        if let Some(&i) = wrong.first() {
-            panic!(
-                "{label} {instructions:?}: {} of {} differ, first {i}: {:?} expected {}",
-                wrong.len(),
-                rays.len(),
-                rays[i],
-                expected[i]
-            );
+        for walk in Walk::ALL {
+            let mut found = vec![false; rays.len()];
+            tree.occluded_by(walk, casters, origins, any_hit, &mut found, &mut Scratch::default());
+            let wrong: Vec<usize> = (0..rays.len()).filter(|&i| found[i] != expected[i]).collect();
+            if let Some(&i) = wrong.first() {
+                let (n, all) = (wrong.len(), rays.len());
+                panic!(
+                    "{label} {instructions:?} {walk:?}: {n} of {all} differ, {i} first: {:?} is {}",
+                    rays[i], expected[i]
+                );
+            }
         }
     }
     expected.iter().filter(|b| **b).count()
