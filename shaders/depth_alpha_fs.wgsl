@@ -1,4 +1,4 @@
-struct type_8 {
+struct type_7 {
     member: array<u32>,
 }
 
@@ -15,18 +15,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct abi_DepthParams {
-    projection: lt_math_LightProjection,
-    map_size: u32,
-    pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
-}
-
-struct type_19 {
-    member: abi_DepthParams,
-}
-
 struct lt_bvh_Triangle {
     v0_: vec3<f32>,
     i0_: u32,
@@ -36,7 +24,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_23 {
+struct type_18 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -48,7 +36,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_27 {
+struct type_22 {
     member: array<abi_Vertex>,
 }
 
@@ -60,10 +48,11 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_31 {
+struct type_26 {
     member: array<abi_Material>,
 }
 
@@ -78,72 +67,80 @@ struct texture_Axis {
     fraction: f32,
 }
 
+struct abi_DepthParams {
+    projection: lt_math_LightProjection,
+    map_size: u32,
+    pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
+}
+
+struct type_36 {
+    member: abi_DepthParams,
+}
+
 var<private> at_1: vec4<f32>;
 var<private> triangle_1: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_19;
+var<uniform> p: type_36;
 @group(0) @binding(1) 
-var<storage> triangles: type_23;
+var<storage> triangles: type_18;
 @group(0) @binding(2) 
-var<storage> vertices: type_27;
+var<storage> vertices: type_22;
 @group(0) @binding(3) 
-var<storage> materials: type_31;
+var<storage> materials: type_26;
 @group(0) @binding(4) 
-var<storage> alpha_texels: type_8;
-
-fn spirv_std_arch_kill() {
-    discard;
-}
+var<storage> alpha_texels: type_7;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_538_: f32;
-    var phi_543_: f32;
-    var phi_544_: bool;
-    var phi_545_: f32;
-    var phi_546_: bool;
-    var phi_550_: f32;
-    var phi_576_: f32;
-    var phi_581_: f32;
-    var phi_582_: bool;
-    var phi_583_: f32;
-    var phi_584_: bool;
-    var phi_588_: f32;
-    var phi_596_: f32;
-    var phi_597_: f32;
-    var phi_598_: f32;
-    var phi_607_: f32;
-    var phi_608_: f32;
-    var phi_626_: u32;
-    var phi_640_: u32;
-    var phi_647_: u32;
-    var phi_652_: u32;
-    var phi_658_: u32;
-    var phi_663_: u32;
-    var phi_665_: texture_Axis;
-    var phi_693_: f32;
-    var phi_698_: f32;
-    var phi_699_: bool;
-    var phi_700_: f32;
-    var phi_701_: bool;
-    var phi_705_: f32;
-    var phi_731_: f32;
-    var phi_736_: f32;
-    var phi_737_: bool;
-    var phi_738_: f32;
-    var phi_739_: bool;
-    var phi_743_: f32;
-    var phi_751_: f32;
-    var phi_752_: f32;
-    var phi_753_: f32;
-    var phi_762_: f32;
-    var phi_763_: f32;
-    var phi_781_: u32;
-    var phi_795_: u32;
-    var phi_802_: u32;
-    var phi_807_: u32;
-    var phi_813_: u32;
-    var phi_818_: u32;
-    var phi_820_: texture_Axis;
+    var phi_146_: f32;
+    var phi_151_: f32;
+    var phi_152_: bool;
+    var phi_153_: f32;
+    var phi_154_: bool;
+    var phi_158_: f32;
+    var phi_184_: f32;
+    var phi_189_: f32;
+    var phi_190_: bool;
+    var phi_191_: f32;
+    var phi_192_: bool;
+    var phi_196_: f32;
+    var phi_204_: f32;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_234_: u32;
+    var phi_248_: u32;
+    var phi_255_: u32;
+    var phi_260_: u32;
+    var phi_266_: u32;
+    var phi_271_: u32;
+    var phi_273_: texture_Axis;
+    var phi_301_: f32;
+    var phi_306_: f32;
+    var phi_307_: bool;
+    var phi_308_: f32;
+    var phi_309_: bool;
+    var phi_313_: f32;
+    var phi_339_: f32;
+    var phi_344_: f32;
+    var phi_345_: bool;
+    var phi_346_: f32;
+    var phi_347_: bool;
+    var phi_351_: f32;
+    var phi_359_: f32;
+    var phi_360_: f32;
+    var phi_361_: f32;
+    var phi_370_: f32;
+    var phi_371_: f32;
+    var phi_389_: u32;
+    var phi_403_: u32;
+    var phi_410_: u32;
+    var phi_415_: u32;
+    var phi_421_: u32;
+    var phi_426_: u32;
+    var phi_428_: texture_Axis;
 
     let _e43 = (*param).size;
     let _e44 = (_e43 & 65535u);
@@ -157,286 +154,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e70 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e70 > param_1) {
-                phi_538_ = 1f;
+                phi_146_ = 1f;
             } else {
-                phi_538_ = 0f;
+                phi_146_ = 0f;
             }
-            let _e73 = phi_538_;
+            let _e73 = phi_146_;
             if (param_1 < 8388608f) {
-                phi_543_ = (_e70 - _e73);
-                phi_544_ = false;
+                phi_151_ = (_e70 - _e73);
+                phi_152_ = false;
             } else {
-                phi_543_ = f32();
-                phi_544_ = true;
+                phi_151_ = f32();
+                phi_152_ = true;
             }
-            let _e76 = phi_543_;
-            let _e78 = phi_544_;
-            phi_545_ = _e76;
-            phi_546_ = _e78;
+            let _e76 = phi_151_;
+            let _e78 = phi_152_;
+            phi_153_ = _e76;
+            phi_154_ = _e78;
         } else {
-            phi_545_ = f32();
-            phi_546_ = true;
+            phi_153_ = f32();
+            phi_154_ = true;
         }
-        let _e80 = phi_545_;
-        let _e82 = phi_546_;
+        let _e80 = phi_153_;
+        let _e82 = phi_154_;
         if _e82 {
-            phi_550_ = param_1;
+            phi_158_ = param_1;
         } else {
-            phi_550_ = _e80;
+            phi_158_ = _e80;
         }
-        let _e84 = phi_550_;
-        phi_598_ = (param_1 - _e84);
+        let _e84 = phi_158_;
+        phi_206_ = (param_1 - _e84);
     } else {
         if (_e57 == 1u) {
             let _e87 = (param_1 * 0.5f);
             if (_e87 > -8388608f) {
                 let _e99 = f32(select(0i, select(select(i32(_e87), i32(-2147483648), (_e87 < bitcast<f32>(3472883712u))), 2147483647i, (_e87 > bitcast<f32>(1325400063u))), (_e87 == _e87)));
                 if (_e99 > _e87) {
-                    phi_576_ = 1f;
+                    phi_184_ = 1f;
                 } else {
-                    phi_576_ = 0f;
+                    phi_184_ = 0f;
                 }
-                let _e102 = phi_576_;
+                let _e102 = phi_184_;
                 if (_e87 < 8388608f) {
-                    phi_581_ = (_e99 - _e102);
-                    phi_582_ = false;
+                    phi_189_ = (_e99 - _e102);
+                    phi_190_ = false;
                 } else {
-                    phi_581_ = f32();
-                    phi_582_ = true;
+                    phi_189_ = f32();
+                    phi_190_ = true;
                 }
-                let _e105 = phi_581_;
-                let _e107 = phi_582_;
-                phi_583_ = _e105;
-                phi_584_ = _e107;
+                let _e105 = phi_189_;
+                let _e107 = phi_190_;
+                phi_191_ = _e105;
+                phi_192_ = _e107;
             } else {
-                phi_583_ = f32();
-                phi_584_ = true;
+                phi_191_ = f32();
+                phi_192_ = true;
             }
-            let _e109 = phi_583_;
-            let _e111 = phi_584_;
+            let _e109 = phi_191_;
+            let _e111 = phi_192_;
             if _e111 {
-                phi_588_ = _e87;
+                phi_196_ = _e87;
             } else {
-                phi_588_ = _e109;
+                phi_196_ = _e109;
             }
-            let _e113 = phi_588_;
+            let _e113 = phi_196_;
             let _e115 = (param_1 - (2f * _e113));
             if (_e115 > 1f) {
-                phi_596_ = (2f - _e115);
+                phi_204_ = (2f - _e115);
             } else {
-                phi_596_ = _e115;
+                phi_204_ = _e115;
             }
-            let _e119 = phi_596_;
-            phi_597_ = _e119;
+            let _e119 = phi_204_;
+            phi_205_ = _e119;
         } else {
-            phi_597_ = param_1;
+            phi_205_ = param_1;
         }
-        let _e121 = phi_597_;
-        phi_598_ = _e121;
+        let _e121 = phi_205_;
+        phi_206_ = _e121;
     }
-    let _e123 = phi_598_;
+    let _e123 = phi_206_;
     if (_e123 > 0f) {
         if (_e123 < 1f) {
-            phi_607_ = _e123;
+            phi_215_ = _e123;
         } else {
-            phi_607_ = 1f;
+            phi_215_ = 1f;
         }
-        let _e127 = phi_607_;
-        phi_608_ = _e127;
+        let _e127 = phi_215_;
+        phi_216_ = _e127;
     } else {
-        phi_608_ = 0f;
+        phi_216_ = 0f;
     }
-    let _e129 = phi_608_;
+    let _e129 = phi_216_;
     let _e130 = (_e44 - 1u);
     let _e132 = (_e129 * f32(_e44));
     if _e52 {
         let _e139 = select(select(u32(_e132), 0u, (_e132 < bitcast<f32>(0u))), 4294967295u, (_e132 > bitcast<f32>(1333788671u)));
         if (_e130 < _e139) {
-            phi_626_ = _e130;
+            phi_234_ = _e130;
         } else {
-            phi_626_ = _e139;
+            phi_234_ = _e139;
         }
-        let _e142 = phi_626_;
-        phi_665_ = texture_Axis(_e142, _e142, 0f);
+        let _e142 = phi_234_;
+        phi_273_ = texture_Axis(_e142, _e142, 0f);
     } else {
         let _e144 = (_e132 + 0.5f);
         let _e151 = select(select(u32(_e144), 0u, (_e144 < bitcast<f32>(0u))), 4294967295u, (_e144 > bitcast<f32>(1333788671u)));
         if (_e44 < _e151) {
-            phi_640_ = _e44;
+            phi_248_ = _e44;
         } else {
-            phi_640_ = _e151;
+            phi_248_ = _e151;
         }
-        let _e154 = phi_640_;
+        let _e154 = phi_248_;
         if (_e57 == 0u) {
-            phi_647_ = _e130;
+            phi_255_ = _e130;
         } else {
-            phi_647_ = 0u;
+            phi_255_ = 0u;
         }
-        let _e159 = phi_647_;
+        let _e159 = phi_255_;
         if (_e57 == 0u) {
-            phi_652_ = 0u;
+            phi_260_ = 0u;
         } else {
-            phi_652_ = _e130;
+            phi_260_ = _e130;
         }
-        let _e162 = phi_652_;
+        let _e162 = phi_260_;
         if (_e154 == 0u) {
-            phi_658_ = _e159;
+            phi_266_ = _e159;
         } else {
-            phi_658_ = (_e154 - 1u);
+            phi_266_ = (_e154 - 1u);
         }
-        let _e166 = phi_658_;
+        let _e166 = phi_266_;
         if (_e154 > _e130) {
-            phi_663_ = _e162;
+            phi_271_ = _e162;
         } else {
-            phi_663_ = _e154;
+            phi_271_ = _e154;
         }
-        let _e169 = phi_663_;
-        phi_665_ = texture_Axis(_e166, _e169, (_e144 - f32(_e154)));
+        let _e169 = phi_271_;
+        phi_273_ = texture_Axis(_e166, _e169, (_e144 - f32(_e154)));
     }
-    let _e172 = phi_665_;
+    let _e172 = phi_273_;
     let _e174 = (*param).flags;
     let _e177 = ((_e174 >> bitcast<u32>(6u)) & 3u);
     if (_e177 == 0u) {
         if (param_2 > -8388608f) {
             let _e190 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e190 > param_2) {
-                phi_693_ = 1f;
+                phi_301_ = 1f;
             } else {
-                phi_693_ = 0f;
+                phi_301_ = 0f;
             }
-            let _e193 = phi_693_;
+            let _e193 = phi_301_;
             if (param_2 < 8388608f) {
-                phi_698_ = (_e190 - _e193);
-                phi_699_ = false;
+                phi_306_ = (_e190 - _e193);
+                phi_307_ = false;
             } else {
-                phi_698_ = f32();
-                phi_699_ = true;
+                phi_306_ = f32();
+                phi_307_ = true;
             }
-            let _e196 = phi_698_;
-            let _e198 = phi_699_;
-            phi_700_ = _e196;
-            phi_701_ = _e198;
+            let _e196 = phi_306_;
+            let _e198 = phi_307_;
+            phi_308_ = _e196;
+            phi_309_ = _e198;
         } else {
-            phi_700_ = f32();
-            phi_701_ = true;
+            phi_308_ = f32();
+            phi_309_ = true;
         }
-        let _e200 = phi_700_;
-        let _e202 = phi_701_;
+        let _e200 = phi_308_;
+        let _e202 = phi_309_;
         if _e202 {
-            phi_705_ = param_2;
+            phi_313_ = param_2;
         } else {
-            phi_705_ = _e200;
+            phi_313_ = _e200;
         }
-        let _e204 = phi_705_;
-        phi_753_ = (param_2 - _e204);
+        let _e204 = phi_313_;
+        phi_361_ = (param_2 - _e204);
     } else {
         if (_e177 == 1u) {
             let _e207 = (param_2 * 0.5f);
             if (_e207 > -8388608f) {
                 let _e219 = f32(select(0i, select(select(i32(_e207), i32(-2147483648), (_e207 < bitcast<f32>(3472883712u))), 2147483647i, (_e207 > bitcast<f32>(1325400063u))), (_e207 == _e207)));
                 if (_e219 > _e207) {
-                    phi_731_ = 1f;
+                    phi_339_ = 1f;
                 } else {
-                    phi_731_ = 0f;
+                    phi_339_ = 0f;
                 }
-                let _e222 = phi_731_;
+                let _e222 = phi_339_;
                 if (_e207 < 8388608f) {
-                    phi_736_ = (_e219 - _e222);
-                    phi_737_ = false;
+                    phi_344_ = (_e219 - _e222);
+                    phi_345_ = false;
                 } else {
-                    phi_736_ = f32();
-                    phi_737_ = true;
+                    phi_344_ = f32();
+                    phi_345_ = true;
                 }
-                let _e225 = phi_736_;
-                let _e227 = phi_737_;
-                phi_738_ = _e225;
-                phi_739_ = _e227;
+                let _e225 = phi_344_;
+                let _e227 = phi_345_;
+                phi_346_ = _e225;
+                phi_347_ = _e227;
             } else {
-                phi_738_ = f32();
-                phi_739_ = true;
+                phi_346_ = f32();
+                phi_347_ = true;
             }
-            let _e229 = phi_738_;
-            let _e231 = phi_739_;
+            let _e229 = phi_346_;
+            let _e231 = phi_347_;
             if _e231 {
-                phi_743_ = _e207;
+                phi_351_ = _e207;
             } else {
-                phi_743_ = _e229;
+                phi_351_ = _e229;
             }
-            let _e233 = phi_743_;
+            let _e233 = phi_351_;
             let _e235 = (param_2 - (2f * _e233));
             if (_e235 > 1f) {
-                phi_751_ = (2f - _e235);
+                phi_359_ = (2f - _e235);
             } else {
-                phi_751_ = _e235;
+                phi_359_ = _e235;
             }
-            let _e239 = phi_751_;
-            phi_752_ = _e239;
+            let _e239 = phi_359_;
+            phi_360_ = _e239;
         } else {
-            phi_752_ = param_2;
+            phi_360_ = param_2;
         }
-        let _e241 = phi_752_;
-        phi_753_ = _e241;
+        let _e241 = phi_360_;
+        phi_361_ = _e241;
     }
-    let _e243 = phi_753_;
+    let _e243 = phi_361_;
     if (_e243 > 0f) {
         if (_e243 < 1f) {
-            phi_762_ = _e243;
+            phi_370_ = _e243;
         } else {
-            phi_762_ = 1f;
+            phi_370_ = 1f;
         }
-        let _e247 = phi_762_;
-        phi_763_ = _e247;
+        let _e247 = phi_370_;
+        phi_371_ = _e247;
     } else {
-        phi_763_ = 0f;
+        phi_371_ = 0f;
     }
-    let _e249 = phi_763_;
+    let _e249 = phi_371_;
     let _e250 = (_e48 - 1u);
     let _e252 = (_e249 * f32(_e48));
     if _e52 {
         let _e259 = select(select(u32(_e252), 0u, (_e252 < bitcast<f32>(0u))), 4294967295u, (_e252 > bitcast<f32>(1333788671u)));
         if (_e250 < _e259) {
-            phi_781_ = _e250;
+            phi_389_ = _e250;
         } else {
-            phi_781_ = _e259;
+            phi_389_ = _e259;
         }
-        let _e262 = phi_781_;
-        phi_820_ = texture_Axis(_e262, _e262, 0f);
+        let _e262 = phi_389_;
+        phi_428_ = texture_Axis(_e262, _e262, 0f);
     } else {
         let _e264 = (_e252 + 0.5f);
         let _e271 = select(select(u32(_e264), 0u, (_e264 < bitcast<f32>(0u))), 4294967295u, (_e264 > bitcast<f32>(1333788671u)));
         if (_e48 < _e271) {
-            phi_795_ = _e48;
+            phi_403_ = _e48;
         } else {
-            phi_795_ = _e271;
+            phi_403_ = _e271;
         }
-        let _e274 = phi_795_;
+        let _e274 = phi_403_;
         if (_e177 == 0u) {
-            phi_802_ = _e250;
+            phi_410_ = _e250;
         } else {
-            phi_802_ = 0u;
+            phi_410_ = 0u;
         }
-        let _e279 = phi_802_;
+        let _e279 = phi_410_;
         if (_e177 == 0u) {
-            phi_807_ = 0u;
+            phi_415_ = 0u;
         } else {
-            phi_807_ = _e250;
+            phi_415_ = _e250;
         }
-        let _e282 = phi_807_;
+        let _e282 = phi_415_;
         if (_e274 == 0u) {
-            phi_813_ = _e279;
+            phi_421_ = _e279;
         } else {
-            phi_813_ = (_e274 - 1u);
+            phi_421_ = (_e274 - 1u);
         }
-        let _e286 = phi_813_;
+        let _e286 = phi_421_;
         if (_e274 > _e250) {
-            phi_818_ = _e282;
+            phi_426_ = _e282;
         } else {
-            phi_818_ = _e274;
+            phi_426_ = _e274;
         }
-        let _e289 = phi_818_;
-        phi_820_ = texture_Axis(_e286, _e289, (_e264 - f32(_e274)));
+        let _e289 = phi_426_;
+        phi_428_ = texture_Axis(_e286, _e289, (_e264 - f32(_e274)));
     }
-    let _e292 = phi_820_;
+    let _e292 = phi_428_;
     let _e296 = (*param).offset;
     let _e303 = (*param).offset;
     let _e310 = (*param).offset;
@@ -444,18 +441,22 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
     return texture_TexelQuad(array<u32, 4>(((_e296 + (_e292.low * _e44)) + _e172.low), ((_e303 + (_e292.low * _e44)) + _e172.high), ((_e310 + (_e292.high * _e44)) + _e172.low), ((_e317 + (_e292.high * _e44)) + _e172.high)), vec4<f32>(((1f - _e172.fraction) * (1f - _e292.fraction)), (_e172.fraction * (1f - _e292.fraction)), ((1f - _e172.fraction) * _e292.fraction), (_e172.fraction * _e292.fraction)));
 }
 
+fn spirv_std_arch_kill() {
+    discard;
+}
+
 fn function_() {
     var local: texture_TextureView;
-    var phi_139_: vec3<f32>;
-    var phi_140_: vec3<f32>;
-    var phi_189_: vec3<f32>;
-    var phi_190_: vec3<f32>;
-    var phi_239_: vec3<f32>;
-    var phi_240_: vec3<f32>;
-    var phi_303_: vec3<f32>;
-    var phi_487_: f32;
-    var phi_491_: bool;
-    var phi_492_: bool;
+    var phi_509_: vec3<f32>;
+    var phi_510_: vec3<f32>;
+    var phi_559_: vec3<f32>;
+    var phi_560_: vec3<f32>;
+    var phi_609_: vec3<f32>;
+    var phi_610_: vec3<f32>;
+    var phi_673_: vec3<f32>;
+    var phi_857_: f32;
+    var phi_861_: bool;
+    var phi_862_: bool;
 
     let _e40 = at_1;
     let _e41 = triangle_1;
@@ -467,49 +468,49 @@ fn function_() {
     }
     let _e58 = triangles.member[(0u + _e41)];
     if (0u == 0u) {
-        phi_140_ = _e58.v0_;
+        phi_510_ = _e58.v0_;
     } else {
         if (0u == 1u) {
-            phi_139_ = _e58.v1_;
+            phi_509_ = _e58.v1_;
         } else {
-            phi_139_ = _e58.v2_;
+            phi_509_ = _e58.v2_;
         }
-        let _e67 = phi_139_;
-        phi_140_ = _e67;
+        let _e67 = phi_509_;
+        phi_510_ = _e67;
     }
-    let _e69 = phi_140_;
+    let _e69 = phi_510_;
     let _e71 = p.member.map_size;
     let _e76 = f32(_e71);
     let _e78 = p.member.projection.row_x;
     let _e92 = p.member.projection.row_y;
     if (1u == 0u) {
-        phi_190_ = _e58.v0_;
+        phi_560_ = _e58.v0_;
     } else {
         if (1u == 1u) {
-            phi_189_ = _e58.v1_;
+            phi_559_ = _e58.v1_;
         } else {
-            phi_189_ = _e58.v2_;
+            phi_559_ = _e58.v2_;
         }
-        let _e113 = phi_189_;
-        phi_190_ = _e113;
+        let _e113 = phi_559_;
+        phi_560_ = _e113;
     }
-    let _e115 = phi_190_;
+    let _e115 = phi_560_;
     let _e117 = p.member.map_size;
     let _e122 = f32(_e117);
     let _e124 = p.member.projection.row_x;
     let _e138 = p.member.projection.row_y;
     if (2u == 0u) {
-        phi_240_ = _e58.v0_;
+        phi_610_ = _e58.v0_;
     } else {
         if (2u == 1u) {
-            phi_239_ = _e58.v1_;
+            phi_609_ = _e58.v1_;
         } else {
-            phi_239_ = _e58.v2_;
+            phi_609_ = _e58.v2_;
         }
-        let _e159 = phi_239_;
-        phi_240_ = _e159;
+        let _e159 = phi_609_;
+        phi_610_ = _e159;
     }
-    let _e161 = phi_240_;
+    let _e161 = phi_610_;
     let _e163 = p.member.map_size;
     let _e168 = f32(_e163);
     let _e170 = p.member.projection.row_x;
@@ -525,11 +526,11 @@ fn function_() {
     let _e213 = ((_e201 * _e200) - (_e202 * _e199));
     let _e215 = ((_e207 + _e210) + _e213);
     if (_e215 == 0f) {
-        phi_303_ = vec3<f32>(1f, 0f, 0f);
+        phi_673_ = vec3<f32>(1f, 0f, 0f);
     } else {
-        phi_303_ = vec3<f32>((_e207 / _e215), (_e210 / _e215), (_e213 / _e215));
+        phi_673_ = vec3<f32>((_e207 / _e215), (_e210 / _e215), (_e213 / _e215));
     }
-    let _e222 = phi_303_;
+    let _e222 = phi_673_;
     let _e224 = (_e58.i0_ & 2147483647u);
     if (_e224 < _e48) {
     } else {
@@ -553,17 +554,17 @@ fn function_() {
     }
     let _e246 = materials.member[(0u + _e239[0].material)].flags;
     if ((_e246 & 1u) == 0u) {
-        phi_492_ = false;
+        phi_862_ = false;
     } else {
         let _e250 = materials.member[(0u + _e239[0].material)].cutoff;
         if (_e250 <= 0f) {
-            phi_491_ = true;
+            phi_861_ = true;
         } else {
             let _e254 = materials.member[(0u + _e239[0].material)].base_color[3u];
             let _e280 = (_e254 * ((((f32((_e239[0].color >> bitcast<u32>(24i))) * _e222.x) + (f32((_e239[1].color >> bitcast<u32>(24i))) * _e222.y)) + (f32((_e239[2].color >> bitcast<u32>(24i))) * _e222.z)) * (1f / 255f)));
             let _e282 = materials.member[(0u + _e239[0].material)].alpha_size;
             if (_e282 == 0u) {
-                phi_487_ = _e280;
+                phi_857_ = _e280;
             } else {
                 let _e285 = materials.member[(0u + _e239[0].material)].alpha_offset;
                 let _e287 = materials.member[(0u + _e239[0].material)].alpha_size;
@@ -596,16 +597,16 @@ fn function_() {
                     return;
                 }
                 let _e388 = alpha_texels.member[(0u + _e384)];
-                phi_487_ = (_e280 * (((((f32(((_e326 >> bitcast<u32>((((_e318.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.x) + ((f32(((_e346 >> bitcast<u32>((((_e318.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.y)) + ((f32(((_e367 >> bitcast<u32>((((_e318.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.z)) + ((f32(((_e388 >> bitcast<u32>((((_e318.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.w)));
+                phi_857_ = (_e280 * (((((f32(((_e326 >> bitcast<u32>((((_e318.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.x) + ((f32(((_e346 >> bitcast<u32>((((_e318.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.y)) + ((f32(((_e367 >> bitcast<u32>((((_e318.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.z)) + ((f32(((_e388 >> bitcast<u32>((((_e318.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.w)));
             }
-            let _e404 = phi_487_;
+            let _e404 = phi_857_;
             let _e406 = materials.member[(0u + _e239[0].material)].cutoff;
-            phi_491_ = (_e404 >= _e406);
+            phi_861_ = (_e404 >= _e406);
         }
-        let _e409 = phi_491_;
-        phi_492_ = _e409;
+        let _e409 = phi_861_;
+        phi_862_ = _e409;
     }
-    let _e411 = phi_492_;
+    let _e411 = phi_862_;
     if _e411 {
     } else {
         spirv_std_arch_kill();

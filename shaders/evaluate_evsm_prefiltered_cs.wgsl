@@ -41,12 +41,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct lt_math_Evsm {
-    positive_exponent: f32,
-    negative_exponent: f32,
-    min_variance: f32,
-}
-
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
     light: vec4<f32>,
@@ -60,8 +54,14 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_35 {
+struct type_32 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_Evsm {
+    positive_exponent: f32,
+    negative_exponent: f32,
+    min_variance: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -69,7 +69,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_35;
+var<uniform> p: type_32;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 

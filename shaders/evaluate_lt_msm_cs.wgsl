@@ -50,7 +50,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_30 {
+struct type_28 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +64,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_28;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 

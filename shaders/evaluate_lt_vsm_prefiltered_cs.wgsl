@@ -54,7 +54,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_35 {
+struct type_33 {
     member: abi_ShadowParams,
 }
 
@@ -63,7 +63,7 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_35;
+var<uniform> p: type_33;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(2) 

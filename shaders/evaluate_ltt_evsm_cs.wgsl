@@ -41,12 +41,6 @@ struct lt_math_LightProjection {
     row_w: vec4<f32>,
 }
 
-struct lt_math_Evsm {
-    positive_exponent: f32,
-    negative_exponent: f32,
-    min_variance: f32,
-}
-
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
     light: vec4<f32>,
@@ -60,8 +54,14 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_39 {
+struct type_36 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_Evsm {
+    positive_exponent: f32,
+    negative_exponent: f32,
+    min_variance: f32,
 }
 
 struct type_44 {
@@ -75,7 +75,7 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_39;
+var<uniform> p: type_36;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 

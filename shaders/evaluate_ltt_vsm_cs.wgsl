@@ -54,7 +54,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_38 {
+struct type_36 {
     member: abi_ShadowParams,
 }
 
@@ -69,7 +69,7 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_38;
+var<uniform> p: type_36;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 

@@ -58,7 +58,7 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_43 {
+struct type_41 {
     member: abi_ShadowParams,
 }
 
@@ -73,7 +73,7 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_43;
+var<uniform> p: type_41;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 

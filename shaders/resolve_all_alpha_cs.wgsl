@@ -40,64 +40,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_33 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_37 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_41 {
-    member: array<abi_Material>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -106,28 +48,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_54 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -143,8 +68,84 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_62 {
+struct type_34 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_39 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_43 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_47 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    transmission: f32,
+    pad: u32,
+}
+
+struct type_51 {
+    member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -153,18 +154,18 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
+@group(0) @binding(0) 
+var<uniform> p: type_34;
+@group(0) @binding(2) 
+var<storage> nodes: type_39;
+@group(0) @binding(3) 
+var<storage> triangles: type_43;
 @group(0) @binding(7) 
 var<storage> alpha_texels: type_13;
-@group(0) @binding(0) 
-var<uniform> p: type_62;
-@group(0) @binding(2) 
-var<storage> nodes: type_54;
-@group(0) @binding(3) 
-var<storage> triangles: type_33;
 @group(0) @binding(5) 
-var<storage> vertices: type_37;
+var<storage> vertices: type_47;
 @group(0) @binding(6) 
-var<storage> materials: type_41;
+var<storage> materials: type_51;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_217_: lt_bvh_traverse_Tree;
@@ -200,397 +201,397 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
     return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
-fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
-    var phi_270_: f32;
-    var phi_275_: f32;
-    var phi_276_: bool;
-    var phi_277_: f32;
-    var phi_278_: bool;
-    var phi_282_: f32;
-    var phi_308_: f32;
-    var phi_313_: f32;
-    var phi_314_: bool;
-    var phi_315_: f32;
-    var phi_316_: bool;
-    var phi_320_: f32;
-    var phi_328_: f32;
-    var phi_329_: f32;
-    var phi_330_: f32;
-    var phi_339_: f32;
-    var phi_340_: f32;
-    var phi_358_: u32;
-    var phi_372_: u32;
-    var phi_379_: u32;
-    var phi_384_: u32;
-    var phi_390_: u32;
-    var phi_395_: u32;
-    var phi_397_: texture_Axis;
-    var phi_425_: f32;
-    var phi_430_: f32;
-    var phi_431_: bool;
-    var phi_432_: f32;
-    var phi_433_: bool;
-    var phi_437_: f32;
-    var phi_463_: f32;
-    var phi_468_: f32;
-    var phi_469_: bool;
-    var phi_470_: f32;
-    var phi_471_: bool;
-    var phi_475_: f32;
-    var phi_483_: f32;
-    var phi_484_: f32;
-    var phi_485_: f32;
-    var phi_494_: f32;
-    var phi_495_: f32;
-    var phi_513_: u32;
-    var phi_527_: u32;
-    var phi_534_: u32;
-    var phi_539_: u32;
-    var phi_545_: u32;
-    var phi_550_: u32;
-    var phi_552_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
+    var phi_240_: bool;
+    var phi_244_: f32;
 
-    let _e72 = (*param_3).size;
+    if (param_3 != param_3) {
+        phi_240_ = true;
+    } else {
+        let _e71 = (param_4 >= param_3);
+        if _e71 {
+        }
+        phi_240_ = _e71;
+    }
+    let _e73 = phi_240_;
+    if _e73 {
+        phi_244_ = param_4;
+    } else {
+        phi_244_ = param_3;
+    }
+    let _e75 = phi_244_;
+    return _e75;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
+    var phi_256_: bool;
+    var phi_260_: f32;
+
+    if (param_5 != param_5) {
+        phi_256_ = true;
+    } else {
+        let _e71 = (param_6 <= param_5);
+        if _e71 {
+        }
+        phi_256_ = _e71;
+    }
+    let _e73 = phi_256_;
+    if _e73 {
+        phi_260_ = param_6;
+    } else {
+        phi_260_ = param_5;
+    }
+    let _e75 = phi_260_;
+    return _e75;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_7: ptr<function, texture_TextureView>, param_8: f32, param_9: f32) -> texture_TexelQuad {
+    var phi_302_: f32;
+    var phi_307_: f32;
+    var phi_308_: bool;
+    var phi_309_: f32;
+    var phi_310_: bool;
+    var phi_314_: f32;
+    var phi_340_: f32;
+    var phi_345_: f32;
+    var phi_346_: bool;
+    var phi_347_: f32;
+    var phi_348_: bool;
+    var phi_352_: f32;
+    var phi_360_: f32;
+    var phi_361_: f32;
+    var phi_362_: f32;
+    var phi_371_: f32;
+    var phi_372_: f32;
+    var phi_390_: u32;
+    var phi_404_: u32;
+    var phi_411_: u32;
+    var phi_416_: u32;
+    var phi_422_: u32;
+    var phi_427_: u32;
+    var phi_429_: texture_Axis;
+    var phi_457_: f32;
+    var phi_462_: f32;
+    var phi_463_: bool;
+    var phi_464_: f32;
+    var phi_465_: bool;
+    var phi_469_: f32;
+    var phi_495_: f32;
+    var phi_500_: f32;
+    var phi_501_: bool;
+    var phi_502_: f32;
+    var phi_503_: bool;
+    var phi_507_: f32;
+    var phi_515_: f32;
+    var phi_516_: f32;
+    var phi_517_: f32;
+    var phi_526_: f32;
+    var phi_527_: f32;
+    var phi_545_: u32;
+    var phi_559_: u32;
+    var phi_566_: u32;
+    var phi_571_: u32;
+    var phi_577_: u32;
+    var phi_582_: u32;
+    var phi_584_: texture_Axis;
+
+    let _e72 = (*param_7).size;
     let _e73 = (_e72 & 65535u);
-    let _e75 = (*param_3).size;
+    let _e75 = (*param_7).size;
     let _e77 = (_e75 >> bitcast<u32>(16i));
-    let _e79 = (*param_3).flags;
+    let _e79 = (*param_7).flags;
     let _e81 = ((_e79 & 4u) != 0u);
-    let _e83 = (*param_3).flags;
+    let _e83 = (*param_7).flags;
     let _e86 = ((_e83 >> bitcast<u32>(4u)) & 3u);
     if (_e86 == 0u) {
-        if (param_4 > -8388608f) {
-            let _e99 = f32(select(0i, select(select(i32(param_4), i32(-2147483648), (param_4 < bitcast<f32>(3472883712u))), 2147483647i, (param_4 > bitcast<f32>(1325400063u))), (param_4 == param_4)));
-            if (_e99 > param_4) {
-                phi_270_ = 1f;
+        if (param_8 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(param_8), i32(-2147483648), (param_8 < bitcast<f32>(3472883712u))), 2147483647i, (param_8 > bitcast<f32>(1325400063u))), (param_8 == param_8)));
+            if (_e99 > param_8) {
+                phi_302_ = 1f;
             } else {
-                phi_270_ = 0f;
+                phi_302_ = 0f;
             }
-            let _e102 = phi_270_;
-            if (param_4 < 8388608f) {
-                phi_275_ = (_e99 - _e102);
-                phi_276_ = false;
+            let _e102 = phi_302_;
+            if (param_8 < 8388608f) {
+                phi_307_ = (_e99 - _e102);
+                phi_308_ = false;
             } else {
-                phi_275_ = f32();
-                phi_276_ = true;
+                phi_307_ = f32();
+                phi_308_ = true;
             }
-            let _e105 = phi_275_;
-            let _e107 = phi_276_;
-            phi_277_ = _e105;
-            phi_278_ = _e107;
+            let _e105 = phi_307_;
+            let _e107 = phi_308_;
+            phi_309_ = _e105;
+            phi_310_ = _e107;
         } else {
-            phi_277_ = f32();
-            phi_278_ = true;
+            phi_309_ = f32();
+            phi_310_ = true;
         }
-        let _e109 = phi_277_;
-        let _e111 = phi_278_;
+        let _e109 = phi_309_;
+        let _e111 = phi_310_;
         if _e111 {
-            phi_282_ = param_4;
+            phi_314_ = param_8;
         } else {
-            phi_282_ = _e109;
+            phi_314_ = _e109;
         }
-        let _e113 = phi_282_;
-        phi_330_ = (param_4 - _e113);
+        let _e113 = phi_314_;
+        phi_362_ = (param_8 - _e113);
     } else {
         if (_e86 == 1u) {
-            let _e116 = (param_4 * 0.5f);
+            let _e116 = (param_8 * 0.5f);
             if (_e116 > -8388608f) {
                 let _e128 = f32(select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)));
                 if (_e128 > _e116) {
-                    phi_308_ = 1f;
+                    phi_340_ = 1f;
                 } else {
-                    phi_308_ = 0f;
+                    phi_340_ = 0f;
                 }
-                let _e131 = phi_308_;
+                let _e131 = phi_340_;
                 if (_e116 < 8388608f) {
-                    phi_313_ = (_e128 - _e131);
-                    phi_314_ = false;
+                    phi_345_ = (_e128 - _e131);
+                    phi_346_ = false;
                 } else {
-                    phi_313_ = f32();
-                    phi_314_ = true;
+                    phi_345_ = f32();
+                    phi_346_ = true;
                 }
-                let _e134 = phi_313_;
-                let _e136 = phi_314_;
-                phi_315_ = _e134;
-                phi_316_ = _e136;
+                let _e134 = phi_345_;
+                let _e136 = phi_346_;
+                phi_347_ = _e134;
+                phi_348_ = _e136;
             } else {
-                phi_315_ = f32();
-                phi_316_ = true;
+                phi_347_ = f32();
+                phi_348_ = true;
             }
-            let _e138 = phi_315_;
-            let _e140 = phi_316_;
+            let _e138 = phi_347_;
+            let _e140 = phi_348_;
             if _e140 {
-                phi_320_ = _e116;
+                phi_352_ = _e116;
             } else {
-                phi_320_ = _e138;
+                phi_352_ = _e138;
             }
-            let _e142 = phi_320_;
-            let _e144 = (param_4 - (2f * _e142));
+            let _e142 = phi_352_;
+            let _e144 = (param_8 - (2f * _e142));
             if (_e144 > 1f) {
-                phi_328_ = (2f - _e144);
+                phi_360_ = (2f - _e144);
             } else {
-                phi_328_ = _e144;
+                phi_360_ = _e144;
             }
-            let _e148 = phi_328_;
-            phi_329_ = _e148;
+            let _e148 = phi_360_;
+            phi_361_ = _e148;
         } else {
-            phi_329_ = param_4;
+            phi_361_ = param_8;
         }
-        let _e150 = phi_329_;
-        phi_330_ = _e150;
+        let _e150 = phi_361_;
+        phi_362_ = _e150;
     }
-    let _e152 = phi_330_;
+    let _e152 = phi_362_;
     if (_e152 > 0f) {
         if (_e152 < 1f) {
-            phi_339_ = _e152;
+            phi_371_ = _e152;
         } else {
-            phi_339_ = 1f;
+            phi_371_ = 1f;
         }
-        let _e156 = phi_339_;
-        phi_340_ = _e156;
+        let _e156 = phi_371_;
+        phi_372_ = _e156;
     } else {
-        phi_340_ = 0f;
+        phi_372_ = 0f;
     }
-    let _e158 = phi_340_;
+    let _e158 = phi_372_;
     let _e159 = (_e73 - 1u);
     let _e161 = (_e158 * f32(_e73));
     if _e81 {
         let _e168 = select(select(u32(_e161), 0u, (_e161 < bitcast<f32>(0u))), 4294967295u, (_e161 > bitcast<f32>(1333788671u)));
         if (_e159 < _e168) {
-            phi_358_ = _e159;
+            phi_390_ = _e159;
         } else {
-            phi_358_ = _e168;
+            phi_390_ = _e168;
         }
-        let _e171 = phi_358_;
-        phi_397_ = texture_Axis(_e171, _e171, 0f);
+        let _e171 = phi_390_;
+        phi_429_ = texture_Axis(_e171, _e171, 0f);
     } else {
         let _e173 = (_e161 + 0.5f);
         let _e180 = select(select(u32(_e173), 0u, (_e173 < bitcast<f32>(0u))), 4294967295u, (_e173 > bitcast<f32>(1333788671u)));
         if (_e73 < _e180) {
-            phi_372_ = _e73;
+            phi_404_ = _e73;
         } else {
-            phi_372_ = _e180;
+            phi_404_ = _e180;
         }
-        let _e183 = phi_372_;
+        let _e183 = phi_404_;
         if (_e86 == 0u) {
-            phi_379_ = _e159;
+            phi_411_ = _e159;
         } else {
-            phi_379_ = 0u;
+            phi_411_ = 0u;
         }
-        let _e188 = phi_379_;
+        let _e188 = phi_411_;
         if (_e86 == 0u) {
-            phi_384_ = 0u;
+            phi_416_ = 0u;
         } else {
-            phi_384_ = _e159;
+            phi_416_ = _e159;
         }
-        let _e191 = phi_384_;
+        let _e191 = phi_416_;
         if (_e183 == 0u) {
-            phi_390_ = _e188;
+            phi_422_ = _e188;
         } else {
-            phi_390_ = (_e183 - 1u);
+            phi_422_ = (_e183 - 1u);
         }
-        let _e195 = phi_390_;
+        let _e195 = phi_422_;
         if (_e183 > _e159) {
-            phi_395_ = _e191;
+            phi_427_ = _e191;
         } else {
-            phi_395_ = _e183;
+            phi_427_ = _e183;
         }
-        let _e198 = phi_395_;
-        phi_397_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
+        let _e198 = phi_427_;
+        phi_429_ = texture_Axis(_e195, _e198, (_e173 - f32(_e183)));
     }
-    let _e201 = phi_397_;
-    let _e203 = (*param_3).flags;
+    let _e201 = phi_429_;
+    let _e203 = (*param_7).flags;
     let _e206 = ((_e203 >> bitcast<u32>(6u)) & 3u);
     if (_e206 == 0u) {
-        if (param_5 > -8388608f) {
-            let _e219 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
-            if (_e219 > param_5) {
-                phi_425_ = 1f;
+        if (param_9 > -8388608f) {
+            let _e219 = f32(select(0i, select(select(i32(param_9), i32(-2147483648), (param_9 < bitcast<f32>(3472883712u))), 2147483647i, (param_9 > bitcast<f32>(1325400063u))), (param_9 == param_9)));
+            if (_e219 > param_9) {
+                phi_457_ = 1f;
             } else {
-                phi_425_ = 0f;
+                phi_457_ = 0f;
             }
-            let _e222 = phi_425_;
-            if (param_5 < 8388608f) {
-                phi_430_ = (_e219 - _e222);
-                phi_431_ = false;
+            let _e222 = phi_457_;
+            if (param_9 < 8388608f) {
+                phi_462_ = (_e219 - _e222);
+                phi_463_ = false;
             } else {
-                phi_430_ = f32();
-                phi_431_ = true;
+                phi_462_ = f32();
+                phi_463_ = true;
             }
-            let _e225 = phi_430_;
-            let _e227 = phi_431_;
-            phi_432_ = _e225;
-            phi_433_ = _e227;
+            let _e225 = phi_462_;
+            let _e227 = phi_463_;
+            phi_464_ = _e225;
+            phi_465_ = _e227;
         } else {
-            phi_432_ = f32();
-            phi_433_ = true;
+            phi_464_ = f32();
+            phi_465_ = true;
         }
-        let _e229 = phi_432_;
-        let _e231 = phi_433_;
+        let _e229 = phi_464_;
+        let _e231 = phi_465_;
         if _e231 {
-            phi_437_ = param_5;
+            phi_469_ = param_9;
         } else {
-            phi_437_ = _e229;
+            phi_469_ = _e229;
         }
-        let _e233 = phi_437_;
-        phi_485_ = (param_5 - _e233);
+        let _e233 = phi_469_;
+        phi_517_ = (param_9 - _e233);
     } else {
         if (_e206 == 1u) {
-            let _e236 = (param_5 * 0.5f);
+            let _e236 = (param_9 * 0.5f);
             if (_e236 > -8388608f) {
                 let _e248 = f32(select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < bitcast<f32>(3472883712u))), 2147483647i, (_e236 > bitcast<f32>(1325400063u))), (_e236 == _e236)));
                 if (_e248 > _e236) {
-                    phi_463_ = 1f;
+                    phi_495_ = 1f;
                 } else {
-                    phi_463_ = 0f;
+                    phi_495_ = 0f;
                 }
-                let _e251 = phi_463_;
+                let _e251 = phi_495_;
                 if (_e236 < 8388608f) {
-                    phi_468_ = (_e248 - _e251);
-                    phi_469_ = false;
+                    phi_500_ = (_e248 - _e251);
+                    phi_501_ = false;
                 } else {
-                    phi_468_ = f32();
-                    phi_469_ = true;
+                    phi_500_ = f32();
+                    phi_501_ = true;
                 }
-                let _e254 = phi_468_;
-                let _e256 = phi_469_;
-                phi_470_ = _e254;
-                phi_471_ = _e256;
+                let _e254 = phi_500_;
+                let _e256 = phi_501_;
+                phi_502_ = _e254;
+                phi_503_ = _e256;
             } else {
-                phi_470_ = f32();
-                phi_471_ = true;
+                phi_502_ = f32();
+                phi_503_ = true;
             }
-            let _e258 = phi_470_;
-            let _e260 = phi_471_;
+            let _e258 = phi_502_;
+            let _e260 = phi_503_;
             if _e260 {
-                phi_475_ = _e236;
+                phi_507_ = _e236;
             } else {
-                phi_475_ = _e258;
+                phi_507_ = _e258;
             }
-            let _e262 = phi_475_;
-            let _e264 = (param_5 - (2f * _e262));
+            let _e262 = phi_507_;
+            let _e264 = (param_9 - (2f * _e262));
             if (_e264 > 1f) {
-                phi_483_ = (2f - _e264);
+                phi_515_ = (2f - _e264);
             } else {
-                phi_483_ = _e264;
+                phi_515_ = _e264;
             }
-            let _e268 = phi_483_;
-            phi_484_ = _e268;
+            let _e268 = phi_515_;
+            phi_516_ = _e268;
         } else {
-            phi_484_ = param_5;
+            phi_516_ = param_9;
         }
-        let _e270 = phi_484_;
-        phi_485_ = _e270;
+        let _e270 = phi_516_;
+        phi_517_ = _e270;
     }
-    let _e272 = phi_485_;
+    let _e272 = phi_517_;
     if (_e272 > 0f) {
         if (_e272 < 1f) {
-            phi_494_ = _e272;
+            phi_526_ = _e272;
         } else {
-            phi_494_ = 1f;
+            phi_526_ = 1f;
         }
-        let _e276 = phi_494_;
-        phi_495_ = _e276;
+        let _e276 = phi_526_;
+        phi_527_ = _e276;
     } else {
-        phi_495_ = 0f;
+        phi_527_ = 0f;
     }
-    let _e278 = phi_495_;
+    let _e278 = phi_527_;
     let _e279 = (_e77 - 1u);
     let _e281 = (_e278 * f32(_e77));
     if _e81 {
         let _e288 = select(select(u32(_e281), 0u, (_e281 < bitcast<f32>(0u))), 4294967295u, (_e281 > bitcast<f32>(1333788671u)));
         if (_e279 < _e288) {
-            phi_513_ = _e279;
+            phi_545_ = _e279;
         } else {
-            phi_513_ = _e288;
+            phi_545_ = _e288;
         }
-        let _e291 = phi_513_;
-        phi_552_ = texture_Axis(_e291, _e291, 0f);
+        let _e291 = phi_545_;
+        phi_584_ = texture_Axis(_e291, _e291, 0f);
     } else {
         let _e293 = (_e281 + 0.5f);
         let _e300 = select(select(u32(_e293), 0u, (_e293 < bitcast<f32>(0u))), 4294967295u, (_e293 > bitcast<f32>(1333788671u)));
         if (_e77 < _e300) {
-            phi_527_ = _e77;
+            phi_559_ = _e77;
         } else {
-            phi_527_ = _e300;
+            phi_559_ = _e300;
         }
-        let _e303 = phi_527_;
+        let _e303 = phi_559_;
         if (_e206 == 0u) {
-            phi_534_ = _e279;
+            phi_566_ = _e279;
         } else {
-            phi_534_ = 0u;
+            phi_566_ = 0u;
         }
-        let _e308 = phi_534_;
+        let _e308 = phi_566_;
         if (_e206 == 0u) {
-            phi_539_ = 0u;
+            phi_571_ = 0u;
         } else {
-            phi_539_ = _e279;
+            phi_571_ = _e279;
         }
-        let _e311 = phi_539_;
+        let _e311 = phi_571_;
         if (_e303 == 0u) {
-            phi_545_ = _e308;
+            phi_577_ = _e308;
         } else {
-            phi_545_ = (_e303 - 1u);
+            phi_577_ = (_e303 - 1u);
         }
-        let _e315 = phi_545_;
+        let _e315 = phi_577_;
         if (_e303 > _e279) {
-            phi_550_ = _e311;
+            phi_582_ = _e311;
         } else {
-            phi_550_ = _e303;
+            phi_582_ = _e303;
         }
-        let _e318 = phi_550_;
-        phi_552_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
+        let _e318 = phi_582_;
+        phi_584_ = texture_Axis(_e315, _e318, (_e293 - f32(_e303)));
     }
-    let _e321 = phi_552_;
-    let _e325 = (*param_3).offset;
-    let _e332 = (*param_3).offset;
-    let _e339 = (*param_3).offset;
-    let _e346 = (*param_3).offset;
+    let _e321 = phi_584_;
+    let _e325 = (*param_7).offset;
+    let _e332 = (*param_7).offset;
+    let _e339 = (*param_7).offset;
+    let _e346 = (*param_7).offset;
     return texture_TexelQuad(array<u32, 4>(((_e325 + (_e321.low * _e73)) + _e201.low), ((_e332 + (_e321.low * _e73)) + _e201.high), ((_e339 + (_e321.high * _e73)) + _e201.low), ((_e346 + (_e321.high * _e73)) + _e201.high)), vec4<f32>(((1f - _e201.fraction) * (1f - _e321.fraction)), (_e201.fraction * (1f - _e321.fraction)), ((1f - _e201.fraction) * _e321.fraction), (_e201.fraction * _e321.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_6: f32, param_7: f32) -> f32 {
-    var phi_611_: bool;
-    var phi_615_: f32;
-
-    if (param_6 != param_6) {
-        phi_611_ = true;
-    } else {
-        let _e71 = (param_7 >= param_6);
-        if _e71 {
-        }
-        phi_611_ = _e71;
-    }
-    let _e73 = phi_611_;
-    if _e73 {
-        phi_615_ = param_7;
-    } else {
-        phi_615_ = param_6;
-    }
-    let _e75 = phi_615_;
-    return _e75;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_8: f32, param_9: f32) -> f32 {
-    var phi_627_: bool;
-    var phi_631_: f32;
-
-    if (param_8 != param_8) {
-        phi_627_ = true;
-    } else {
-        let _e71 = (param_9 <= param_8);
-        if _e71 {
-        }
-        phi_627_ = _e71;
-    }
-    let _e73 = phi_627_;
-    if _e73 {
-        phi_631_ = param_9;
-    } else {
-        phi_631_ = param_8;
-    }
-    let _e75 = phi_631_;
-    return _e75;
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_10: ptr<function, abi_Sample>) -> bool {
@@ -685,117 +686,115 @@ fn function_() {
     var phi_1213_: bool;
     var phi_1244_: u32;
     var phi_1246_: u32;
-    var phi_1327_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1354_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1381_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1387_: u32;
-    var phi_1390_: u32;
-    var phi_1404_: u32;
-    var phi_1414_: u32;
-    var phi_1424_: u32;
-    var phi_1442_: u32;
-    var phi_1452_: u32;
-    var phi_1462_: u32;
-    var phi_1498_: u32;
-    var phi_1511_: u32;
-    var phi_1516_: u32;
-    var phi_1517_: u32;
+    var phi_1249_: bool;
+    var phi_1329_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1356_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1383_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1389_: u32;
+    var phi_1392_: u32;
+    var phi_1406_: u32;
+    var phi_1416_: u32;
+    var phi_1426_: u32;
+    var phi_1444_: u32;
+    var phi_1454_: u32;
+    var phi_1464_: u32;
+    var phi_1500_: u32;
+    var phi_1513_: u32;
     var phi_1518_: u32;
-    var phi_1388_: u32;
-    var phi_1391_: u32;
+    var phi_1519_: u32;
+    var phi_1520_: u32;
+    var phi_1390_: u32;
+    var phi_1393_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1576_: u32;
-    var phi_1621_: vec3<f32>;
-    var phi_1622_: vec3<f32>;
-    var phi_1651_: vec3<f32>;
-    var phi_1652_: vec3<f32>;
-    var phi_1681_: vec3<f32>;
-    var phi_1682_: vec3<f32>;
-    var phi_1700_: bool;
-    var phi_1701_: bool;
-    var phi_1705_: f32;
-    var phi_1706_: f32;
-    var phi_1707_: f32;
-    var phi_1708_: f32;
-    var phi_1716_: f32;
-    var phi_1726_: bool;
-    var phi_1727_: bool;
-    var phi_1731_: f32;
-    var phi_1732_: f32;
-    var phi_1733_: f32;
-    var phi_1734_: f32;
-    var phi_1742_: f32;
-    var phi_1752_: bool;
-    var phi_1753_: bool;
-    var phi_1757_: f32;
-    var phi_1758_: f32;
-    var phi_1759_: f32;
-    var phi_1760_: f32;
-    var phi_1768_: f32;
-    var phi_1783_: f32;
-    var phi_1784_: bool;
-    var phi_1785_: f32;
-    var phi_1786_: bool;
+    var phi_1578_: u32;
+    var phi_1581_: bool;
+    var phi_1625_: vec3<f32>;
+    var phi_1626_: vec3<f32>;
+    var phi_1655_: vec3<f32>;
+    var phi_1656_: vec3<f32>;
+    var phi_1685_: vec3<f32>;
+    var phi_1686_: vec3<f32>;
+    var phi_1704_: bool;
+    var phi_1705_: bool;
+    var phi_1709_: f32;
+    var phi_1710_: f32;
+    var phi_1711_: f32;
+    var phi_1712_: f32;
+    var phi_1720_: f32;
+    var phi_1730_: bool;
+    var phi_1731_: bool;
+    var phi_1735_: f32;
+    var phi_1736_: f32;
+    var phi_1737_: f32;
+    var phi_1738_: f32;
+    var phi_1746_: f32;
+    var phi_1756_: bool;
+    var phi_1757_: bool;
+    var phi_1761_: f32;
+    var phi_1762_: f32;
+    var phi_1763_: f32;
+    var phi_1764_: f32;
+    var phi_1772_: f32;
     var phi_1787_: f32;
     var phi_1788_: bool;
-    var phi_1806_: f32;
-    var phi_1807_: bool;
-    var phi_1808_: bool;
-    var phi_1809_: f32;
-    var phi_1810_: bool;
+    var phi_1789_: f32;
+    var phi_1790_: bool;
+    var phi_1791_: f32;
+    var phi_1792_: bool;
+    var phi_1810_: f32;
     var phi_1811_: bool;
+    var phi_1812_: bool;
+    var phi_1813_: f32;
+    var phi_1814_: bool;
     var phi_1815_: bool;
-    var phi_1816_: f32;
-    var phi_1817_: bool;
-    var phi_1845_: vec3<f32>;
-    var phi_1846_: vec3<f32>;
-    var phi_1871_: vec3<f32>;
-    var phi_1872_: vec3<f32>;
-    var phi_1897_: vec3<f32>;
-    var phi_1898_: vec3<f32>;
-    var phi_1954_: f32;
-    var phi_1963_: f32;
-    var phi_1972_: f32;
-    var phi_1981_: f32;
-    var phi_1988_: f32;
-    var phi_1995_: f32;
-    var phi_2008_: f32;
-    var phi_2017_: f32;
-    var phi_2026_: f32;
-    var phi_2035_: f32;
-    var phi_2042_: f32;
-    var phi_2049_: f32;
-    var phi_2066_: f32;
-    var phi_2071_: f32;
-    var phi_2076_: f32;
-    var phi_2084_: f32;
-    var phi_2089_: f32;
-    var phi_2094_: f32;
-    var phi_2106_: f32;
-    var phi_2111_: f32;
-    var phi_2116_: f32;
-    var phi_2121_: f32;
-    var phi_2126_: lt_bvh_triangle_Intersection;
-    var phi_2127_: bool;
-    var phi_2128_: lt_bvh_triangle_Intersection;
-    var phi_2129_: bool;
-    var phi_2133_: lt_bvh_triangle_Intersection;
-    var phi_2134_: bool;
-    var phi_2135_: lt_bvh_triangle_Intersection;
-    var phi_2136_: bool;
-    var phi_2137_: bool;
+    var phi_1819_: bool;
+    var phi_1820_: f32;
+    var phi_1821_: bool;
+    var phi_1849_: vec3<f32>;
+    var phi_1850_: vec3<f32>;
+    var phi_1875_: vec3<f32>;
+    var phi_1876_: vec3<f32>;
+    var phi_1901_: vec3<f32>;
+    var phi_1902_: vec3<f32>;
+    var phi_1958_: f32;
+    var phi_1967_: f32;
+    var phi_1976_: f32;
+    var phi_1985_: f32;
+    var phi_1992_: f32;
+    var phi_1999_: f32;
+    var phi_2012_: f32;
+    var phi_2021_: f32;
+    var phi_2030_: f32;
+    var phi_2039_: f32;
+    var phi_2046_: f32;
+    var phi_2053_: f32;
+    var phi_2070_: f32;
+    var phi_2075_: f32;
+    var phi_2080_: f32;
+    var phi_2088_: f32;
+    var phi_2093_: f32;
+    var phi_2098_: f32;
+    var phi_2110_: f32;
+    var phi_2115_: f32;
+    var phi_2120_: f32;
+    var phi_2125_: f32;
+    var phi_2130_: lt_bvh_triangle_Intersection;
+    var phi_2131_: bool;
+    var phi_2132_: lt_bvh_triangle_Intersection;
+    var phi_2133_: bool;
+    var phi_2137_: lt_bvh_triangle_Intersection;
+    var phi_2138_: bool;
+    var phi_2139_: lt_bvh_triangle_Intersection;
+    var phi_2140_: bool;
     var phi_2141_: bool;
-    var phi_2145_: lt_bvh_triangle_Intersection;
-    var phi_2359_: f32;
-    var phi_2362_: bool;
-    var phi_2363_: bool;
+    var phi_2145_: bool;
+    var phi_2149_: lt_bvh_triangle_Intersection;
+    var phi_2363_: f32;
+    var phi_2366_: bool;
     var phi_2367_: bool;
     var phi_2368_: bool;
-    var phi_2369_: bool;
-    var phi_2370_: bool;
-    var phi_2371_: bool;
     var phi_2372_: bool;
     var phi_2373_: bool;
     var phi_2374_: bool;
@@ -803,10 +802,11 @@ fn function_() {
     var phi_2376_: bool;
     var phi_2377_: bool;
     var phi_2378_: bool;
-    var phi_2382_: bool;
-    var phi_2383_: bool;
-    var phi_1577_: u32;
-    var phi_2384_: bool;
+    var phi_2379_: bool;
+    var phi_2380_: bool;
+    var phi_2381_: bool;
+    var phi_1579_: u32;
+    var phi_1582_: bool;
     var phi_2385_: bool;
     var phi_2386_: bool;
     var local_6: bool;
@@ -814,24 +814,20 @@ fn function_() {
     var phi_2429_: bool;
     var phi_2460_: u32;
     var phi_2461_: u32;
+    var phi_1247_: u32;
+    var phi_1250_: bool;
     var phi_2462_: bool;
     var phi_2463_: bool;
-    var phi_1247_: u32;
     var phi_2464_: bool;
-    var phi_2465_: bool;
-    var phi_2466_: bool;
-    var phi_2467_: bool;
     var local_7: bool;
-    var phi_2471_: bool;
+    var phi_2468_: bool;
     var phi_2472_: bool;
-    var phi_2476_: bool;
-    var phi_2480_: bool;
-    var phi_2481_: bool;
-    var phi_2482_: bool;
-    var phi_2483_: bool;
-    var phi_2487_: bool;
-    var phi_2491_: f32;
-    var phi_2492_: f32;
+    var phi_2473_: bool;
+    var phi_2474_: bool;
+    var phi_2475_: bool;
+    var phi_2479_: bool;
+    var phi_2483_: f32;
+    var phi_2484_: f32;
     var local_8: bool;
     var local_9: bool;
     var local_10: bool;
@@ -877,7 +873,7 @@ fn function_() {
         }
         let _e196 = phi_761_;
         if _e196.unnamed_1 {
-            phi_2492_ = _e196.unnamed.visibility;
+            phi_2484_ = _e196.unnamed.visibility;
         } else {
             let _e201 = p.member.light;
             let _e203 = local_2.position;
@@ -1005,7 +1001,7 @@ fn function_() {
             if _e297 {
                 let _e298 = (0u >= _e78);
                 if _e298 {
-                    phi_2481_ = bool();
+                    phi_2473_ = bool();
                 } else {
                     if (0u < _e78) {
                     } else {
@@ -1196,990 +1192,970 @@ fn function_() {
                     }
                     let _e608 = phi_1244_;
                     phi_1246_ = _e608;
+                    phi_1249_ = false;
                     loop {
                         let _e610 = phi_1246_;
+                        let _e612 = phi_1249_;
+                        local_12 = _e612;
                         if (_e610 != 4294967295u) {
                             if (_e610 < _e78) {
                             } else {
                                 return;
                             }
-                            let _e617 = nodes.member[(0u + _e610)].frame[3u];
-                            let _e642 = (bitcast<f32>((((_e617 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e374);
-                            let _e643 = (bitcast<f32>((((_e617 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e384);
-                            let _e644 = (bitcast<f32>((((_e617 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e394);
-                            let _e647 = nodes.member[(0u + _e610)].frame[0u];
-                            let _e651 = nodes.member[(0u + _e610)].frame[1u];
-                            let _e655 = nodes.member[(0u + _e610)].frame[2u];
-                            let _e660 = ((bitcast<f32>(_e647) - _e217) * _e374);
-                            let _e661 = ((bitcast<f32>(_e651) - _e219) * _e384);
-                            let _e662 = ((bitcast<f32>(_e655) - _e221) * _e394);
-                            let _e670 = nodes.member[(0u + _e610)].x;
+                            let _e619 = nodes.member[(0u + _e610)].frame[3u];
+                            let _e644 = (bitcast<f32>((((_e619 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e374);
+                            let _e645 = (bitcast<f32>((((_e619 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e384);
+                            let _e646 = (bitcast<f32>((((_e619 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e394);
+                            let _e649 = nodes.member[(0u + _e610)].frame[0u];
+                            let _e653 = nodes.member[(0u + _e610)].frame[1u];
+                            let _e657 = nodes.member[(0u + _e610)].frame[2u];
+                            let _e662 = ((bitcast<f32>(_e649) - _e217) * _e374);
+                            let _e663 = ((bitcast<f32>(_e653) - _e219) * _e384);
+                            let _e664 = ((bitcast<f32>(_e657) - _e221) * _e394);
+                            let _e672 = nodes.member[(0u + _e610)].x;
                             if (_e374 < 0f) {
-                                let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e681.unnamed.root, _e670.w), _e681.unnamed_1);
-                                let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_bvh_traverse_Tree(_e670.x, _e687.unnamed_1.first_primitive));
-                                phi_1327_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e693.unnamed_1.root, _e670.y));
+                                let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e683.unnamed.root, _e672.w), _e683.unnamed_1);
+                                let _e695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e672.x, _e689.unnamed_1.first_primitive));
+                                phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e695.unnamed, lt_bvh_traverse_Tree(_e695.unnamed_1.root, _e672.y));
                             } else {
-                                let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e670.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e670.y), _e709.unnamed_1);
-                                let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e670.z, _e715.unnamed_1.first_primitive));
-                                phi_1327_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e670.w));
+                                let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e672.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e711.unnamed.root, _e672.y), _e711.unnamed_1);
+                                let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e672.z, _e717.unnamed_1.first_primitive));
+                                phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e723.unnamed, lt_bvh_traverse_Tree(_e723.unnamed_1.root, _e672.w));
                             }
-                            let _e729 = phi_1327_;
-                            let _e739 = nodes.member[(0u + _e610)].y;
+                            let _e731 = phi_1329_;
+                            let _e741 = nodes.member[(0u + _e610)].y;
                             if (_e384 < 0f) {
-                                let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.unnamed.root, _e739.w), _e750.unnamed_1);
-                                let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_bvh_traverse_Tree(_e739.x, _e756.unnamed_1.first_primitive));
-                                phi_1354_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_bvh_traverse_Tree(_e762.unnamed_1.root, _e739.y));
+                                let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e752.unnamed.root, _e741.w), _e752.unnamed_1);
+                                let _e764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e741.x, _e758.unnamed_1.first_primitive));
+                                phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e764.unnamed, lt_bvh_traverse_Tree(_e764.unnamed_1.root, _e741.y));
                             } else {
-                                let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e739.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.unnamed.root, _e739.y), _e778.unnamed_1);
-                                let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_bvh_traverse_Tree(_e739.z, _e784.unnamed_1.first_primitive));
-                                phi_1354_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e790.unnamed, lt_bvh_traverse_Tree(_e790.unnamed_1.root, _e739.w));
+                                let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e741.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e786 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e780.unnamed.root, _e741.y), _e780.unnamed_1);
+                                let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e786.unnamed, lt_bvh_traverse_Tree(_e741.z, _e786.unnamed_1.first_primitive));
+                                phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e792.unnamed, lt_bvh_traverse_Tree(_e792.unnamed_1.root, _e741.w));
                             }
-                            let _e798 = phi_1354_;
-                            let _e808 = nodes.member[(0u + _e610)].z;
+                            let _e800 = phi_1356_;
+                            let _e810 = nodes.member[(0u + _e610)].z;
                             if (_e394 < 0f) {
-                                let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e808.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.unnamed.root, _e808.w), _e819.unnamed_1);
-                                let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_bvh_traverse_Tree(_e808.x, _e825.unnamed_1.first_primitive));
-                                phi_1381_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e831.unnamed, lt_bvh_traverse_Tree(_e831.unnamed_1.root, _e808.y));
+                                let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e821.unnamed.root, _e810.w), _e821.unnamed_1);
+                                let _e833 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_bvh_traverse_Tree(_e810.x, _e827.unnamed_1.first_primitive));
+                                phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e833.unnamed, lt_bvh_traverse_Tree(_e833.unnamed_1.root, _e810.y));
                             } else {
-                                let _e847 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e808.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e853 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e847.unnamed.root, _e808.y), _e847.unnamed_1);
-                                let _e859 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e853.unnamed, lt_bvh_traverse_Tree(_e808.z, _e853.unnamed_1.first_primitive));
-                                phi_1381_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e859.unnamed, lt_bvh_traverse_Tree(_e859.unnamed_1.root, _e808.w));
+                                let _e849 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e810.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e855 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e849.unnamed.root, _e810.y), _e849.unnamed_1);
+                                let _e861 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e855.unnamed, lt_bvh_traverse_Tree(_e810.z, _e855.unnamed_1.first_primitive));
+                                phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e861.unnamed, lt_bvh_traverse_Tree(_e861.unnamed_1.root, _e810.w));
                             }
-                            let _e867 = phi_1381_;
-                            phi_1387_ = 0u;
-                            phi_1390_ = 0u;
+                            let _e869 = phi_1383_;
+                            phi_1389_ = 0u;
+                            phi_1392_ = 0u;
                             loop {
-                                let _e877 = phi_1387_;
-                                let _e879 = phi_1390_;
-                                local_3 = _e879;
-                                local_4 = _e879;
-                                local_5 = _e879;
-                                let _e880 = (_e877 < 8u);
-                                if _e880 {
-                                    let _e882 = (_e877 >> bitcast<u32>(2i));
-                                    let _e883 = (_e877 & 3u);
-                                    if (_e882 == 0u) {
-                                        phi_1404_ = _e729.unnamed.root;
+                                let _e879 = phi_1389_;
+                                let _e881 = phi_1392_;
+                                local_3 = _e881;
+                                local_4 = _e881;
+                                local_5 = _e881;
+                                let _e882 = (_e879 < 8u);
+                                if _e882 {
+                                    let _e884 = (_e879 >> bitcast<u32>(2i));
+                                    let _e885 = (_e879 & 3u);
+                                    if (_e884 == 0u) {
+                                        phi_1406_ = _e731.unnamed.root;
                                     } else {
-                                        phi_1404_ = _e729.unnamed.first_primitive;
+                                        phi_1406_ = _e731.unnamed.first_primitive;
                                     }
-                                    let _e886 = phi_1404_;
-                                    if (_e882 == 0u) {
-                                        phi_1414_ = _e798.unnamed.root;
+                                    let _e888 = phi_1406_;
+                                    if (_e884 == 0u) {
+                                        phi_1416_ = _e800.unnamed.root;
                                     } else {
-                                        phi_1414_ = _e798.unnamed.first_primitive;
+                                        phi_1416_ = _e800.unnamed.first_primitive;
                                     }
-                                    let _e895 = phi_1414_;
-                                    if (_e882 == 0u) {
-                                        phi_1424_ = _e867.unnamed.root;
+                                    let _e897 = phi_1416_;
+                                    if (_e884 == 0u) {
+                                        phi_1426_ = _e869.unnamed.root;
                                     } else {
-                                        phi_1424_ = _e867.unnamed.first_primitive;
+                                        phi_1426_ = _e869.unnamed.first_primitive;
                                     }
-                                    let _e904 = phi_1424_;
-                                    let _e917 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e886 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e642) + (_e660 - _e422)), ((f32(((_e895 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e643) + (_e661 - _e423)));
-                                    let _e918 = core_intrinsics_maximum_number_nsz_f32_(_e917, ((f32(((_e904 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e644) + (_e662 - _e424)));
-                                    if (_e882 == 0u) {
-                                        phi_1442_ = _e729.unnamed_1.root;
+                                    let _e906 = phi_1426_;
+                                    let _e919 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e888 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e644) + (_e662 - _e422)), ((f32(((_e897 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e645) + (_e663 - _e423)));
+                                    let _e920 = core_intrinsics_maximum_number_nsz_f32_(_e919, ((f32(((_e906 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e646) + (_e664 - _e424)));
+                                    if (_e884 == 0u) {
+                                        phi_1444_ = _e731.unnamed_1.root;
                                     } else {
-                                        phi_1442_ = _e729.unnamed_1.first_primitive;
+                                        phi_1444_ = _e731.unnamed_1.first_primitive;
                                     }
-                                    let _e921 = phi_1442_;
-                                    if (_e882 == 0u) {
-                                        phi_1452_ = _e798.unnamed_1.root;
+                                    let _e923 = phi_1444_;
+                                    if (_e884 == 0u) {
+                                        phi_1454_ = _e800.unnamed_1.root;
                                     } else {
-                                        phi_1452_ = _e798.unnamed_1.first_primitive;
+                                        phi_1454_ = _e800.unnamed_1.first_primitive;
                                     }
-                                    let _e930 = phi_1452_;
-                                    if (_e882 == 0u) {
-                                        phi_1462_ = _e867.unnamed_1.root;
+                                    let _e932 = phi_1454_;
+                                    if (_e884 == 0u) {
+                                        phi_1464_ = _e869.unnamed_1.root;
                                     } else {
-                                        phi_1462_ = _e867.unnamed_1.first_primitive;
+                                        phi_1464_ = _e869.unnamed_1.first_primitive;
                                     }
-                                    let _e939 = phi_1462_;
-                                    let _e952 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e921 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e642) + (_e660 + _e422)), ((f32(((_e930 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e643) + (_e661 + _e423)));
-                                    let _e953 = core_intrinsics_minimum_number_nsz_f32_(_e952, ((f32(((_e939 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u)) * _e644) + (_e662 + _e424)));
-                                    if (_e918 <= _e953) {
-                                        if (_e918 <= _e225) {
-                                            if (_e953 >= 0f) {
-                                                if (_e882 == 0u) {
-                                                    let _e960 = nodes.member[(0u + _e610)].links[2u];
-                                                    phi_1498_ = _e960;
+                                    let _e941 = phi_1464_;
+                                    let _e954 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e923 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e644) + (_e662 + _e422)), ((f32(((_e932 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e645) + (_e663 + _e423)));
+                                    let _e955 = core_intrinsics_minimum_number_nsz_f32_(_e954, ((f32(((_e941 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u)) * _e646) + (_e664 + _e424)));
+                                    if (_e920 <= _e955) {
+                                        if (_e920 <= _e225) {
+                                            if (_e955 >= 0f) {
+                                                if (_e884 == 0u) {
+                                                    let _e962 = nodes.member[(0u + _e610)].links[2u];
+                                                    phi_1500_ = _e962;
                                                 } else {
-                                                    let _e963 = nodes.member[(0u + _e610)].links[3u];
-                                                    phi_1498_ = _e963;
+                                                    let _e965 = nodes.member[(0u + _e610)].links[3u];
+                                                    phi_1500_ = _e965;
                                                 }
-                                                let _e965 = phi_1498_;
-                                                let _e970 = ((_e965 >> bitcast<u32>(((_e883 * 8u) & 31u))) & 255u);
-                                                let _e971 = (_e970 & 31u);
-                                                if (_e971 >= 24u) {
-                                                    phi_1511_ = (24u + ((_e971 - 24u) ^ _e472));
+                                                let _e967 = phi_1500_;
+                                                let _e972 = ((_e967 >> bitcast<u32>(((_e885 * 8u) & 31u))) & 255u);
+                                                let _e973 = (_e972 & 31u);
+                                                if (_e973 >= 24u) {
+                                                    phi_1513_ = (24u + ((_e973 - 24u) ^ _e472));
                                                 } else {
-                                                    phi_1511_ = _e971;
+                                                    phi_1513_ = _e973;
                                                 }
-                                                let _e977 = phi_1511_;
-                                                phi_1516_ = (_e879 | ((_e970 >> bitcast<u32>(5i)) << bitcast<u32>((_e977 & 31u))));
+                                                let _e979 = phi_1513_;
+                                                phi_1518_ = (_e881 | ((_e972 >> bitcast<u32>(5i)) << bitcast<u32>((_e979 & 31u))));
                                             } else {
-                                                phi_1516_ = _e879;
+                                                phi_1518_ = _e881;
                                             }
-                                            let _e985 = phi_1516_;
-                                            phi_1517_ = _e985;
+                                            let _e987 = phi_1518_;
+                                            phi_1519_ = _e987;
                                         } else {
-                                            phi_1517_ = _e879;
+                                            phi_1519_ = _e881;
                                         }
-                                        let _e987 = phi_1517_;
-                                        phi_1518_ = _e987;
+                                        let _e989 = phi_1519_;
+                                        phi_1520_ = _e989;
                                     } else {
-                                        phi_1518_ = _e879;
+                                        phi_1520_ = _e881;
                                     }
-                                    let _e989 = phi_1518_;
-                                    phi_1388_ = (_e877 + 1u);
-                                    phi_1391_ = _e989;
+                                    let _e991 = phi_1520_;
+                                    phi_1390_ = (_e879 + 1u);
+                                    phi_1393_ = _e991;
                                 } else {
-                                    phi_1388_ = u32();
-                                    phi_1391_ = u32();
+                                    phi_1390_ = u32();
+                                    phi_1393_ = u32();
                                 }
-                                let _e992 = phi_1388_;
-                                let _e994 = phi_1391_;
+                                let _e994 = phi_1390_;
+                                let _e996 = phi_1393_;
                                 continue;
                                 continuing {
-                                    phi_1387_ = _e992;
-                                    phi_1390_ = _e994;
-                                    break if !(_e880);
+                                    phi_1389_ = _e994;
+                                    phi_1392_ = _e996;
+                                    break if !(_e882);
                                 }
                             }
-                            let _e998 = nodes.member[(0u + _e610)].links[0u];
-                            let _e1002 = nodes.member[(0u + _e610)].frame[3u];
-                            let _e1006 = local_3;
-                            if ((_e1006 & 4278190080u) == 0u) {
+                            let _e1000 = nodes.member[(0u + _e610)].links[0u];
+                            let _e1004 = nodes.member[(0u + _e610)].frame[3u];
+                            let _e1008 = local_3;
+                            if ((_e1008 & 4278190080u) == 0u) {
                             } else {
-                                let _e1010 = local_1.group_mask;
-                                if ((_e1010 & 4278190080u) == 0u) {
+                                let _e1012 = local_1.group_mask;
+                                if ((_e1012 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e1014 = local_1.len;
-                                    if (_e1014 < 32u) {
-                                        let _e1017 = local_1.group;
-                                        let _e1019 = local_1.len;
-                                        if (_e1019 < 32u) {
+                                    let _e1016 = local_1.len;
+                                    if (_e1016 < 32u) {
+                                        let _e1019 = local_1.group;
+                                        let _e1021 = local_1.len;
+                                        if (_e1021 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.first[(0u + _e1019)] = _e1017;
-                                        let _e1025 = local_1.group_mask;
-                                        let _e1027 = local_1.len;
-                                        if (_e1027 < 32u) {
+                                        local_1.first[(0u + _e1021)] = _e1019;
+                                        let _e1027 = local_1.group_mask;
+                                        let _e1029 = local_1.len;
+                                        if (_e1029 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.mask[(0u + _e1027)] = _e1025;
-                                        let _e1034 = local_1.len;
-                                        local_1.len = (_e1034 + 1u);
+                                        local_1.mask[(0u + _e1029)] = _e1027;
+                                        let _e1036 = local_1.len;
+                                        local_1.len = (_e1036 + 1u);
                                     }
                                 }
-                                local_1.group = (0u + _e998);
-                                let _e1038 = local_4;
-                                local_1.group_mask = ((_e1038 & 4278190080u) | (_e1002 >> bitcast<u32>(24i)));
+                                local_1.group = (0u + _e1000);
+                                let _e1040 = local_4;
+                                local_1.group_mask = ((_e1040 & 4278190080u) | (_e1004 >> bitcast<u32>(24i)));
                             }
-                            let _e1043 = local_5;
-                            phi_1576_ = (_e1043 & 16777215u);
+                            let _e1045 = local_5;
+                            phi_1578_ = (_e1045 & 16777215u);
+                            phi_1581_ = _e612;
                             loop {
-                                let _e1046 = phi_1576_;
-                                let _e1047 = (_e1046 == 0u);
-                                local_6 = _e1047;
-                                local_10 = _e1047;
-                                if _e1047 {
-                                    phi_1577_ = u32();
-                                    phi_2384_ = false;
-                                    phi_2385_ = false;
+                                let _e1048 = phi_1578_;
+                                let _e1050 = phi_1581_;
+                                local_8 = _e1050;
+                                let _e1051 = (_e1048 == 0u);
+                                local_6 = _e1051;
+                                local_10 = _e1051;
+                                if _e1051 {
+                                    phi_1579_ = u32();
+                                    phi_1582_ = bool();
+                                    phi_2385_ = bool();
                                     phi_2386_ = false;
                                 } else {
-                                    let _e1050 = nodes.member[(0u + _e610)].links[1u];
-                                    let _e1055 = ((0u + _e1050) + select(firstTrailingBit(_e1046), 32u, (_e1046 == 0u)));
-                                    if (_e1055 < _e81) {
+                                    let _e1054 = nodes.member[(0u + _e610)].links[1u];
+                                    let _e1059 = ((0u + _e1054) + select(firstTrailingBit(_e1048), 32u, (_e1048 == 0u)));
+                                    if (_e1059 < _e81) {
                                     } else {
                                         return;
                                     }
-                                    let _e1062 = triangles.member[(0u + _e1055)].v0_;
-                                    let _e1064 = (_e1062.x - _e217);
-                                    let _e1066 = (_e1062.y - _e219);
-                                    let _e1068 = (_e1062.z - _e221);
+                                    let _e1066 = triangles.member[(0u + _e1059)].v0_;
+                                    let _e1068 = (_e1066.x - _e217);
+                                    let _e1070 = (_e1066.y - _e219);
+                                    let _e1072 = (_e1066.z - _e221);
                                     if (_e445 == 0u) {
-                                        phi_1622_ = vec3<f32>(_e1066, _e1068, _e1064);
+                                        phi_1626_ = vec3<f32>(_e1070, _e1072, _e1068);
                                     } else {
                                         if (_e445 == 1u) {
-                                            phi_1621_ = vec3<f32>(_e1068, _e1064, _e1066);
+                                            phi_1625_ = vec3<f32>(_e1072, _e1068, _e1070);
                                         } else {
-                                            phi_1621_ = (_e1062 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1625_ = (_e1066 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1076 = phi_1621_;
-                                        phi_1622_ = _e1076;
+                                        let _e1080 = phi_1625_;
+                                        phi_1626_ = _e1080;
                                     }
-                                    let _e1078 = phi_1622_;
-                                    let _e1082 = (_e1078.x - (_e456 * _e1078.z));
-                                    let _e1086 = (_e1078.y - (_e459 * _e1078.z));
-                                    let _e1088 = triangles.member[(0u + _e1055)].v1_;
-                                    let _e1090 = (_e1088.x - _e217);
-                                    let _e1092 = (_e1088.y - _e219);
-                                    let _e1094 = (_e1088.z - _e221);
+                                    let _e1082 = phi_1626_;
+                                    let _e1086 = (_e1082.x - (_e456 * _e1082.z));
+                                    let _e1090 = (_e1082.y - (_e459 * _e1082.z));
+                                    let _e1092 = triangles.member[(0u + _e1059)].v1_;
+                                    let _e1094 = (_e1092.x - _e217);
+                                    let _e1096 = (_e1092.y - _e219);
+                                    let _e1098 = (_e1092.z - _e221);
                                     if (_e445 == 0u) {
-                                        phi_1652_ = vec3<f32>(_e1092, _e1094, _e1090);
+                                        phi_1656_ = vec3<f32>(_e1096, _e1098, _e1094);
                                     } else {
                                         if (_e445 == 1u) {
-                                            phi_1651_ = vec3<f32>(_e1094, _e1090, _e1092);
+                                            phi_1655_ = vec3<f32>(_e1098, _e1094, _e1096);
                                         } else {
-                                            phi_1651_ = (_e1088 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1655_ = (_e1092 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1102 = phi_1651_;
-                                        phi_1652_ = _e1102;
+                                        let _e1106 = phi_1655_;
+                                        phi_1656_ = _e1106;
                                     }
-                                    let _e1104 = phi_1652_;
-                                    let _e1108 = (_e1104.x - (_e456 * _e1104.z));
-                                    let _e1112 = (_e1104.y - (_e459 * _e1104.z));
-                                    let _e1114 = triangles.member[(0u + _e1055)].v2_;
-                                    let _e1116 = (_e1114.x - _e217);
-                                    let _e1118 = (_e1114.y - _e219);
-                                    let _e1120 = (_e1114.z - _e221);
+                                    let _e1108 = phi_1656_;
+                                    let _e1112 = (_e1108.x - (_e456 * _e1108.z));
+                                    let _e1116 = (_e1108.y - (_e459 * _e1108.z));
+                                    let _e1118 = triangles.member[(0u + _e1059)].v2_;
+                                    let _e1120 = (_e1118.x - _e217);
+                                    let _e1122 = (_e1118.y - _e219);
+                                    let _e1124 = (_e1118.z - _e221);
                                     if (_e445 == 0u) {
-                                        phi_1682_ = vec3<f32>(_e1118, _e1120, _e1116);
+                                        phi_1686_ = vec3<f32>(_e1122, _e1124, _e1120);
                                     } else {
                                         if (_e445 == 1u) {
-                                            phi_1681_ = vec3<f32>(_e1120, _e1116, _e1118);
+                                            phi_1685_ = vec3<f32>(_e1124, _e1120, _e1122);
                                         } else {
-                                            phi_1681_ = (_e1114 - vec3<f32>(_e217, _e219, _e221));
+                                            phi_1685_ = (_e1118 - vec3<f32>(_e217, _e219, _e221));
                                         }
-                                        let _e1128 = phi_1681_;
-                                        phi_1682_ = _e1128;
+                                        let _e1132 = phi_1685_;
+                                        phi_1686_ = _e1132;
                                     }
-                                    let _e1130 = phi_1682_;
-                                    let _e1134 = (_e1130.x - (_e456 * _e1130.z));
-                                    let _e1138 = (_e1130.y - (_e459 * _e1130.z));
-                                    if (_e1108 < _e1134) {
-                                        phi_1701_ = true;
+                                    let _e1134 = phi_1686_;
+                                    let _e1138 = (_e1134.x - (_e456 * _e1134.z));
+                                    let _e1142 = (_e1134.y - (_e459 * _e1134.z));
+                                    if (_e1112 < _e1138) {
+                                        phi_1705_ = true;
                                     } else {
-                                        if (_e1108 == _e1134) {
-                                            phi_1700_ = (_e1112 < _e1138);
+                                        if (_e1112 == _e1138) {
+                                            phi_1704_ = (_e1116 < _e1142);
                                         } else {
-                                            phi_1700_ = false;
+                                            phi_1704_ = false;
                                         }
-                                        let _e1143 = phi_1700_;
-                                        phi_1701_ = _e1143;
+                                        let _e1147 = phi_1704_;
+                                        phi_1705_ = _e1147;
                                     }
-                                    let _e1145 = phi_1701_;
-                                    if _e1145 {
-                                        phi_1705_ = _e1138;
-                                        phi_1706_ = _e1134;
-                                        phi_1707_ = _e1112;
-                                        phi_1708_ = _e1108;
+                                    let _e1149 = phi_1705_;
+                                    if _e1149 {
+                                        phi_1709_ = _e1142;
+                                        phi_1710_ = _e1138;
+                                        phi_1711_ = _e1116;
+                                        phi_1712_ = _e1112;
                                     } else {
-                                        phi_1705_ = _e1112;
-                                        phi_1706_ = _e1108;
-                                        phi_1707_ = _e1138;
-                                        phi_1708_ = _e1134;
+                                        phi_1709_ = _e1116;
+                                        phi_1710_ = _e1112;
+                                        phi_1711_ = _e1142;
+                                        phi_1712_ = _e1138;
                                     }
-                                    let _e1147 = phi_1705_;
-                                    let _e1149 = phi_1706_;
-                                    let _e1151 = phi_1707_;
-                                    let _e1153 = phi_1708_;
-                                    let _e1156 = ((_e1153 * _e1147) - (_e1151 * _e1149));
-                                    if _e1145 {
-                                        phi_1716_ = -(_e1156);
+                                    let _e1151 = phi_1709_;
+                                    let _e1153 = phi_1710_;
+                                    let _e1155 = phi_1711_;
+                                    let _e1157 = phi_1712_;
+                                    let _e1160 = ((_e1157 * _e1151) - (_e1155 * _e1153));
+                                    if _e1149 {
+                                        phi_1720_ = -(_e1160);
                                     } else {
-                                        phi_1716_ = _e1156;
+                                        phi_1720_ = _e1160;
                                     }
-                                    let _e1159 = phi_1716_;
-                                    if (_e1134 < _e1082) {
-                                        phi_1727_ = true;
+                                    let _e1163 = phi_1720_;
+                                    if (_e1138 < _e1086) {
+                                        phi_1731_ = true;
                                     } else {
-                                        if (_e1134 == _e1082) {
-                                            phi_1726_ = (_e1138 < _e1086);
+                                        if (_e1138 == _e1086) {
+                                            phi_1730_ = (_e1142 < _e1090);
                                         } else {
-                                            phi_1726_ = false;
+                                            phi_1730_ = false;
                                         }
-                                        let _e1164 = phi_1726_;
-                                        phi_1727_ = _e1164;
+                                        let _e1168 = phi_1730_;
+                                        phi_1731_ = _e1168;
                                     }
-                                    let _e1166 = phi_1727_;
-                                    if _e1166 {
-                                        phi_1731_ = _e1086;
-                                        phi_1732_ = _e1082;
-                                        phi_1733_ = _e1138;
-                                        phi_1734_ = _e1134;
+                                    let _e1170 = phi_1731_;
+                                    if _e1170 {
+                                        phi_1735_ = _e1090;
+                                        phi_1736_ = _e1086;
+                                        phi_1737_ = _e1142;
+                                        phi_1738_ = _e1138;
                                     } else {
-                                        phi_1731_ = _e1138;
-                                        phi_1732_ = _e1134;
-                                        phi_1733_ = _e1086;
-                                        phi_1734_ = _e1082;
+                                        phi_1735_ = _e1142;
+                                        phi_1736_ = _e1138;
+                                        phi_1737_ = _e1090;
+                                        phi_1738_ = _e1086;
                                     }
-                                    let _e1168 = phi_1731_;
-                                    let _e1170 = phi_1732_;
-                                    let _e1172 = phi_1733_;
-                                    let _e1174 = phi_1734_;
-                                    let _e1177 = ((_e1174 * _e1168) - (_e1172 * _e1170));
-                                    if _e1166 {
-                                        phi_1742_ = -(_e1177);
+                                    let _e1172 = phi_1735_;
+                                    let _e1174 = phi_1736_;
+                                    let _e1176 = phi_1737_;
+                                    let _e1178 = phi_1738_;
+                                    let _e1181 = ((_e1178 * _e1172) - (_e1176 * _e1174));
+                                    if _e1170 {
+                                        phi_1746_ = -(_e1181);
                                     } else {
-                                        phi_1742_ = _e1177;
+                                        phi_1746_ = _e1181;
                                     }
-                                    let _e1180 = phi_1742_;
-                                    if (_e1082 < _e1108) {
-                                        phi_1753_ = true;
+                                    let _e1184 = phi_1746_;
+                                    if (_e1086 < _e1112) {
+                                        phi_1757_ = true;
                                     } else {
-                                        if (_e1082 == _e1108) {
-                                            phi_1752_ = (_e1086 < _e1112);
+                                        if (_e1086 == _e1112) {
+                                            phi_1756_ = (_e1090 < _e1116);
                                         } else {
-                                            phi_1752_ = false;
+                                            phi_1756_ = false;
                                         }
-                                        let _e1185 = phi_1752_;
-                                        phi_1753_ = _e1185;
+                                        let _e1189 = phi_1756_;
+                                        phi_1757_ = _e1189;
                                     }
-                                    let _e1187 = phi_1753_;
-                                    if _e1187 {
-                                        phi_1757_ = _e1112;
-                                        phi_1758_ = _e1108;
-                                        phi_1759_ = _e1086;
-                                        phi_1760_ = _e1082;
+                                    let _e1191 = phi_1757_;
+                                    if _e1191 {
+                                        phi_1761_ = _e1116;
+                                        phi_1762_ = _e1112;
+                                        phi_1763_ = _e1090;
+                                        phi_1764_ = _e1086;
                                     } else {
-                                        phi_1757_ = _e1086;
-                                        phi_1758_ = _e1082;
-                                        phi_1759_ = _e1112;
-                                        phi_1760_ = _e1108;
+                                        phi_1761_ = _e1090;
+                                        phi_1762_ = _e1086;
+                                        phi_1763_ = _e1116;
+                                        phi_1764_ = _e1112;
                                     }
-                                    let _e1189 = phi_1757_;
-                                    let _e1191 = phi_1758_;
-                                    let _e1193 = phi_1759_;
-                                    let _e1195 = phi_1760_;
-                                    let _e1198 = ((_e1195 * _e1189) - (_e1193 * _e1191));
-                                    if _e1187 {
-                                        phi_1768_ = -(_e1198);
+                                    let _e1193 = phi_1761_;
+                                    let _e1195 = phi_1762_;
+                                    let _e1197 = phi_1763_;
+                                    let _e1199 = phi_1764_;
+                                    let _e1202 = ((_e1199 * _e1193) - (_e1197 * _e1195));
+                                    if _e1191 {
+                                        phi_1772_ = -(_e1202);
                                     } else {
-                                        phi_1768_ = _e1198;
+                                        phi_1772_ = _e1202;
                                     }
-                                    let _e1201 = phi_1768_;
-                                    if (_e1159 >= 0f) {
-                                        if (_e1180 >= 0f) {
-                                            if (_e1201 >= 0f) {
-                                                phi_1783_ = ((_e1159 + _e1180) + _e1201);
-                                                phi_1784_ = false;
+                                    let _e1205 = phi_1772_;
+                                    if (_e1163 >= 0f) {
+                                        if (_e1184 >= 0f) {
+                                            if (_e1205 >= 0f) {
+                                                phi_1787_ = ((_e1163 + _e1184) + _e1205);
+                                                phi_1788_ = false;
                                             } else {
-                                                phi_1783_ = f32();
-                                                phi_1784_ = true;
+                                                phi_1787_ = f32();
+                                                phi_1788_ = true;
                                             }
-                                            let _e1208 = phi_1783_;
-                                            let _e1210 = phi_1784_;
-                                            phi_1785_ = _e1208;
-                                            phi_1786_ = _e1210;
+                                            let _e1212 = phi_1787_;
+                                            let _e1214 = phi_1788_;
+                                            phi_1789_ = _e1212;
+                                            phi_1790_ = _e1214;
                                         } else {
-                                            phi_1785_ = f32();
-                                            phi_1786_ = true;
+                                            phi_1789_ = f32();
+                                            phi_1790_ = true;
                                         }
-                                        let _e1212 = phi_1785_;
-                                        let _e1214 = phi_1786_;
-                                        phi_1787_ = _e1212;
-                                        phi_1788_ = _e1214;
+                                        let _e1216 = phi_1789_;
+                                        let _e1218 = phi_1790_;
+                                        phi_1791_ = _e1216;
+                                        phi_1792_ = _e1218;
                                     } else {
-                                        phi_1787_ = f32();
-                                        phi_1788_ = true;
+                                        phi_1791_ = f32();
+                                        phi_1792_ = true;
                                     }
-                                    let _e1216 = phi_1787_;
-                                    let _e1218 = phi_1788_;
-                                    if _e1218 {
-                                        if (_e1159 <= 0f) {
-                                            if (_e1180 <= 0f) {
-                                                let _e1221 = (_e1201 <= 0f);
-                                                if _e1221 {
+                                    let _e1220 = phi_1791_;
+                                    let _e1222 = phi_1792_;
+                                    if _e1222 {
+                                        if (_e1163 <= 0f) {
+                                            if (_e1184 <= 0f) {
+                                                let _e1225 = (_e1205 <= 0f);
+                                                if _e1225 {
                                                 }
-                                                phi_1806_ = ((_e1159 + _e1180) + _e1201);
-                                                phi_1807_ = false;
-                                                phi_1808_ = _e1221;
+                                                phi_1810_ = ((_e1163 + _e1184) + _e1205);
+                                                phi_1811_ = false;
+                                                phi_1812_ = _e1225;
                                             } else {
-                                                phi_1806_ = f32();
-                                                phi_1807_ = true;
-                                                phi_1808_ = false;
+                                                phi_1810_ = f32();
+                                                phi_1811_ = true;
+                                                phi_1812_ = false;
                                             }
-                                            let _e1225 = phi_1806_;
-                                            let _e1227 = phi_1807_;
-                                            let _e1229 = phi_1808_;
-                                            phi_1809_ = _e1225;
-                                            phi_1810_ = _e1227;
-                                            phi_1811_ = _e1229;
+                                            let _e1229 = phi_1810_;
+                                            let _e1231 = phi_1811_;
+                                            let _e1233 = phi_1812_;
+                                            phi_1813_ = _e1229;
+                                            phi_1814_ = _e1231;
+                                            phi_1815_ = _e1233;
                                         } else {
-                                            phi_1809_ = f32();
-                                            phi_1810_ = true;
-                                            phi_1811_ = false;
-                                        }
-                                        let _e1231 = phi_1809_;
-                                        let _e1233 = phi_1810_;
-                                        let _e1235 = phi_1811_;
-                                        if _e1233 {
+                                            phi_1813_ = f32();
+                                            phi_1814_ = true;
                                             phi_1815_ = false;
-                                        } else {
-                                            phi_1815_ = _e1235;
                                         }
-                                        let _e1237 = phi_1815_;
-                                        phi_1816_ = _e1231;
-                                        phi_1817_ = _e1237;
-                                    } else {
-                                        phi_1816_ = _e1216;
-                                        phi_1817_ = true;
-                                    }
-                                    let _e1239 = phi_1816_;
-                                    let _e1241 = phi_1817_;
-                                    if _e1241 {
-                                        let _e1242 = (_e1239 == 0f);
-                                        if _e1242 {
-                                            phi_2133_ = lt_bvh_triangle_Intersection();
-                                            phi_2134_ = false;
+                                        let _e1235 = phi_1813_;
+                                        let _e1237 = phi_1814_;
+                                        let _e1239 = phi_1815_;
+                                        if _e1237 {
+                                            phi_1819_ = false;
                                         } else {
-                                            let _e1244 = triangles.member[(0u + _e1055)].v0_;
-                                            let _e1246 = (_e1244.x - _e217);
-                                            let _e1248 = (_e1244.y - _e219);
-                                            let _e1250 = (_e1244.z - _e221);
-                                            if (_e445 == 0u) {
-                                                phi_1846_ = vec3<f32>(_e1248, _e1250, _e1246);
-                                            } else {
-                                                if (_e445 == 1u) {
-                                                    phi_1845_ = vec3<f32>(_e1250, _e1246, _e1248);
-                                                } else {
-                                                    phi_1845_ = (_e1244 - vec3<f32>(_e217, _e219, _e221));
-                                                }
-                                                let _e1258 = phi_1845_;
-                                                phi_1846_ = _e1258;
-                                            }
-                                            let _e1260 = phi_1846_;
-                                            let _e1262 = triangles.member[(0u + _e1055)].v1_;
-                                            let _e1264 = triangles.member[(0u + _e1055)].v0_;
-                                            let _e1267 = (_e1262.x - _e1264.x);
-                                            let _e1270 = (_e1262.y - _e1264.y);
-                                            let _e1273 = (_e1262.z - _e1264.z);
-                                            if (_e445 == 0u) {
-                                                phi_1872_ = vec3<f32>(_e1270, _e1273, _e1267);
-                                            } else {
-                                                if (_e445 == 1u) {
-                                                    phi_1871_ = vec3<f32>(_e1273, _e1267, _e1270);
-                                                } else {
-                                                    phi_1871_ = (_e1262 - _e1264);
-                                                }
-                                                let _e1280 = phi_1871_;
-                                                phi_1872_ = _e1280;
-                                            }
-                                            let _e1282 = phi_1872_;
-                                            let _e1284 = triangles.member[(0u + _e1055)].v2_;
-                                            let _e1286 = triangles.member[(0u + _e1055)].v0_;
-                                            let _e1289 = (_e1284.x - _e1286.x);
-                                            let _e1292 = (_e1284.y - _e1286.y);
-                                            let _e1295 = (_e1284.z - _e1286.z);
-                                            if (_e445 == 0u) {
-                                                phi_1898_ = vec3<f32>(_e1292, _e1295, _e1289);
-                                            } else {
-                                                if (_e445 == 1u) {
-                                                    phi_1897_ = vec3<f32>(_e1295, _e1289, _e1292);
-                                                } else {
-                                                    phi_1897_ = (_e1284 - _e1286);
-                                                }
-                                                let _e1302 = phi_1897_;
-                                                phi_1898_ = _e1302;
-                                            }
-                                            let _e1304 = phi_1898_;
-                                            let _e1311 = ((_e1282.y * _e1304.z) - (_e1282.z * _e1304.y));
-                                            let _e1318 = ((_e1282.z * _e1304.x) - (_e1282.x * _e1304.z));
-                                            let _e1325 = ((_e1282.x * _e1304.y) - (_e1282.y * _e1304.x));
-                                            let _e1339 = (((1f / _e453.z) * (((_e1311 * _e1260.x) + (_e1318 * _e1260.y)) + (_e1325 * _e1260.z))) / (((_e1311 * _e456) + (_e1318 * _e459)) + _e1325));
-                                            if (_e1339 > 0f) {
-                                                if (_e1339 < _e225) {
-                                                    let _e1343 = triangles.member[(0u + _e1055)].v0_;
-                                                    let _e1345 = triangles.member[(0u + _e1055)].v1_;
-                                                    if (_e1343.x < _e1345.x) {
-                                                        phi_1954_ = _e1343.x;
-                                                    } else {
-                                                        phi_1954_ = _e1345.x;
-                                                    }
-                                                    let _e1352 = phi_1954_;
-                                                    if (_e1343.y < _e1345.y) {
-                                                        phi_1963_ = _e1343.y;
-                                                    } else {
-                                                        phi_1963_ = _e1345.y;
-                                                    }
-                                                    let _e1359 = phi_1963_;
-                                                    if (_e1343.z < _e1345.z) {
-                                                        phi_1972_ = _e1343.z;
-                                                    } else {
-                                                        phi_1972_ = _e1345.z;
-                                                    }
-                                                    let _e1366 = phi_1972_;
-                                                    let _e1368 = triangles.member[(0u + _e1055)].v2_;
-                                                    if (_e1352 < _e1368.x) {
-                                                        phi_1981_ = _e1352;
-                                                    } else {
-                                                        phi_1981_ = _e1368.x;
-                                                    }
-                                                    let _e1373 = phi_1981_;
-                                                    if (_e1359 < _e1368.y) {
-                                                        phi_1988_ = _e1359;
-                                                    } else {
-                                                        phi_1988_ = _e1368.y;
-                                                    }
-                                                    let _e1378 = phi_1988_;
-                                                    if (_e1366 < _e1368.z) {
-                                                        phi_1995_ = _e1366;
-                                                    } else {
-                                                        phi_1995_ = _e1368.z;
-                                                    }
-                                                    let _e1383 = phi_1995_;
-                                                    let _e1385 = triangles.member[(0u + _e1055)].v0_;
-                                                    let _e1387 = triangles.member[(0u + _e1055)].v1_;
-                                                    if (_e1385.x > _e1387.x) {
-                                                        phi_2008_ = _e1385.x;
-                                                    } else {
-                                                        phi_2008_ = _e1387.x;
-                                                    }
-                                                    let _e1394 = phi_2008_;
-                                                    if (_e1385.y > _e1387.y) {
-                                                        phi_2017_ = _e1385.y;
-                                                    } else {
-                                                        phi_2017_ = _e1387.y;
-                                                    }
-                                                    let _e1401 = phi_2017_;
-                                                    if (_e1385.z > _e1387.z) {
-                                                        phi_2026_ = _e1385.z;
-                                                    } else {
-                                                        phi_2026_ = _e1387.z;
-                                                    }
-                                                    let _e1408 = phi_2026_;
-                                                    let _e1410 = triangles.member[(0u + _e1055)].v2_;
-                                                    if (_e1394 > _e1410.x) {
-                                                        phi_2035_ = _e1394;
-                                                    } else {
-                                                        phi_2035_ = _e1410.x;
-                                                    }
-                                                    let _e1415 = phi_2035_;
-                                                    if (_e1401 > _e1410.y) {
-                                                        phi_2042_ = _e1401;
-                                                    } else {
-                                                        phi_2042_ = _e1410.y;
-                                                    }
-                                                    let _e1420 = phi_2042_;
-                                                    if (_e1408 > _e1410.z) {
-                                                        phi_2049_ = _e1408;
-                                                    } else {
-                                                        phi_2049_ = _e1410.z;
-                                                    }
-                                                    let _e1425 = phi_2049_;
-                                                    let _e1429 = ((_e1373 - _e217) * _e374);
-                                                    let _e1430 = ((_e1378 - _e219) * _e384);
-                                                    let _e1431 = ((_e1383 - _e221) * _e394);
-                                                    let _e1435 = ((_e1415 - _e217) * _e374);
-                                                    let _e1436 = ((_e1420 - _e219) * _e384);
-                                                    let _e1437 = ((_e1425 - _e221) * _e394);
-                                                    if (_e1429 < _e1435) {
-                                                        phi_2066_ = _e1429;
-                                                    } else {
-                                                        phi_2066_ = _e1435;
-                                                    }
-                                                    let _e1440 = phi_2066_;
-                                                    if (_e1430 < _e1436) {
-                                                        phi_2071_ = _e1430;
-                                                    } else {
-                                                        phi_2071_ = _e1436;
-                                                    }
-                                                    let _e1443 = phi_2071_;
-                                                    if (_e1431 < _e1437) {
-                                                        phi_2076_ = _e1431;
-                                                    } else {
-                                                        phi_2076_ = _e1437;
-                                                    }
-                                                    let _e1446 = phi_2076_;
-                                                    if (_e1429 > _e1435) {
-                                                        phi_2084_ = _e1429;
-                                                    } else {
-                                                        phi_2084_ = _e1435;
-                                                    }
-                                                    let _e1452 = phi_2084_;
-                                                    if (_e1430 > _e1436) {
-                                                        phi_2089_ = _e1430;
-                                                    } else {
-                                                        phi_2089_ = _e1436;
-                                                    }
-                                                    let _e1455 = phi_2089_;
-                                                    if (_e1431 > _e1437) {
-                                                        phi_2094_ = _e1431;
-                                                    } else {
-                                                        phi_2094_ = _e1437;
-                                                    }
-                                                    let _e1458 = phi_2094_;
-                                                    let _e1462 = core_intrinsics_maximum_number_nsz_f32_((_e1440 - _e429), (_e1443 - _e430));
-                                                    let _e1463 = core_intrinsics_maximum_number_nsz_f32_(_e1462, (_e1446 - _e431));
-                                                    let _e1464 = core_intrinsics_minimum_number_nsz_f32_((_e1452 + _e429), (_e1455 + _e430));
-                                                    let _e1465 = core_intrinsics_minimum_number_nsz_f32_(_e1464, (_e1458 + _e431));
-                                                    if (_e1463 > -300000000000000000000000000000000000000f) {
-                                                        phi_2106_ = _e1463;
-                                                    } else {
-                                                        phi_2106_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1468 = phi_2106_;
-                                                    if (_e1465 < 300000000000000000000000000000000000000f) {
-                                                        phi_2111_ = _e1465;
-                                                    } else {
-                                                        phi_2111_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1471 = phi_2111_;
-                                                    if (_e1339 < _e1468) {
-                                                        phi_2116_ = _e1468;
-                                                    } else {
-                                                        phi_2116_ = _e1339;
-                                                    }
-                                                    let _e1474 = phi_2116_;
-                                                    if (_e1474 > _e1471) {
-                                                        phi_2121_ = _e1471;
-                                                    } else {
-                                                        phi_2121_ = _e1474;
-                                                    }
-                                                    let _e1477 = phi_2121_;
-                                                    phi_2126_ = lt_bvh_triangle_Intersection(_e1477, (_e1180 / _e1239), (_e1201 / _e1239), (_e1468 <= _e1471));
-                                                    phi_2127_ = false;
-                                                } else {
-                                                    phi_2126_ = lt_bvh_triangle_Intersection();
-                                                    phi_2127_ = true;
-                                                }
-                                                let _e1483 = phi_2126_;
-                                                let _e1485 = phi_2127_;
-                                                phi_2128_ = _e1483;
-                                                phi_2129_ = _e1485;
-                                            } else {
-                                                phi_2128_ = lt_bvh_triangle_Intersection();
-                                                phi_2129_ = true;
-                                            }
-                                            let _e1487 = phi_2128_;
-                                            let _e1489 = phi_2129_;
-                                            if _e1489 {
-                                            }
-                                            phi_2133_ = _e1487;
-                                            phi_2134_ = _e1489;
+                                            phi_1819_ = _e1239;
                                         }
-                                        let _e1491 = phi_2133_;
-                                        let _e1493 = phi_2134_;
-                                        phi_2135_ = _e1491;
-                                        phi_2136_ = _e1242;
-                                        phi_2137_ = _e1493;
+                                        let _e1241 = phi_1819_;
+                                        phi_1820_ = _e1235;
+                                        phi_1821_ = _e1241;
                                     } else {
-                                        phi_2135_ = lt_bvh_triangle_Intersection();
-                                        phi_2136_ = true;
-                                        phi_2137_ = false;
+                                        phi_1820_ = _e1220;
+                                        phi_1821_ = true;
                                     }
-                                    let _e1495 = phi_2135_;
-                                    let _e1497 = phi_2136_;
-                                    let _e1499 = phi_2137_;
-                                    if _e1497 {
-                                        phi_2141_ = true;
+                                    let _e1243 = phi_1820_;
+                                    let _e1245 = phi_1821_;
+                                    if _e1245 {
+                                        let _e1246 = (_e1243 == 0f);
+                                        if _e1246 {
+                                            phi_2137_ = lt_bvh_triangle_Intersection();
+                                            phi_2138_ = false;
+                                        } else {
+                                            let _e1248 = triangles.member[(0u + _e1059)].v0_;
+                                            let _e1250 = (_e1248.x - _e217);
+                                            let _e1252 = (_e1248.y - _e219);
+                                            let _e1254 = (_e1248.z - _e221);
+                                            if (_e445 == 0u) {
+                                                phi_1850_ = vec3<f32>(_e1252, _e1254, _e1250);
+                                            } else {
+                                                if (_e445 == 1u) {
+                                                    phi_1849_ = vec3<f32>(_e1254, _e1250, _e1252);
+                                                } else {
+                                                    phi_1849_ = (_e1248 - vec3<f32>(_e217, _e219, _e221));
+                                                }
+                                                let _e1262 = phi_1849_;
+                                                phi_1850_ = _e1262;
+                                            }
+                                            let _e1264 = phi_1850_;
+                                            let _e1266 = triangles.member[(0u + _e1059)].v1_;
+                                            let _e1268 = triangles.member[(0u + _e1059)].v0_;
+                                            let _e1271 = (_e1266.x - _e1268.x);
+                                            let _e1274 = (_e1266.y - _e1268.y);
+                                            let _e1277 = (_e1266.z - _e1268.z);
+                                            if (_e445 == 0u) {
+                                                phi_1876_ = vec3<f32>(_e1274, _e1277, _e1271);
+                                            } else {
+                                                if (_e445 == 1u) {
+                                                    phi_1875_ = vec3<f32>(_e1277, _e1271, _e1274);
+                                                } else {
+                                                    phi_1875_ = (_e1266 - _e1268);
+                                                }
+                                                let _e1284 = phi_1875_;
+                                                phi_1876_ = _e1284;
+                                            }
+                                            let _e1286 = phi_1876_;
+                                            let _e1288 = triangles.member[(0u + _e1059)].v2_;
+                                            let _e1290 = triangles.member[(0u + _e1059)].v0_;
+                                            let _e1293 = (_e1288.x - _e1290.x);
+                                            let _e1296 = (_e1288.y - _e1290.y);
+                                            let _e1299 = (_e1288.z - _e1290.z);
+                                            if (_e445 == 0u) {
+                                                phi_1902_ = vec3<f32>(_e1296, _e1299, _e1293);
+                                            } else {
+                                                if (_e445 == 1u) {
+                                                    phi_1901_ = vec3<f32>(_e1299, _e1293, _e1296);
+                                                } else {
+                                                    phi_1901_ = (_e1288 - _e1290);
+                                                }
+                                                let _e1306 = phi_1901_;
+                                                phi_1902_ = _e1306;
+                                            }
+                                            let _e1308 = phi_1902_;
+                                            let _e1315 = ((_e1286.y * _e1308.z) - (_e1286.z * _e1308.y));
+                                            let _e1322 = ((_e1286.z * _e1308.x) - (_e1286.x * _e1308.z));
+                                            let _e1329 = ((_e1286.x * _e1308.y) - (_e1286.y * _e1308.x));
+                                            let _e1343 = (((1f / _e453.z) * (((_e1315 * _e1264.x) + (_e1322 * _e1264.y)) + (_e1329 * _e1264.z))) / (((_e1315 * _e456) + (_e1322 * _e459)) + _e1329));
+                                            if (_e1343 > 0f) {
+                                                if (_e1343 < _e225) {
+                                                    let _e1347 = triangles.member[(0u + _e1059)].v0_;
+                                                    let _e1349 = triangles.member[(0u + _e1059)].v1_;
+                                                    if (_e1347.x < _e1349.x) {
+                                                        phi_1958_ = _e1347.x;
+                                                    } else {
+                                                        phi_1958_ = _e1349.x;
+                                                    }
+                                                    let _e1356 = phi_1958_;
+                                                    if (_e1347.y < _e1349.y) {
+                                                        phi_1967_ = _e1347.y;
+                                                    } else {
+                                                        phi_1967_ = _e1349.y;
+                                                    }
+                                                    let _e1363 = phi_1967_;
+                                                    if (_e1347.z < _e1349.z) {
+                                                        phi_1976_ = _e1347.z;
+                                                    } else {
+                                                        phi_1976_ = _e1349.z;
+                                                    }
+                                                    let _e1370 = phi_1976_;
+                                                    let _e1372 = triangles.member[(0u + _e1059)].v2_;
+                                                    if (_e1356 < _e1372.x) {
+                                                        phi_1985_ = _e1356;
+                                                    } else {
+                                                        phi_1985_ = _e1372.x;
+                                                    }
+                                                    let _e1377 = phi_1985_;
+                                                    if (_e1363 < _e1372.y) {
+                                                        phi_1992_ = _e1363;
+                                                    } else {
+                                                        phi_1992_ = _e1372.y;
+                                                    }
+                                                    let _e1382 = phi_1992_;
+                                                    if (_e1370 < _e1372.z) {
+                                                        phi_1999_ = _e1370;
+                                                    } else {
+                                                        phi_1999_ = _e1372.z;
+                                                    }
+                                                    let _e1387 = phi_1999_;
+                                                    let _e1389 = triangles.member[(0u + _e1059)].v0_;
+                                                    let _e1391 = triangles.member[(0u + _e1059)].v1_;
+                                                    if (_e1389.x > _e1391.x) {
+                                                        phi_2012_ = _e1389.x;
+                                                    } else {
+                                                        phi_2012_ = _e1391.x;
+                                                    }
+                                                    let _e1398 = phi_2012_;
+                                                    if (_e1389.y > _e1391.y) {
+                                                        phi_2021_ = _e1389.y;
+                                                    } else {
+                                                        phi_2021_ = _e1391.y;
+                                                    }
+                                                    let _e1405 = phi_2021_;
+                                                    if (_e1389.z > _e1391.z) {
+                                                        phi_2030_ = _e1389.z;
+                                                    } else {
+                                                        phi_2030_ = _e1391.z;
+                                                    }
+                                                    let _e1412 = phi_2030_;
+                                                    let _e1414 = triangles.member[(0u + _e1059)].v2_;
+                                                    if (_e1398 > _e1414.x) {
+                                                        phi_2039_ = _e1398;
+                                                    } else {
+                                                        phi_2039_ = _e1414.x;
+                                                    }
+                                                    let _e1419 = phi_2039_;
+                                                    if (_e1405 > _e1414.y) {
+                                                        phi_2046_ = _e1405;
+                                                    } else {
+                                                        phi_2046_ = _e1414.y;
+                                                    }
+                                                    let _e1424 = phi_2046_;
+                                                    if (_e1412 > _e1414.z) {
+                                                        phi_2053_ = _e1412;
+                                                    } else {
+                                                        phi_2053_ = _e1414.z;
+                                                    }
+                                                    let _e1429 = phi_2053_;
+                                                    let _e1433 = ((_e1377 - _e217) * _e374);
+                                                    let _e1434 = ((_e1382 - _e219) * _e384);
+                                                    let _e1435 = ((_e1387 - _e221) * _e394);
+                                                    let _e1439 = ((_e1419 - _e217) * _e374);
+                                                    let _e1440 = ((_e1424 - _e219) * _e384);
+                                                    let _e1441 = ((_e1429 - _e221) * _e394);
+                                                    if (_e1433 < _e1439) {
+                                                        phi_2070_ = _e1433;
+                                                    } else {
+                                                        phi_2070_ = _e1439;
+                                                    }
+                                                    let _e1444 = phi_2070_;
+                                                    if (_e1434 < _e1440) {
+                                                        phi_2075_ = _e1434;
+                                                    } else {
+                                                        phi_2075_ = _e1440;
+                                                    }
+                                                    let _e1447 = phi_2075_;
+                                                    if (_e1435 < _e1441) {
+                                                        phi_2080_ = _e1435;
+                                                    } else {
+                                                        phi_2080_ = _e1441;
+                                                    }
+                                                    let _e1450 = phi_2080_;
+                                                    if (_e1433 > _e1439) {
+                                                        phi_2088_ = _e1433;
+                                                    } else {
+                                                        phi_2088_ = _e1439;
+                                                    }
+                                                    let _e1456 = phi_2088_;
+                                                    if (_e1434 > _e1440) {
+                                                        phi_2093_ = _e1434;
+                                                    } else {
+                                                        phi_2093_ = _e1440;
+                                                    }
+                                                    let _e1459 = phi_2093_;
+                                                    if (_e1435 > _e1441) {
+                                                        phi_2098_ = _e1435;
+                                                    } else {
+                                                        phi_2098_ = _e1441;
+                                                    }
+                                                    let _e1462 = phi_2098_;
+                                                    let _e1466 = core_intrinsics_maximum_number_nsz_f32_((_e1444 - _e429), (_e1447 - _e430));
+                                                    let _e1467 = core_intrinsics_maximum_number_nsz_f32_(_e1466, (_e1450 - _e431));
+                                                    let _e1468 = core_intrinsics_minimum_number_nsz_f32_((_e1456 + _e429), (_e1459 + _e430));
+                                                    let _e1469 = core_intrinsics_minimum_number_nsz_f32_(_e1468, (_e1462 + _e431));
+                                                    if (_e1467 > -300000000000000000000000000000000000000f) {
+                                                        phi_2110_ = _e1467;
+                                                    } else {
+                                                        phi_2110_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1472 = phi_2110_;
+                                                    if (_e1469 < 300000000000000000000000000000000000000f) {
+                                                        phi_2115_ = _e1469;
+                                                    } else {
+                                                        phi_2115_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1475 = phi_2115_;
+                                                    if (_e1343 < _e1472) {
+                                                        phi_2120_ = _e1472;
+                                                    } else {
+                                                        phi_2120_ = _e1343;
+                                                    }
+                                                    let _e1478 = phi_2120_;
+                                                    if (_e1478 > _e1475) {
+                                                        phi_2125_ = _e1475;
+                                                    } else {
+                                                        phi_2125_ = _e1478;
+                                                    }
+                                                    let _e1481 = phi_2125_;
+                                                    phi_2130_ = lt_bvh_triangle_Intersection(_e1481, (_e1184 / _e1243), (_e1205 / _e1243), (_e1472 <= _e1475));
+                                                    phi_2131_ = false;
+                                                } else {
+                                                    phi_2130_ = lt_bvh_triangle_Intersection();
+                                                    phi_2131_ = true;
+                                                }
+                                                let _e1487 = phi_2130_;
+                                                let _e1489 = phi_2131_;
+                                                phi_2132_ = _e1487;
+                                                phi_2133_ = _e1489;
+                                            } else {
+                                                phi_2132_ = lt_bvh_triangle_Intersection();
+                                                phi_2133_ = true;
+                                            }
+                                            let _e1491 = phi_2132_;
+                                            let _e1493 = phi_2133_;
+                                            if _e1493 {
+                                            }
+                                            phi_2137_ = _e1491;
+                                            phi_2138_ = _e1493;
+                                        }
+                                        let _e1495 = phi_2137_;
+                                        let _e1497 = phi_2138_;
+                                        phi_2139_ = _e1495;
+                                        phi_2140_ = _e1246;
+                                        phi_2141_ = _e1497;
                                     } else {
-                                        phi_2141_ = _e1499;
+                                        phi_2139_ = lt_bvh_triangle_Intersection();
+                                        phi_2140_ = true;
+                                        phi_2141_ = false;
                                     }
-                                    let _e1501 = phi_2141_;
+                                    let _e1499 = phi_2139_;
+                                    let _e1501 = phi_2140_;
+                                    let _e1503 = phi_2141_;
                                     if _e1501 {
-                                        phi_2145_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        phi_2145_ = true;
                                     } else {
-                                        phi_2145_ = _e1495;
+                                        phi_2145_ = _e1503;
                                     }
-                                    let _e1503 = phi_2145_;
-                                    if _e1503.is_hit {
-                                        if (_e1503.t > 0f) {
-                                            if (_e1503.t < _e225) {
-                                                let _e1510 = triangles.member[(0u + _e1055)].i0_;
-                                                let _e1512 = ((_e1510 & 2147483648u) == 0u);
-                                                if _e1512 {
-                                                    phi_2368_ = false;
-                                                    phi_2369_ = false;
+                                    let _e1505 = phi_2145_;
+                                    if _e1505 {
+                                        phi_2149_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_2149_ = _e1499;
+                                    }
+                                    let _e1507 = phi_2149_;
+                                    if _e1507.is_hit {
+                                        if (_e1507.t > 0f) {
+                                            if (_e1507.t < _e225) {
+                                                let _e1514 = triangles.member[(0u + _e1059)].i0_;
+                                                if ((_e1514 & 2147483648u) == 0u) {
+                                                    phi_2368_ = true;
                                                 } else {
-                                                    if (_e1055 < _e81) {
+                                                    if (_e1059 < _e81) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1519 = triangles.member[(0u + _e1055)].i0_;
-                                                    let _e1520 = (_e1519 & 2147483647u);
-                                                    let _e1522 = triangles.member[(0u + _e1055)].i1_;
-                                                    let _e1524 = triangles.member[(0u + _e1055)].i2_;
-                                                    if (_e1520 < _e87) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1528 = vertices.member[(0u + _e1520)];
-                                                    if (_e1522 < _e87) {
-                                                    } else {
-                                                        return;
-                                                    }
-                                                    let _e1532 = vertices.member[(0u + _e1522)];
+                                                    let _e1523 = triangles.member[(0u + _e1059)].i0_;
+                                                    let _e1524 = (_e1523 & 2147483647u);
+                                                    let _e1526 = triangles.member[(0u + _e1059)].i1_;
+                                                    let _e1528 = triangles.member[(0u + _e1059)].i2_;
                                                     if (_e1524 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1536 = vertices.member[(0u + _e1524)];
-                                                    let _e1537 = array<abi_Vertex, 3>(_e1528, _e1532, _e1536);
-                                                    if (_e1537[0].material < arrayLength((&materials.member))) {
+                                                    let _e1532 = vertices.member[(0u + _e1524)];
+                                                    if (_e1526 < _e87) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1543 = materials.member[(0u + _e1537[0].material)];
-                                                    if ((_e1543.flags & 1u) == 1u) {
-                                                        let _e1548 = ((1f - _e1503.u) - _e1503.v);
-                                                        if (_e1543.cutoff <= 0f) {
-                                                            phi_2362_ = true;
+                                                    let _e1536 = vertices.member[(0u + _e1526)];
+                                                    if (_e1528 < _e87) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1540 = vertices.member[(0u + _e1528)];
+                                                    let _e1541 = array<abi_Vertex, 3>(_e1532, _e1536, _e1540);
+                                                    if (_e1541[0].material < arrayLength((&materials.member))) {
+                                                    } else {
+                                                        return;
+                                                    }
+                                                    let _e1547 = materials.member[(0u + _e1541[0].material)];
+                                                    if ((_e1547.flags & 1u) == 1u) {
+                                                        let _e1552 = ((1f - _e1507.u) - _e1507.v);
+                                                        if (_e1547.cutoff <= 0f) {
+                                                            phi_2366_ = true;
                                                         } else {
-                                                            let _e1575 = (_e1543.base_color.w * ((((f32((_e1537[0].color >> bitcast<u32>(24i))) * _e1548) + (f32((_e1537[1].color >> bitcast<u32>(24i))) * _e1503.u)) + (f32((_e1537[2].color >> bitcast<u32>(24i))) * _e1503.v)) * (1f / 255f)));
-                                                            if (_e1543.alpha_size == 0u) {
-                                                                phi_2359_ = _e1575;
+                                                            let _e1579 = (_e1547.base_color.w * ((((f32((_e1541[0].color >> bitcast<u32>(24i))) * _e1552) + (f32((_e1541[1].color >> bitcast<u32>(24i))) * _e1507.u)) + (f32((_e1541[2].color >> bitcast<u32>(24i))) * _e1507.v)) * (1f / 255f)));
+                                                            if (_e1547.alpha_size == 0u) {
+                                                                phi_2363_ = _e1579;
                                                             } else {
-                                                                local.offset = _e1543.alpha_offset;
-                                                                local.size = _e1543.alpha_size;
-                                                                local.flags = _e1543.flags;
-                                                                let _e1606 = _lt_shaders_texture_TextureView_quad((&local), (((_e1537[0].u * _e1548) + (_e1537[1].u * _e1503.u)) + (_e1537[2].u * _e1503.v)), (((_e1537[0].v * _e1548) + (_e1537[1].v * _e1503.u)) + (_e1537[2].v * _e1503.v)));
-                                                                let _e1610 = (_e1606.indices[0] >> bitcast<u32>(2i));
-                                                                if (_e1610 < _e93) {
+                                                                local.offset = _e1547.alpha_offset;
+                                                                local.size = _e1547.alpha_size;
+                                                                local.flags = _e1547.flags;
+                                                                let _e1610 = _lt_shaders_texture_TextureView_quad((&local), (((_e1541[0].u * _e1552) + (_e1541[1].u * _e1507.u)) + (_e1541[2].u * _e1507.v)), (((_e1541[0].v * _e1552) + (_e1541[1].v * _e1507.u)) + (_e1541[2].v * _e1507.v)));
+                                                                let _e1614 = (_e1610.indices[0] >> bitcast<u32>(2i));
+                                                                if (_e1614 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1614 = alpha_texels.member[(0u + _e1610)];
-                                                                let _e1630 = (_e1606.indices[1] >> bitcast<u32>(2i));
-                                                                if (_e1630 < _e93) {
+                                                                let _e1618 = alpha_texels.member[(0u + _e1614)];
+                                                                let _e1634 = (_e1610.indices[1] >> bitcast<u32>(2i));
+                                                                if (_e1634 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1634 = alpha_texels.member[(0u + _e1630)];
-                                                                let _e1651 = (_e1606.indices[2] >> bitcast<u32>(2i));
-                                                                if (_e1651 < _e93) {
+                                                                let _e1638 = alpha_texels.member[(0u + _e1634)];
+                                                                let _e1655 = (_e1610.indices[2] >> bitcast<u32>(2i));
+                                                                if (_e1655 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1655 = alpha_texels.member[(0u + _e1651)];
-                                                                let _e1672 = (_e1606.indices[3] >> bitcast<u32>(2i));
-                                                                if (_e1672 < _e93) {
+                                                                let _e1659 = alpha_texels.member[(0u + _e1655)];
+                                                                let _e1676 = (_e1610.indices[3] >> bitcast<u32>(2i));
+                                                                if (_e1676 < _e93) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1676 = alpha_texels.member[(0u + _e1672)];
-                                                                phi_2359_ = (_e1575 * (((((f32(((_e1614 >> bitcast<u32>((((_e1606.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.x) + ((f32(((_e1634 >> bitcast<u32>((((_e1606.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.y)) + ((f32(((_e1655 >> bitcast<u32>((((_e1606.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.z)) + ((f32(((_e1676 >> bitcast<u32>((((_e1606.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1606.weights.w)));
+                                                                let _e1680 = alpha_texels.member[(0u + _e1676)];
+                                                                phi_2363_ = (_e1579 * (((((f32(((_e1618 >> bitcast<u32>((((_e1610.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.x) + ((f32(((_e1638 >> bitcast<u32>((((_e1610.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.y)) + ((f32(((_e1659 >> bitcast<u32>((((_e1610.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.z)) + ((f32(((_e1680 >> bitcast<u32>((((_e1610.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1610.weights.w)));
                                                             }
-                                                            let _e1692 = phi_2359_;
-                                                            phi_2362_ = (_e1692 >= _e1543.cutoff);
+                                                            let _e1696 = phi_2363_;
+                                                            phi_2366_ = (_e1696 >= _e1547.cutoff);
                                                         }
-                                                        let _e1696 = phi_2362_;
-                                                        phi_2363_ = _e1696;
+                                                        let _e1700 = phi_2366_;
+                                                        phi_2367_ = _e1700;
                                                     } else {
-                                                        phi_2363_ = false;
-                                                    }
-                                                    let _e1698 = phi_2363_;
-                                                    if _e1698 {
                                                         phi_2367_ = false;
-                                                    } else {
-                                                        phi_2367_ = true;
                                                     }
-                                                    let _e1700 = phi_2367_;
-                                                    phi_2368_ = _e1700;
-                                                    phi_2369_ = _e1698;
+                                                    let _e1702 = phi_2367_;
+                                                    phi_2368_ = _e1702;
                                                 }
-                                                let _e1702 = phi_2368_;
-                                                let _e1704 = phi_2369_;
-                                                phi_2370_ = _e1702;
-                                                phi_2371_ = _e1512;
-                                                phi_2372_ = _e1704;
+                                                let _e1704 = phi_2368_;
+                                                if _e1704 {
+                                                    phi_2372_ = false;
+                                                } else {
+                                                    phi_2372_ = true;
+                                                }
+                                                let _e1706 = phi_2372_;
+                                                phi_2373_ = _e1704;
+                                                phi_2374_ = _e1704;
+                                                phi_2375_ = _e1706;
                                             } else {
-                                                phi_2370_ = true;
-                                                phi_2371_ = false;
-                                                phi_2372_ = false;
+                                                phi_2373_ = bool();
+                                                phi_2374_ = _e1050;
+                                                phi_2375_ = true;
                                             }
-                                            let _e1706 = phi_2370_;
-                                            let _e1708 = phi_2371_;
-                                            let _e1710 = phi_2372_;
-                                            phi_2373_ = _e1706;
-                                            phi_2374_ = _e1708;
-                                            phi_2375_ = _e1710;
+                                            let _e1708 = phi_2373_;
+                                            let _e1710 = phi_2374_;
+                                            let _e1712 = phi_2375_;
+                                            phi_2376_ = _e1708;
+                                            phi_2377_ = _e1710;
+                                            phi_2378_ = _e1712;
                                         } else {
-                                            phi_2373_ = true;
-                                            phi_2374_ = false;
-                                            phi_2375_ = false;
+                                            phi_2376_ = bool();
+                                            phi_2377_ = _e1050;
+                                            phi_2378_ = true;
                                         }
-                                        let _e1712 = phi_2373_;
-                                        let _e1714 = phi_2374_;
-                                        let _e1716 = phi_2375_;
-                                        phi_2376_ = _e1712;
-                                        phi_2377_ = _e1714;
-                                        phi_2378_ = _e1716;
+                                        let _e1714 = phi_2376_;
+                                        let _e1716 = phi_2377_;
+                                        let _e1718 = phi_2378_;
+                                        phi_2379_ = _e1714;
+                                        phi_2380_ = _e1716;
+                                        phi_2381_ = _e1718;
                                     } else {
-                                        phi_2376_ = true;
-                                        phi_2377_ = false;
-                                        phi_2378_ = false;
+                                        phi_2379_ = bool();
+                                        phi_2380_ = _e1050;
+                                        phi_2381_ = true;
                                     }
-                                    let _e1718 = phi_2376_;
-                                    let _e1720 = phi_2377_;
-                                    let _e1722 = phi_2378_;
-                                    if _e1718 {
-                                        phi_2382_ = false;
-                                        phi_2383_ = false;
-                                    } else {
-                                        phi_2382_ = _e1720;
-                                        phi_2383_ = _e1722;
+                                    let _e1720 = phi_2379_;
+                                    let _e1722 = phi_2380_;
+                                    let _e1724 = phi_2381_;
+                                    if _e1724 {
                                     }
-                                    let _e1724 = phi_2382_;
-                                    let _e1726 = phi_2383_;
-                                    phi_1577_ = (_e1046 & (_e1046 - 1u));
-                                    phi_2384_ = _e1718;
-                                    phi_2385_ = _e1724;
-                                    phi_2386_ = _e1726;
+                                    phi_1579_ = (_e1048 & (_e1048 - 1u));
+                                    phi_1582_ = _e1722;
+                                    phi_2385_ = _e1720;
+                                    phi_2386_ = _e1724;
                                 }
-                                let _e1728 = phi_1577_;
-                                let _e1730 = phi_2384_;
-                                let _e1732 = phi_2385_;
-                                let _e1734 = phi_2386_;
-                                local_8 = _e1732;
-                                local_9 = _e1734;
+                                let _e1726 = phi_1579_;
+                                let _e1728 = phi_1582_;
+                                let _e1730 = phi_2385_;
+                                let _e1732 = phi_2386_;
+                                local_9 = _e1730;
                                 continue;
                                 continuing {
-                                    phi_1576_ = _e1728;
-                                    break if !(_e1730);
+                                    phi_1578_ = _e1726;
+                                    phi_1581_ = _e1728;
+                                    break if !(_e1732);
                                 }
                             }
-                            let _e1737 = local_6;
-                            if _e1737 {
-                                let _e1739 = local_1.group_mask;
-                                if ((_e1739 & 4278190080u) == 0u) {
-                                    let _e1743 = local_1.len;
-                                    if (_e1743 == 0u) {
+                            let _e1735 = local_6;
+                            if _e1735 {
+                                let _e1737 = local_1.group_mask;
+                                if ((_e1737 & 4278190080u) == 0u) {
+                                    let _e1741 = local_1.len;
+                                    if (_e1741 == 0u) {
                                         phi_2428_ = false;
                                     } else {
-                                        let _e1747 = local_1.len;
-                                        local_1.len = (_e1747 - 1u);
-                                        let _e1750 = local_1.len;
-                                        if (_e1750 < 32u) {
+                                        let _e1745 = local_1.len;
+                                        local_1.len = (_e1745 - 1u);
+                                        let _e1748 = local_1.len;
+                                        if (_e1748 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1755 = local_1.first[(0u + _e1750)];
-                                        local_1.group = _e1755;
-                                        let _e1758 = local_1.len;
-                                        if (_e1758 < 32u) {
+                                        let _e1753 = local_1.first[(0u + _e1748)];
+                                        local_1.group = _e1753;
+                                        let _e1756 = local_1.len;
+                                        if (_e1756 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1763 = local_1.mask[(0u + _e1758)];
-                                        local_1.group_mask = _e1763;
+                                        let _e1761 = local_1.mask[(0u + _e1756)];
+                                        local_1.group_mask = _e1761;
                                         phi_2428_ = true;
                                     }
-                                    let _e1766 = phi_2428_;
-                                    phi_2429_ = _e1766;
+                                    let _e1764 = phi_2428_;
+                                    phi_2429_ = _e1764;
                                 } else {
                                     phi_2429_ = true;
                                 }
-                                let _e1768 = phi_2429_;
-                                if _e1768 {
-                                    let _e1770 = local_1.group_mask;
-                                    let _e1776 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1770)), 32u, (_e1770 == 0u)));
-                                    let _e1780 = local_1.group_mask;
-                                    let _e1794 = local_1.group_mask;
-                                    local_1.group_mask = (_e1794 & ~((1u << bitcast<u32>((_e1776 & 31u)))));
-                                    let _e1797 = local_1.group;
-                                    phi_2460_ = (_e1797 + countOneBits(((_e1780 & ~((4294967295u << bitcast<u32>((((_e1776 - 24u) ^ _e472) & 31u))))) & 255u)));
+                                let _e1766 = phi_2429_;
+                                if _e1766 {
+                                    let _e1768 = local_1.group_mask;
+                                    let _e1774 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1768)), 32u, (_e1768 == 0u)));
+                                    let _e1778 = local_1.group_mask;
+                                    let _e1792 = local_1.group_mask;
+                                    local_1.group_mask = (_e1792 & ~((1u << bitcast<u32>((_e1774 & 31u)))));
+                                    let _e1795 = local_1.group;
+                                    phi_2460_ = (_e1795 + countOneBits(((_e1778 & ~((4294967295u << bitcast<u32>((((_e1774 - 24u) ^ _e472) & 31u))))) & 255u)));
                                 } else {
                                     phi_2460_ = 4294967295u;
                                 }
-                                let _e1800 = phi_2460_;
-                                phi_2461_ = _e1800;
-                                phi_2462_ = false;
-                                phi_2463_ = false;
+                                let _e1798 = phi_2460_;
+                                phi_2461_ = _e1798;
                             } else {
                                 phi_2461_ = u32();
-                                let _e2022 = local_8;
-                                phi_2462_ = _e2022;
-                                let _e2025 = local_9;
-                                phi_2463_ = _e2025;
                             }
-                            let _e1802 = phi_2461_;
-                            let _e1804 = phi_2462_;
-                            let _e1806 = phi_2463_;
-                            phi_1247_ = _e1802;
-                            let _e2029 = local_10;
-                            phi_2464_ = _e2029;
-                            phi_2465_ = false;
-                            phi_2466_ = _e1804;
-                            phi_2467_ = _e1806;
+                            let _e1800 = phi_2461_;
+                            phi_1247_ = _e1800;
+                            let _e2012 = local_8;
+                            phi_1250_ = _e2012;
+                            let _e2015 = local_9;
+                            phi_2462_ = _e2015;
+                            let _e2018 = local_10;
+                            phi_2463_ = _e2018;
+                            phi_2464_ = false;
                         } else {
                             phi_1247_ = u32();
-                            phi_2464_ = false;
-                            phi_2465_ = true;
-                            phi_2466_ = false;
-                            phi_2467_ = false;
+                            phi_1250_ = bool();
+                            phi_2462_ = bool();
+                            phi_2463_ = false;
+                            phi_2464_ = true;
                         }
-                        let _e1808 = phi_1247_;
+                        let _e1802 = phi_1247_;
+                        let _e1804 = phi_1250_;
+                        let _e1806 = phi_2462_;
+                        let _e1808 = phi_2463_;
                         let _e1810 = phi_2464_;
-                        let _e1812 = phi_2465_;
-                        let _e1814 = phi_2466_;
-                        let _e1816 = phi_2467_;
-                        local_7 = _e1812;
-                        local_11 = _e1814;
-                        local_12 = _e1816;
+                        local_7 = _e1810;
+                        local_11 = _e1806;
                         continue;
                         continuing {
-                            phi_1246_ = _e1808;
-                            break if !(_e1810);
+                            phi_1246_ = _e1802;
+                            phi_1249_ = _e1804;
+                            break if !(_e1808);
                         }
                     }
-                    let _e1819 = local_7;
-                    if _e1819 {
-                        phi_2471_ = false;
-                        phi_2472_ = false;
+                    let _e1813 = local_7;
+                    if _e1813 {
+                        phi_2468_ = false;
                     } else {
-                        let _e2036 = local_11;
-                        phi_2471_ = _e2036;
-                        let _e2039 = local_12;
-                        phi_2472_ = _e2039;
+                        phi_2468_ = true;
                     }
-                    let _e1821 = phi_2471_;
-                    let _e1823 = phi_2472_;
-                    if _e1821 {
-                        phi_2476_ = true;
+                    let _e1815 = phi_2468_;
+                    if _e1815 {
+                        let _e2024 = local_11;
+                        phi_2472_ = _e2024;
                     } else {
-                        phi_2476_ = _e1823;
+                        let _e2026 = local_12;
+                        phi_2472_ = _e2026;
                     }
-                    let _e1825 = phi_2476_;
-                    if _e1825 {
-                        phi_2480_ = true;
-                    } else {
-                        phi_2480_ = false;
-                    }
-                    let _e1827 = phi_2480_;
-                    phi_2481_ = _e1827;
+                    let _e1817 = phi_2472_;
+                    phi_2473_ = _e1817;
                 }
-                let _e1829 = phi_2481_;
-                phi_2482_ = _e1829;
-                phi_2483_ = _e298;
+                let _e1819 = phi_2473_;
+                phi_2474_ = _e1819;
+                phi_2475_ = _e298;
             } else {
-                phi_2482_ = bool();
-                phi_2483_ = true;
+                phi_2474_ = bool();
+                phi_2475_ = true;
             }
-            let _e1831 = phi_2482_;
-            let _e1833 = phi_2483_;
-            if _e1833 {
-                phi_2487_ = false;
+            let _e1821 = phi_2474_;
+            let _e1823 = phi_2475_;
+            if _e1823 {
+                phi_2479_ = false;
             } else {
-                phi_2487_ = _e1831;
+                phi_2479_ = _e1821;
             }
-            let _e1835 = phi_2487_;
-            if _e1835 {
-                phi_2491_ = 0f;
+            let _e1825 = phi_2479_;
+            if _e1825 {
+                phi_2483_ = 0f;
             } else {
-                phi_2491_ = 1f;
+                phi_2483_ = 1f;
             }
-            let _e1837 = phi_2491_;
-            phi_2492_ = _e1837;
+            let _e1827 = phi_2483_;
+            phi_2484_ = _e1827;
         }
-        let _e1839 = phi_2492_;
+        let _e1829 = phi_2484_;
         if (_e99.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.first_primitive)] = _e1839;
+        visibility.member[(0u + _e99.first_primitive)] = _e1829;
     }
     return;
 }

@@ -30,26 +30,6 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_28 {
-    member: array<lt_bvh_Triangle>,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -58,28 +38,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_37 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -95,8 +58,45 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_45 {
+struct type_29 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_34 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_38 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 var<private> id_1: vec3<u32>;
@@ -106,11 +106,11 @@ var<storage> samples: type_9;
 var<storage, read_write> visibility: type_13;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_45;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_34;
 @group(0) @binding(3) 
-var<storage> triangles: type_28;
+var<storage> triangles: type_38;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_168_: lt_bvh_traverse_Tree;
@@ -191,11 +191,11 @@ fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
 }
 
 fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
-    var phi_1857_: bool;
-    var phi_1858_: bool;
-    var phi_1859_: bool;
-    var phi_1860_: bool;
-    var phi_1864_: bool;
+    var phi_1838_: bool;
+    var phi_1839_: bool;
+    var phi_1840_: bool;
+    var phi_1841_: bool;
+    var phi_1845_: bool;
 
     let _e55 = (*param_7).normal[0u];
     let _e57 = global[0u];
@@ -205,28 +205,28 @@ fn _lt_shaders_abi_Sample_is_valid(param_7: ptr<function, abi_Sample>) -> bool {
         if (_e60 == _e62) {
             let _e65 = (*param_7).normal[2u];
             let _e67 = global[2u];
-            phi_1857_ = (_e65 == _e67);
-            phi_1858_ = false;
+            phi_1838_ = (_e65 == _e67);
+            phi_1839_ = false;
         } else {
-            phi_1857_ = bool();
-            phi_1858_ = true;
+            phi_1838_ = bool();
+            phi_1839_ = true;
         }
-        let _e70 = phi_1857_;
-        let _e72 = phi_1858_;
-        phi_1859_ = _e70;
-        phi_1860_ = _e72;
+        let _e70 = phi_1838_;
+        let _e72 = phi_1839_;
+        phi_1840_ = _e70;
+        phi_1841_ = _e72;
     } else {
-        phi_1859_ = bool();
-        phi_1860_ = true;
+        phi_1840_ = bool();
+        phi_1841_ = true;
     }
-    let _e74 = phi_1859_;
-    let _e76 = phi_1860_;
+    let _e74 = phi_1840_;
+    let _e76 = phi_1841_;
     if _e76 {
-        phi_1864_ = false;
+        phi_1845_ = false;
     } else {
-        phi_1864_ = _e74;
+        phi_1845_ = _e74;
     }
-    let _e78 = phi_1864_;
+    let _e78 = phi_1845_;
     return !(_e78);
 }
 
@@ -281,155 +281,142 @@ fn function_() {
     var phi_744_: bool;
     var phi_775_: u32;
     var phi_777_: u32;
-    var phi_858_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_885_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_912_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_918_: u32;
-    var phi_921_: u32;
-    var phi_935_: u32;
-    var phi_945_: u32;
-    var phi_955_: u32;
-    var phi_973_: u32;
-    var phi_983_: u32;
-    var phi_993_: u32;
-    var phi_1029_: u32;
-    var phi_1042_: u32;
-    var phi_1047_: u32;
-    var phi_1048_: u32;
+    var phi_780_: bool;
+    var phi_860_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_887_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_914_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_920_: u32;
+    var phi_923_: u32;
+    var phi_937_: u32;
+    var phi_947_: u32;
+    var phi_957_: u32;
+    var phi_975_: u32;
+    var phi_985_: u32;
+    var phi_995_: u32;
+    var phi_1031_: u32;
+    var phi_1044_: u32;
     var phi_1049_: u32;
-    var phi_919_: u32;
-    var phi_922_: u32;
+    var phi_1050_: u32;
+    var phi_1051_: u32;
+    var phi_921_: u32;
+    var phi_924_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1107_: u32;
-    var phi_1152_: vec3<f32>;
-    var phi_1153_: vec3<f32>;
-    var phi_1182_: vec3<f32>;
-    var phi_1183_: vec3<f32>;
-    var phi_1212_: vec3<f32>;
-    var phi_1213_: vec3<f32>;
-    var phi_1231_: bool;
-    var phi_1232_: bool;
-    var phi_1236_: f32;
-    var phi_1237_: f32;
-    var phi_1238_: f32;
-    var phi_1239_: f32;
-    var phi_1247_: f32;
-    var phi_1257_: bool;
-    var phi_1258_: bool;
-    var phi_1262_: f32;
-    var phi_1263_: f32;
-    var phi_1264_: f32;
-    var phi_1265_: f32;
-    var phi_1273_: f32;
-    var phi_1283_: bool;
-    var phi_1284_: bool;
-    var phi_1288_: f32;
-    var phi_1289_: f32;
-    var phi_1290_: f32;
-    var phi_1291_: f32;
-    var phi_1299_: f32;
-    var phi_1314_: f32;
-    var phi_1315_: bool;
-    var phi_1316_: f32;
-    var phi_1317_: bool;
+    var phi_1109_: u32;
+    var phi_1112_: bool;
+    var phi_1156_: vec3<f32>;
+    var phi_1157_: vec3<f32>;
+    var phi_1186_: vec3<f32>;
+    var phi_1187_: vec3<f32>;
+    var phi_1216_: vec3<f32>;
+    var phi_1217_: vec3<f32>;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1240_: f32;
+    var phi_1241_: f32;
+    var phi_1242_: f32;
+    var phi_1243_: f32;
+    var phi_1251_: f32;
+    var phi_1261_: bool;
+    var phi_1262_: bool;
+    var phi_1266_: f32;
+    var phi_1267_: f32;
+    var phi_1268_: f32;
+    var phi_1269_: f32;
+    var phi_1277_: f32;
+    var phi_1287_: bool;
+    var phi_1288_: bool;
+    var phi_1292_: f32;
+    var phi_1293_: f32;
+    var phi_1294_: f32;
+    var phi_1295_: f32;
+    var phi_1303_: f32;
     var phi_1318_: f32;
     var phi_1319_: bool;
-    var phi_1337_: f32;
-    var phi_1338_: bool;
-    var phi_1339_: bool;
-    var phi_1340_: f32;
-    var phi_1341_: bool;
+    var phi_1320_: f32;
+    var phi_1321_: bool;
+    var phi_1322_: f32;
+    var phi_1323_: bool;
+    var phi_1341_: f32;
     var phi_1342_: bool;
+    var phi_1343_: bool;
+    var phi_1344_: f32;
+    var phi_1345_: bool;
     var phi_1346_: bool;
-    var phi_1347_: f32;
-    var phi_1348_: bool;
-    var phi_1376_: vec3<f32>;
-    var phi_1377_: vec3<f32>;
-    var phi_1402_: vec3<f32>;
-    var phi_1403_: vec3<f32>;
-    var phi_1428_: vec3<f32>;
-    var phi_1429_: vec3<f32>;
-    var phi_1485_: f32;
-    var phi_1494_: f32;
-    var phi_1503_: f32;
-    var phi_1512_: f32;
-    var phi_1519_: f32;
-    var phi_1526_: f32;
-    var phi_1539_: f32;
-    var phi_1548_: f32;
-    var phi_1557_: f32;
-    var phi_1566_: f32;
-    var phi_1573_: f32;
-    var phi_1580_: f32;
-    var phi_1597_: f32;
-    var phi_1602_: f32;
-    var phi_1607_: f32;
-    var phi_1615_: f32;
-    var phi_1620_: f32;
-    var phi_1625_: f32;
-    var phi_1637_: f32;
-    var phi_1642_: f32;
-    var phi_1647_: f32;
-    var phi_1652_: f32;
-    var phi_1657_: lt_bvh_triangle_Intersection;
-    var phi_1658_: bool;
-    var phi_1659_: lt_bvh_triangle_Intersection;
-    var phi_1660_: bool;
-    var phi_1664_: lt_bvh_triangle_Intersection;
-    var phi_1665_: bool;
-    var phi_1666_: lt_bvh_triangle_Intersection;
-    var phi_1667_: bool;
-    var phi_1668_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: f32;
+    var phi_1352_: bool;
+    var phi_1380_: vec3<f32>;
+    var phi_1381_: vec3<f32>;
+    var phi_1406_: vec3<f32>;
+    var phi_1407_: vec3<f32>;
+    var phi_1432_: vec3<f32>;
+    var phi_1433_: vec3<f32>;
+    var phi_1489_: f32;
+    var phi_1498_: f32;
+    var phi_1507_: f32;
+    var phi_1516_: f32;
+    var phi_1523_: f32;
+    var phi_1530_: f32;
+    var phi_1543_: f32;
+    var phi_1552_: f32;
+    var phi_1561_: f32;
+    var phi_1570_: f32;
+    var phi_1577_: f32;
+    var phi_1584_: f32;
+    var phi_1601_: f32;
+    var phi_1606_: f32;
+    var phi_1611_: f32;
+    var phi_1619_: f32;
+    var phi_1624_: f32;
+    var phi_1629_: f32;
+    var phi_1641_: f32;
+    var phi_1646_: f32;
+    var phi_1651_: f32;
+    var phi_1656_: f32;
+    var phi_1661_: lt_bvh_triangle_Intersection;
+    var phi_1662_: bool;
+    var phi_1663_: lt_bvh_triangle_Intersection;
+    var phi_1664_: bool;
+    var phi_1668_: lt_bvh_triangle_Intersection;
+    var phi_1669_: bool;
+    var phi_1670_: lt_bvh_triangle_Intersection;
+    var phi_1671_: bool;
     var phi_1672_: bool;
-    var phi_1676_: lt_bvh_triangle_Intersection;
+    var phi_1676_: bool;
+    var phi_1680_: lt_bvh_triangle_Intersection;
+    var phi_1700_: bool;
     var phi_1701_: bool;
     var phi_1702_: bool;
     var phi_1703_: bool;
     var phi_1704_: bool;
     var phi_1705_: bool;
     var phi_1706_: bool;
-    var phi_1707_: bool;
-    var phi_1708_: bool;
-    var phi_1709_: bool;
+    var phi_1110_: u32;
+    var phi_1113_: bool;
     var phi_1710_: bool;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: bool;
-    var phi_1717_: bool;
-    var phi_1108_: u32;
-    var phi_1718_: bool;
-    var phi_1719_: bool;
-    var phi_1720_: bool;
     var local_5: bool;
-    var phi_1762_: bool;
-    var phi_1763_: bool;
-    var phi_1794_: u32;
-    var phi_1795_: u32;
+    var phi_1752_: bool;
+    var phi_1753_: bool;
+    var phi_1784_: u32;
+    var phi_1785_: u32;
+    var phi_778_: u32;
+    var phi_781_: bool;
+    var phi_1786_: bool;
+    var phi_1787_: bool;
+    var local_6: bool;
+    var phi_1791_: bool;
+    var phi_1795_: bool;
     var phi_1796_: bool;
     var phi_1797_: bool;
-    var phi_778_: u32;
     var phi_1798_: bool;
-    var phi_1799_: bool;
-    var phi_1800_: bool;
-    var phi_1801_: bool;
-    var local_6: bool;
-    var phi_1805_: bool;
-    var phi_1806_: bool;
-    var phi_1810_: bool;
-    var phi_1814_: bool;
-    var phi_1815_: bool;
-    var phi_1816_: bool;
-    var phi_1817_: bool;
-    var phi_1821_: bool;
-    var phi_1825_: f32;
-    var phi_1826_: f32;
+    var phi_1802_: bool;
+    var phi_1806_: f32;
+    var phi_1807_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
-    var local_10: bool;
-    var local_11: bool;
 
     let _e54 = id_1;
     let _e61 = arrayLength((&nodes.member));
@@ -467,7 +454,7 @@ fn function_() {
         }
         let _e170 = phi_301_;
         if _e170.unnamed_1 {
-            phi_1826_ = _e170.unnamed.visibility;
+            phi_1807_ = _e170.unnamed.visibility;
         } else {
             let _e175 = p.member.light;
             let _e177 = local_1.position;
@@ -595,7 +582,7 @@ fn function_() {
             if _e271 {
                 let _e272 = (0u >= _e61);
                 if _e272 {
-                    phi_1815_ = bool();
+                    phi_1796_ = bool();
                 } else {
                     if (0u < _e61) {
                     } else {
@@ -786,913 +773,867 @@ fn function_() {
                     }
                     let _e582 = phi_775_;
                     phi_777_ = _e582;
+                    phi_780_ = false;
                     loop {
                         let _e584 = phi_777_;
+                        let _e586 = phi_780_;
+                        local_9 = _e586;
                         if (_e584 != 4294967295u) {
                             if (_e584 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e591 = nodes.member[(0u + _e584)].frame[3u];
-                            let _e616 = (bitcast<f32>((((_e591 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e348);
-                            let _e617 = (bitcast<f32>((((_e591 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e358);
-                            let _e618 = (bitcast<f32>((((_e591 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e368);
-                            let _e621 = nodes.member[(0u + _e584)].frame[0u];
-                            let _e625 = nodes.member[(0u + _e584)].frame[1u];
-                            let _e629 = nodes.member[(0u + _e584)].frame[2u];
-                            let _e634 = ((bitcast<f32>(_e621) - _e191) * _e348);
-                            let _e635 = ((bitcast<f32>(_e625) - _e193) * _e358);
-                            let _e636 = ((bitcast<f32>(_e629) - _e195) * _e368);
-                            let _e644 = nodes.member[(0u + _e584)].x;
+                            let _e593 = nodes.member[(0u + _e584)].frame[3u];
+                            let _e618 = (bitcast<f32>((((_e593 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e348);
+                            let _e619 = (bitcast<f32>((((_e593 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e358);
+                            let _e620 = (bitcast<f32>((((_e593 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e368);
+                            let _e623 = nodes.member[(0u + _e584)].frame[0u];
+                            let _e627 = nodes.member[(0u + _e584)].frame[1u];
+                            let _e631 = nodes.member[(0u + _e584)].frame[2u];
+                            let _e636 = ((bitcast<f32>(_e623) - _e191) * _e348);
+                            let _e637 = ((bitcast<f32>(_e627) - _e193) * _e358);
+                            let _e638 = ((bitcast<f32>(_e631) - _e195) * _e368);
+                            let _e646 = nodes.member[(0u + _e584)].x;
                             if (_e348 < 0f) {
-                                let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e655.unnamed.root, _e644.w), _e655.unnamed_1);
-                                let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e661.unnamed, lt_bvh_traverse_Tree(_e644.x, _e661.unnamed_1.first_primitive));
-                                phi_858_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e667.unnamed, lt_bvh_traverse_Tree(_e667.unnamed_1.root, _e644.y));
+                                let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e657.unnamed.root, _e646.w), _e657.unnamed_1);
+                                let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_bvh_traverse_Tree(_e646.x, _e663.unnamed_1.first_primitive));
+                                phi_860_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e669.unnamed_1.root, _e646.y));
                             } else {
-                                let _e683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e644.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e689 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e683.unnamed.root, _e644.y), _e683.unnamed_1);
-                                let _e695 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e689.unnamed, lt_bvh_traverse_Tree(_e644.z, _e689.unnamed_1.first_primitive));
-                                phi_858_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e695.unnamed, lt_bvh_traverse_Tree(_e695.unnamed_1.root, _e644.w));
+                                let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e646.y), _e685.unnamed_1);
+                                let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e646.z, _e691.unnamed_1.first_primitive));
+                                phi_860_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e646.w));
                             }
-                            let _e703 = phi_858_;
-                            let _e713 = nodes.member[(0u + _e584)].y;
+                            let _e705 = phi_860_;
+                            let _e715 = nodes.member[(0u + _e584)].y;
                             if (_e358 < 0f) {
-                                let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e724.unnamed.root, _e713.w), _e724.unnamed_1);
-                                let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e730.unnamed, lt_bvh_traverse_Tree(_e713.x, _e730.unnamed_1.first_primitive));
-                                phi_885_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_bvh_traverse_Tree(_e736.unnamed_1.root, _e713.y));
+                                let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e726.unnamed.root, _e715.w), _e726.unnamed_1);
+                                let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e715.x, _e732.unnamed_1.first_primitive));
+                                phi_887_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e738.unnamed_1.root, _e715.y));
                             } else {
-                                let _e752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e713.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e758 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e752.unnamed.root, _e713.y), _e752.unnamed_1);
-                                let _e764 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e758.unnamed, lt_bvh_traverse_Tree(_e713.z, _e758.unnamed_1.first_primitive));
-                                phi_885_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e764.unnamed, lt_bvh_traverse_Tree(_e764.unnamed_1.root, _e713.w));
+                                let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e715.y), _e754.unnamed_1);
+                                let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e715.z, _e760.unnamed_1.first_primitive));
+                                phi_887_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e715.w));
                             }
-                            let _e772 = phi_885_;
-                            let _e782 = nodes.member[(0u + _e584)].z;
+                            let _e774 = phi_887_;
+                            let _e784 = nodes.member[(0u + _e584)].z;
                             if (_e368 < 0f) {
-                                let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e799 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e793.unnamed.root, _e782.w), _e793.unnamed_1);
-                                let _e805 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e799.unnamed, lt_bvh_traverse_Tree(_e782.x, _e799.unnamed_1.first_primitive));
-                                phi_912_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e805.unnamed, lt_bvh_traverse_Tree(_e805.unnamed_1.root, _e782.y));
+                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e795.unnamed.root, _e784.w), _e795.unnamed_1);
+                                let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e784.x, _e801.unnamed_1.first_primitive));
+                                phi_914_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_bvh_traverse_Tree(_e807.unnamed_1.root, _e784.y));
                             } else {
-                                let _e821 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e782.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e827 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e821.unnamed.root, _e782.y), _e821.unnamed_1);
-                                let _e833 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e827.unnamed, lt_bvh_traverse_Tree(_e782.z, _e827.unnamed_1.first_primitive));
-                                phi_912_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e833.unnamed, lt_bvh_traverse_Tree(_e833.unnamed_1.root, _e782.w));
+                                let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e823.unnamed.root, _e784.y), _e823.unnamed_1);
+                                let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_bvh_traverse_Tree(_e784.z, _e829.unnamed_1.first_primitive));
+                                phi_914_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_bvh_traverse_Tree(_e835.unnamed_1.root, _e784.w));
                             }
-                            let _e841 = phi_912_;
-                            phi_918_ = 0u;
-                            phi_921_ = 0u;
+                            let _e843 = phi_914_;
+                            phi_920_ = 0u;
+                            phi_923_ = 0u;
                             loop {
-                                let _e851 = phi_918_;
-                                let _e853 = phi_921_;
-                                local_2 = _e853;
-                                local_3 = _e853;
-                                local_4 = _e853;
-                                let _e854 = (_e851 < 8u);
-                                if _e854 {
-                                    let _e856 = (_e851 >> bitcast<u32>(2i));
-                                    let _e857 = (_e851 & 3u);
-                                    if (_e856 == 0u) {
-                                        phi_935_ = _e703.unnamed.root;
+                                let _e853 = phi_920_;
+                                let _e855 = phi_923_;
+                                local_2 = _e855;
+                                local_3 = _e855;
+                                local_4 = _e855;
+                                let _e856 = (_e853 < 8u);
+                                if _e856 {
+                                    let _e858 = (_e853 >> bitcast<u32>(2i));
+                                    let _e859 = (_e853 & 3u);
+                                    if (_e858 == 0u) {
+                                        phi_937_ = _e705.unnamed.root;
                                     } else {
-                                        phi_935_ = _e703.unnamed.first_primitive;
+                                        phi_937_ = _e705.unnamed.first_primitive;
                                     }
-                                    let _e860 = phi_935_;
-                                    if (_e856 == 0u) {
-                                        phi_945_ = _e772.unnamed.root;
+                                    let _e862 = phi_937_;
+                                    if (_e858 == 0u) {
+                                        phi_947_ = _e774.unnamed.root;
                                     } else {
-                                        phi_945_ = _e772.unnamed.first_primitive;
+                                        phi_947_ = _e774.unnamed.first_primitive;
                                     }
-                                    let _e869 = phi_945_;
-                                    if (_e856 == 0u) {
-                                        phi_955_ = _e841.unnamed.root;
+                                    let _e871 = phi_947_;
+                                    if (_e858 == 0u) {
+                                        phi_957_ = _e843.unnamed.root;
                                     } else {
-                                        phi_955_ = _e841.unnamed.first_primitive;
+                                        phi_957_ = _e843.unnamed.first_primitive;
                                     }
-                                    let _e878 = phi_955_;
-                                    let _e891 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e860 >> bitcast<u32>(((_e857 * 8u) & 31u))) & 255u)) * _e616) + (_e634 - _e396)), ((f32(((_e869 >> bitcast<u32>(((_e857 * 8u) & 31u))) & 255u)) * _e617) + (_e635 - _e397)));
-                                    let _e892 = core_intrinsics_maximum_number_nsz_f32_(_e891, ((f32(((_e878 >> bitcast<u32>(((_e857 * 8u) & 31u))) & 255u)) * _e618) + (_e636 - _e398)));
-                                    if (_e856 == 0u) {
-                                        phi_973_ = _e703.unnamed_1.root;
+                                    let _e880 = phi_957_;
+                                    let _e893 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e618) + (_e636 - _e396)), ((f32(((_e871 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e619) + (_e637 - _e397)));
+                                    let _e894 = core_intrinsics_maximum_number_nsz_f32_(_e893, ((f32(((_e880 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e620) + (_e638 - _e398)));
+                                    if (_e858 == 0u) {
+                                        phi_975_ = _e705.unnamed_1.root;
                                     } else {
-                                        phi_973_ = _e703.unnamed_1.first_primitive;
+                                        phi_975_ = _e705.unnamed_1.first_primitive;
                                     }
-                                    let _e895 = phi_973_;
-                                    if (_e856 == 0u) {
-                                        phi_983_ = _e772.unnamed_1.root;
+                                    let _e897 = phi_975_;
+                                    if (_e858 == 0u) {
+                                        phi_985_ = _e774.unnamed_1.root;
                                     } else {
-                                        phi_983_ = _e772.unnamed_1.first_primitive;
+                                        phi_985_ = _e774.unnamed_1.first_primitive;
                                     }
-                                    let _e904 = phi_983_;
-                                    if (_e856 == 0u) {
-                                        phi_993_ = _e841.unnamed_1.root;
+                                    let _e906 = phi_985_;
+                                    if (_e858 == 0u) {
+                                        phi_995_ = _e843.unnamed_1.root;
                                     } else {
-                                        phi_993_ = _e841.unnamed_1.first_primitive;
+                                        phi_995_ = _e843.unnamed_1.first_primitive;
                                     }
-                                    let _e913 = phi_993_;
-                                    let _e926 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e895 >> bitcast<u32>(((_e857 * 8u) & 31u))) & 255u)) * _e616) + (_e634 + _e396)), ((f32(((_e904 >> bitcast<u32>(((_e857 * 8u) & 31u))) & 255u)) * _e617) + (_e635 + _e397)));
-                                    let _e927 = core_intrinsics_minimum_number_nsz_f32_(_e926, ((f32(((_e913 >> bitcast<u32>(((_e857 * 8u) & 31u))) & 255u)) * _e618) + (_e636 + _e398)));
-                                    if (_e892 <= _e927) {
-                                        if (_e892 <= _e199) {
-                                            if (_e927 >= 0f) {
-                                                if (_e856 == 0u) {
-                                                    let _e934 = nodes.member[(0u + _e584)].links[2u];
-                                                    phi_1029_ = _e934;
+                                    let _e915 = phi_995_;
+                                    let _e928 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e897 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e618) + (_e636 + _e396)), ((f32(((_e906 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e619) + (_e637 + _e397)));
+                                    let _e929 = core_intrinsics_minimum_number_nsz_f32_(_e928, ((f32(((_e915 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e620) + (_e638 + _e398)));
+                                    if (_e894 <= _e929) {
+                                        if (_e894 <= _e199) {
+                                            if (_e929 >= 0f) {
+                                                if (_e858 == 0u) {
+                                                    let _e936 = nodes.member[(0u + _e584)].links[2u];
+                                                    phi_1031_ = _e936;
                                                 } else {
-                                                    let _e937 = nodes.member[(0u + _e584)].links[3u];
-                                                    phi_1029_ = _e937;
+                                                    let _e939 = nodes.member[(0u + _e584)].links[3u];
+                                                    phi_1031_ = _e939;
                                                 }
-                                                let _e939 = phi_1029_;
-                                                let _e944 = ((_e939 >> bitcast<u32>(((_e857 * 8u) & 31u))) & 255u);
-                                                let _e945 = (_e944 & 31u);
-                                                if (_e945 >= 24u) {
-                                                    phi_1042_ = (24u + ((_e945 - 24u) ^ _e446));
+                                                let _e941 = phi_1031_;
+                                                let _e946 = ((_e941 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u);
+                                                let _e947 = (_e946 & 31u);
+                                                if (_e947 >= 24u) {
+                                                    phi_1044_ = (24u + ((_e947 - 24u) ^ _e446));
                                                 } else {
-                                                    phi_1042_ = _e945;
+                                                    phi_1044_ = _e947;
                                                 }
-                                                let _e951 = phi_1042_;
-                                                phi_1047_ = (_e853 | ((_e944 >> bitcast<u32>(5i)) << bitcast<u32>((_e951 & 31u))));
+                                                let _e953 = phi_1044_;
+                                                phi_1049_ = (_e855 | ((_e946 >> bitcast<u32>(5i)) << bitcast<u32>((_e953 & 31u))));
                                             } else {
-                                                phi_1047_ = _e853;
+                                                phi_1049_ = _e855;
                                             }
-                                            let _e959 = phi_1047_;
-                                            phi_1048_ = _e959;
+                                            let _e961 = phi_1049_;
+                                            phi_1050_ = _e961;
                                         } else {
-                                            phi_1048_ = _e853;
+                                            phi_1050_ = _e855;
                                         }
-                                        let _e961 = phi_1048_;
-                                        phi_1049_ = _e961;
+                                        let _e963 = phi_1050_;
+                                        phi_1051_ = _e963;
                                     } else {
-                                        phi_1049_ = _e853;
+                                        phi_1051_ = _e855;
                                     }
-                                    let _e963 = phi_1049_;
-                                    phi_919_ = (_e851 + 1u);
-                                    phi_922_ = _e963;
+                                    let _e965 = phi_1051_;
+                                    phi_921_ = (_e853 + 1u);
+                                    phi_924_ = _e965;
                                 } else {
-                                    phi_919_ = u32();
-                                    phi_922_ = u32();
+                                    phi_921_ = u32();
+                                    phi_924_ = u32();
                                 }
-                                let _e966 = phi_919_;
-                                let _e968 = phi_922_;
+                                let _e968 = phi_921_;
+                                let _e970 = phi_924_;
                                 continue;
                                 continuing {
-                                    phi_918_ = _e966;
-                                    phi_921_ = _e968;
-                                    break if !(_e854);
+                                    phi_920_ = _e968;
+                                    phi_923_ = _e970;
+                                    break if !(_e856);
                                 }
                             }
-                            let _e972 = nodes.member[(0u + _e584)].links[0u];
-                            let _e976 = nodes.member[(0u + _e584)].frame[3u];
-                            let _e980 = local_2;
-                            if ((_e980 & 4278190080u) == 0u) {
+                            let _e974 = nodes.member[(0u + _e584)].links[0u];
+                            let _e978 = nodes.member[(0u + _e584)].frame[3u];
+                            let _e982 = local_2;
+                            if ((_e982 & 4278190080u) == 0u) {
                             } else {
-                                let _e984 = local.group_mask;
-                                if ((_e984 & 4278190080u) == 0u) {
+                                let _e986 = local.group_mask;
+                                if ((_e986 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e988 = local.len;
-                                    if (_e988 < 32u) {
-                                        let _e991 = local.group;
-                                        let _e993 = local.len;
-                                        if (_e993 < 32u) {
+                                    let _e990 = local.len;
+                                    if (_e990 < 32u) {
+                                        let _e993 = local.group;
+                                        let _e995 = local.len;
+                                        if (_e995 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local.first[(0u + _e993)] = _e991;
-                                        let _e999 = local.group_mask;
-                                        let _e1001 = local.len;
-                                        if (_e1001 < 32u) {
+                                        local.first[(0u + _e995)] = _e993;
+                                        let _e1001 = local.group_mask;
+                                        let _e1003 = local.len;
+                                        if (_e1003 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local.mask[(0u + _e1001)] = _e999;
-                                        let _e1008 = local.len;
-                                        local.len = (_e1008 + 1u);
+                                        local.mask[(0u + _e1003)] = _e1001;
+                                        let _e1010 = local.len;
+                                        local.len = (_e1010 + 1u);
                                     }
                                 }
-                                local.group = (0u + _e972);
-                                let _e1012 = local_3;
-                                local.group_mask = ((_e1012 & 4278190080u) | (_e976 >> bitcast<u32>(24i)));
+                                local.group = (0u + _e974);
+                                let _e1014 = local_3;
+                                local.group_mask = ((_e1014 & 4278190080u) | (_e978 >> bitcast<u32>(24i)));
                             }
-                            let _e1017 = local_4;
-                            phi_1107_ = (_e1017 & 16777215u);
+                            let _e1019 = local_4;
+                            phi_1109_ = (_e1019 & 16777215u);
+                            phi_1112_ = _e586;
                             loop {
-                                let _e1020 = phi_1107_;
-                                let _e1021 = (_e1020 == 0u);
-                                local_5 = _e1021;
-                                local_9 = _e1021;
-                                if _e1021 {
-                                    phi_1108_ = u32();
-                                    phi_1718_ = false;
-                                    phi_1719_ = false;
-                                    phi_1720_ = false;
+                                let _e1022 = phi_1109_;
+                                let _e1024 = phi_1112_;
+                                local_7 = _e1024;
+                                let _e1025 = (_e1022 == 0u);
+                                local_5 = _e1025;
+                                local_8 = _e1025;
+                                if _e1025 {
+                                    phi_1110_ = u32();
+                                    phi_1113_ = bool();
+                                    phi_1710_ = false;
                                 } else {
-                                    let _e1024 = nodes.member[(0u + _e584)].links[1u];
-                                    let _e1029 = ((0u + _e1024) + select(firstTrailingBit(_e1020), 32u, (_e1020 == 0u)));
-                                    if (_e1029 < arrayLength((&triangles.member))) {
+                                    let _e1028 = nodes.member[(0u + _e584)].links[1u];
+                                    let _e1033 = ((0u + _e1028) + select(firstTrailingBit(_e1022), 32u, (_e1022 == 0u)));
+                                    if (_e1033 < arrayLength((&triangles.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e1036 = triangles.member[(0u + _e1029)].v0_;
-                                    let _e1038 = (_e1036.x - _e191);
-                                    let _e1040 = (_e1036.y - _e193);
-                                    let _e1042 = (_e1036.z - _e195);
+                                    let _e1040 = triangles.member[(0u + _e1033)].v0_;
+                                    let _e1042 = (_e1040.x - _e191);
+                                    let _e1044 = (_e1040.y - _e193);
+                                    let _e1046 = (_e1040.z - _e195);
                                     if (_e419 == 0u) {
-                                        phi_1153_ = vec3<f32>(_e1040, _e1042, _e1038);
+                                        phi_1157_ = vec3<f32>(_e1044, _e1046, _e1042);
                                     } else {
                                         if (_e419 == 1u) {
-                                            phi_1152_ = vec3<f32>(_e1042, _e1038, _e1040);
+                                            phi_1156_ = vec3<f32>(_e1046, _e1042, _e1044);
                                         } else {
-                                            phi_1152_ = (_e1036 - vec3<f32>(_e191, _e193, _e195));
+                                            phi_1156_ = (_e1040 - vec3<f32>(_e191, _e193, _e195));
                                         }
-                                        let _e1050 = phi_1152_;
-                                        phi_1153_ = _e1050;
+                                        let _e1054 = phi_1156_;
+                                        phi_1157_ = _e1054;
                                     }
-                                    let _e1052 = phi_1153_;
-                                    let _e1056 = (_e1052.x - (_e430 * _e1052.z));
-                                    let _e1060 = (_e1052.y - (_e433 * _e1052.z));
-                                    let _e1062 = triangles.member[(0u + _e1029)].v1_;
-                                    let _e1064 = (_e1062.x - _e191);
-                                    let _e1066 = (_e1062.y - _e193);
-                                    let _e1068 = (_e1062.z - _e195);
+                                    let _e1056 = phi_1157_;
+                                    let _e1060 = (_e1056.x - (_e430 * _e1056.z));
+                                    let _e1064 = (_e1056.y - (_e433 * _e1056.z));
+                                    let _e1066 = triangles.member[(0u + _e1033)].v1_;
+                                    let _e1068 = (_e1066.x - _e191);
+                                    let _e1070 = (_e1066.y - _e193);
+                                    let _e1072 = (_e1066.z - _e195);
                                     if (_e419 == 0u) {
-                                        phi_1183_ = vec3<f32>(_e1066, _e1068, _e1064);
+                                        phi_1187_ = vec3<f32>(_e1070, _e1072, _e1068);
                                     } else {
                                         if (_e419 == 1u) {
-                                            phi_1182_ = vec3<f32>(_e1068, _e1064, _e1066);
+                                            phi_1186_ = vec3<f32>(_e1072, _e1068, _e1070);
                                         } else {
-                                            phi_1182_ = (_e1062 - vec3<f32>(_e191, _e193, _e195));
+                                            phi_1186_ = (_e1066 - vec3<f32>(_e191, _e193, _e195));
                                         }
-                                        let _e1076 = phi_1182_;
-                                        phi_1183_ = _e1076;
+                                        let _e1080 = phi_1186_;
+                                        phi_1187_ = _e1080;
                                     }
-                                    let _e1078 = phi_1183_;
-                                    let _e1082 = (_e1078.x - (_e430 * _e1078.z));
-                                    let _e1086 = (_e1078.y - (_e433 * _e1078.z));
-                                    let _e1088 = triangles.member[(0u + _e1029)].v2_;
-                                    let _e1090 = (_e1088.x - _e191);
-                                    let _e1092 = (_e1088.y - _e193);
-                                    let _e1094 = (_e1088.z - _e195);
+                                    let _e1082 = phi_1187_;
+                                    let _e1086 = (_e1082.x - (_e430 * _e1082.z));
+                                    let _e1090 = (_e1082.y - (_e433 * _e1082.z));
+                                    let _e1092 = triangles.member[(0u + _e1033)].v2_;
+                                    let _e1094 = (_e1092.x - _e191);
+                                    let _e1096 = (_e1092.y - _e193);
+                                    let _e1098 = (_e1092.z - _e195);
                                     if (_e419 == 0u) {
-                                        phi_1213_ = vec3<f32>(_e1092, _e1094, _e1090);
+                                        phi_1217_ = vec3<f32>(_e1096, _e1098, _e1094);
                                     } else {
                                         if (_e419 == 1u) {
-                                            phi_1212_ = vec3<f32>(_e1094, _e1090, _e1092);
+                                            phi_1216_ = vec3<f32>(_e1098, _e1094, _e1096);
                                         } else {
-                                            phi_1212_ = (_e1088 - vec3<f32>(_e191, _e193, _e195));
+                                            phi_1216_ = (_e1092 - vec3<f32>(_e191, _e193, _e195));
                                         }
-                                        let _e1102 = phi_1212_;
-                                        phi_1213_ = _e1102;
+                                        let _e1106 = phi_1216_;
+                                        phi_1217_ = _e1106;
                                     }
-                                    let _e1104 = phi_1213_;
-                                    let _e1108 = (_e1104.x - (_e430 * _e1104.z));
-                                    let _e1112 = (_e1104.y - (_e433 * _e1104.z));
-                                    if (_e1082 < _e1108) {
-                                        phi_1232_ = true;
+                                    let _e1108 = phi_1217_;
+                                    let _e1112 = (_e1108.x - (_e430 * _e1108.z));
+                                    let _e1116 = (_e1108.y - (_e433 * _e1108.z));
+                                    if (_e1086 < _e1112) {
+                                        phi_1236_ = true;
                                     } else {
-                                        if (_e1082 == _e1108) {
-                                            phi_1231_ = (_e1086 < _e1112);
+                                        if (_e1086 == _e1112) {
+                                            phi_1235_ = (_e1090 < _e1116);
                                         } else {
-                                            phi_1231_ = false;
+                                            phi_1235_ = false;
                                         }
-                                        let _e1117 = phi_1231_;
-                                        phi_1232_ = _e1117;
+                                        let _e1121 = phi_1235_;
+                                        phi_1236_ = _e1121;
                                     }
-                                    let _e1119 = phi_1232_;
-                                    if _e1119 {
-                                        phi_1236_ = _e1112;
-                                        phi_1237_ = _e1108;
-                                        phi_1238_ = _e1086;
-                                        phi_1239_ = _e1082;
+                                    let _e1123 = phi_1236_;
+                                    if _e1123 {
+                                        phi_1240_ = _e1116;
+                                        phi_1241_ = _e1112;
+                                        phi_1242_ = _e1090;
+                                        phi_1243_ = _e1086;
                                     } else {
-                                        phi_1236_ = _e1086;
-                                        phi_1237_ = _e1082;
-                                        phi_1238_ = _e1112;
-                                        phi_1239_ = _e1108;
+                                        phi_1240_ = _e1090;
+                                        phi_1241_ = _e1086;
+                                        phi_1242_ = _e1116;
+                                        phi_1243_ = _e1112;
                                     }
-                                    let _e1121 = phi_1236_;
-                                    let _e1123 = phi_1237_;
-                                    let _e1125 = phi_1238_;
-                                    let _e1127 = phi_1239_;
-                                    let _e1130 = ((_e1127 * _e1121) - (_e1125 * _e1123));
-                                    if _e1119 {
-                                        phi_1247_ = -(_e1130);
+                                    let _e1125 = phi_1240_;
+                                    let _e1127 = phi_1241_;
+                                    let _e1129 = phi_1242_;
+                                    let _e1131 = phi_1243_;
+                                    let _e1134 = ((_e1131 * _e1125) - (_e1129 * _e1127));
+                                    if _e1123 {
+                                        phi_1251_ = -(_e1134);
                                     } else {
-                                        phi_1247_ = _e1130;
+                                        phi_1251_ = _e1134;
                                     }
-                                    let _e1133 = phi_1247_;
-                                    if (_e1108 < _e1056) {
-                                        phi_1258_ = true;
+                                    let _e1137 = phi_1251_;
+                                    if (_e1112 < _e1060) {
+                                        phi_1262_ = true;
                                     } else {
-                                        if (_e1108 == _e1056) {
-                                            phi_1257_ = (_e1112 < _e1060);
+                                        if (_e1112 == _e1060) {
+                                            phi_1261_ = (_e1116 < _e1064);
                                         } else {
-                                            phi_1257_ = false;
+                                            phi_1261_ = false;
                                         }
-                                        let _e1138 = phi_1257_;
-                                        phi_1258_ = _e1138;
+                                        let _e1142 = phi_1261_;
+                                        phi_1262_ = _e1142;
                                     }
-                                    let _e1140 = phi_1258_;
-                                    if _e1140 {
-                                        phi_1262_ = _e1060;
-                                        phi_1263_ = _e1056;
-                                        phi_1264_ = _e1112;
-                                        phi_1265_ = _e1108;
+                                    let _e1144 = phi_1262_;
+                                    if _e1144 {
+                                        phi_1266_ = _e1064;
+                                        phi_1267_ = _e1060;
+                                        phi_1268_ = _e1116;
+                                        phi_1269_ = _e1112;
                                     } else {
-                                        phi_1262_ = _e1112;
-                                        phi_1263_ = _e1108;
-                                        phi_1264_ = _e1060;
-                                        phi_1265_ = _e1056;
+                                        phi_1266_ = _e1116;
+                                        phi_1267_ = _e1112;
+                                        phi_1268_ = _e1064;
+                                        phi_1269_ = _e1060;
                                     }
-                                    let _e1142 = phi_1262_;
-                                    let _e1144 = phi_1263_;
-                                    let _e1146 = phi_1264_;
-                                    let _e1148 = phi_1265_;
-                                    let _e1151 = ((_e1148 * _e1142) - (_e1146 * _e1144));
-                                    if _e1140 {
-                                        phi_1273_ = -(_e1151);
+                                    let _e1146 = phi_1266_;
+                                    let _e1148 = phi_1267_;
+                                    let _e1150 = phi_1268_;
+                                    let _e1152 = phi_1269_;
+                                    let _e1155 = ((_e1152 * _e1146) - (_e1150 * _e1148));
+                                    if _e1144 {
+                                        phi_1277_ = -(_e1155);
                                     } else {
-                                        phi_1273_ = _e1151;
+                                        phi_1277_ = _e1155;
                                     }
-                                    let _e1154 = phi_1273_;
-                                    if (_e1056 < _e1082) {
-                                        phi_1284_ = true;
+                                    let _e1158 = phi_1277_;
+                                    if (_e1060 < _e1086) {
+                                        phi_1288_ = true;
                                     } else {
-                                        if (_e1056 == _e1082) {
-                                            phi_1283_ = (_e1060 < _e1086);
+                                        if (_e1060 == _e1086) {
+                                            phi_1287_ = (_e1064 < _e1090);
                                         } else {
-                                            phi_1283_ = false;
+                                            phi_1287_ = false;
                                         }
-                                        let _e1159 = phi_1283_;
-                                        phi_1284_ = _e1159;
+                                        let _e1163 = phi_1287_;
+                                        phi_1288_ = _e1163;
                                     }
-                                    let _e1161 = phi_1284_;
-                                    if _e1161 {
-                                        phi_1288_ = _e1086;
-                                        phi_1289_ = _e1082;
-                                        phi_1290_ = _e1060;
-                                        phi_1291_ = _e1056;
+                                    let _e1165 = phi_1288_;
+                                    if _e1165 {
+                                        phi_1292_ = _e1090;
+                                        phi_1293_ = _e1086;
+                                        phi_1294_ = _e1064;
+                                        phi_1295_ = _e1060;
                                     } else {
-                                        phi_1288_ = _e1060;
-                                        phi_1289_ = _e1056;
-                                        phi_1290_ = _e1086;
-                                        phi_1291_ = _e1082;
+                                        phi_1292_ = _e1064;
+                                        phi_1293_ = _e1060;
+                                        phi_1294_ = _e1090;
+                                        phi_1295_ = _e1086;
                                     }
-                                    let _e1163 = phi_1288_;
-                                    let _e1165 = phi_1289_;
-                                    let _e1167 = phi_1290_;
-                                    let _e1169 = phi_1291_;
-                                    let _e1172 = ((_e1169 * _e1163) - (_e1167 * _e1165));
-                                    if _e1161 {
-                                        phi_1299_ = -(_e1172);
+                                    let _e1167 = phi_1292_;
+                                    let _e1169 = phi_1293_;
+                                    let _e1171 = phi_1294_;
+                                    let _e1173 = phi_1295_;
+                                    let _e1176 = ((_e1173 * _e1167) - (_e1171 * _e1169));
+                                    if _e1165 {
+                                        phi_1303_ = -(_e1176);
                                     } else {
-                                        phi_1299_ = _e1172;
+                                        phi_1303_ = _e1176;
                                     }
-                                    let _e1175 = phi_1299_;
-                                    if (_e1133 >= 0f) {
-                                        if (_e1154 >= 0f) {
-                                            if (_e1175 >= 0f) {
-                                                phi_1314_ = ((_e1133 + _e1154) + _e1175);
-                                                phi_1315_ = false;
+                                    let _e1179 = phi_1303_;
+                                    if (_e1137 >= 0f) {
+                                        if (_e1158 >= 0f) {
+                                            if (_e1179 >= 0f) {
+                                                phi_1318_ = ((_e1137 + _e1158) + _e1179);
+                                                phi_1319_ = false;
                                             } else {
-                                                phi_1314_ = f32();
-                                                phi_1315_ = true;
+                                                phi_1318_ = f32();
+                                                phi_1319_ = true;
                                             }
-                                            let _e1182 = phi_1314_;
-                                            let _e1184 = phi_1315_;
-                                            phi_1316_ = _e1182;
-                                            phi_1317_ = _e1184;
+                                            let _e1186 = phi_1318_;
+                                            let _e1188 = phi_1319_;
+                                            phi_1320_ = _e1186;
+                                            phi_1321_ = _e1188;
                                         } else {
-                                            phi_1316_ = f32();
-                                            phi_1317_ = true;
+                                            phi_1320_ = f32();
+                                            phi_1321_ = true;
                                         }
-                                        let _e1186 = phi_1316_;
-                                        let _e1188 = phi_1317_;
-                                        phi_1318_ = _e1186;
-                                        phi_1319_ = _e1188;
+                                        let _e1190 = phi_1320_;
+                                        let _e1192 = phi_1321_;
+                                        phi_1322_ = _e1190;
+                                        phi_1323_ = _e1192;
                                     } else {
-                                        phi_1318_ = f32();
-                                        phi_1319_ = true;
+                                        phi_1322_ = f32();
+                                        phi_1323_ = true;
                                     }
-                                    let _e1190 = phi_1318_;
-                                    let _e1192 = phi_1319_;
-                                    if _e1192 {
-                                        if (_e1133 <= 0f) {
-                                            if (_e1154 <= 0f) {
-                                                let _e1195 = (_e1175 <= 0f);
-                                                if _e1195 {
+                                    let _e1194 = phi_1322_;
+                                    let _e1196 = phi_1323_;
+                                    if _e1196 {
+                                        if (_e1137 <= 0f) {
+                                            if (_e1158 <= 0f) {
+                                                let _e1199 = (_e1179 <= 0f);
+                                                if _e1199 {
                                                 }
-                                                phi_1337_ = ((_e1133 + _e1154) + _e1175);
-                                                phi_1338_ = false;
-                                                phi_1339_ = _e1195;
+                                                phi_1341_ = ((_e1137 + _e1158) + _e1179);
+                                                phi_1342_ = false;
+                                                phi_1343_ = _e1199;
                                             } else {
-                                                phi_1337_ = f32();
-                                                phi_1338_ = true;
-                                                phi_1339_ = false;
+                                                phi_1341_ = f32();
+                                                phi_1342_ = true;
+                                                phi_1343_ = false;
                                             }
-                                            let _e1199 = phi_1337_;
-                                            let _e1201 = phi_1338_;
-                                            let _e1203 = phi_1339_;
-                                            phi_1340_ = _e1199;
-                                            phi_1341_ = _e1201;
-                                            phi_1342_ = _e1203;
+                                            let _e1203 = phi_1341_;
+                                            let _e1205 = phi_1342_;
+                                            let _e1207 = phi_1343_;
+                                            phi_1344_ = _e1203;
+                                            phi_1345_ = _e1205;
+                                            phi_1346_ = _e1207;
                                         } else {
-                                            phi_1340_ = f32();
-                                            phi_1341_ = true;
-                                            phi_1342_ = false;
-                                        }
-                                        let _e1205 = phi_1340_;
-                                        let _e1207 = phi_1341_;
-                                        let _e1209 = phi_1342_;
-                                        if _e1207 {
+                                            phi_1344_ = f32();
+                                            phi_1345_ = true;
                                             phi_1346_ = false;
-                                        } else {
-                                            phi_1346_ = _e1209;
                                         }
-                                        let _e1211 = phi_1346_;
-                                        phi_1347_ = _e1205;
-                                        phi_1348_ = _e1211;
-                                    } else {
-                                        phi_1347_ = _e1190;
-                                        phi_1348_ = true;
-                                    }
-                                    let _e1213 = phi_1347_;
-                                    let _e1215 = phi_1348_;
-                                    if _e1215 {
-                                        let _e1216 = (_e1213 == 0f);
-                                        if _e1216 {
-                                            phi_1664_ = lt_bvh_triangle_Intersection();
-                                            phi_1665_ = false;
+                                        let _e1209 = phi_1344_;
+                                        let _e1211 = phi_1345_;
+                                        let _e1213 = phi_1346_;
+                                        if _e1211 {
+                                            phi_1350_ = false;
                                         } else {
-                                            let _e1218 = triangles.member[(0u + _e1029)].v0_;
-                                            let _e1220 = (_e1218.x - _e191);
-                                            let _e1222 = (_e1218.y - _e193);
-                                            let _e1224 = (_e1218.z - _e195);
-                                            if (_e419 == 0u) {
-                                                phi_1377_ = vec3<f32>(_e1222, _e1224, _e1220);
-                                            } else {
-                                                if (_e419 == 1u) {
-                                                    phi_1376_ = vec3<f32>(_e1224, _e1220, _e1222);
-                                                } else {
-                                                    phi_1376_ = (_e1218 - vec3<f32>(_e191, _e193, _e195));
-                                                }
-                                                let _e1232 = phi_1376_;
-                                                phi_1377_ = _e1232;
-                                            }
-                                            let _e1234 = phi_1377_;
-                                            let _e1236 = triangles.member[(0u + _e1029)].v1_;
-                                            let _e1238 = triangles.member[(0u + _e1029)].v0_;
-                                            let _e1241 = (_e1236.x - _e1238.x);
-                                            let _e1244 = (_e1236.y - _e1238.y);
-                                            let _e1247 = (_e1236.z - _e1238.z);
-                                            if (_e419 == 0u) {
-                                                phi_1403_ = vec3<f32>(_e1244, _e1247, _e1241);
-                                            } else {
-                                                if (_e419 == 1u) {
-                                                    phi_1402_ = vec3<f32>(_e1247, _e1241, _e1244);
-                                                } else {
-                                                    phi_1402_ = (_e1236 - _e1238);
-                                                }
-                                                let _e1254 = phi_1402_;
-                                                phi_1403_ = _e1254;
-                                            }
-                                            let _e1256 = phi_1403_;
-                                            let _e1258 = triangles.member[(0u + _e1029)].v2_;
-                                            let _e1260 = triangles.member[(0u + _e1029)].v0_;
-                                            let _e1263 = (_e1258.x - _e1260.x);
-                                            let _e1266 = (_e1258.y - _e1260.y);
-                                            let _e1269 = (_e1258.z - _e1260.z);
-                                            if (_e419 == 0u) {
-                                                phi_1429_ = vec3<f32>(_e1266, _e1269, _e1263);
-                                            } else {
-                                                if (_e419 == 1u) {
-                                                    phi_1428_ = vec3<f32>(_e1269, _e1263, _e1266);
-                                                } else {
-                                                    phi_1428_ = (_e1258 - _e1260);
-                                                }
-                                                let _e1276 = phi_1428_;
-                                                phi_1429_ = _e1276;
-                                            }
-                                            let _e1278 = phi_1429_;
-                                            let _e1285 = ((_e1256.y * _e1278.z) - (_e1256.z * _e1278.y));
-                                            let _e1292 = ((_e1256.z * _e1278.x) - (_e1256.x * _e1278.z));
-                                            let _e1299 = ((_e1256.x * _e1278.y) - (_e1256.y * _e1278.x));
-                                            let _e1313 = (((1f / _e427.z) * (((_e1285 * _e1234.x) + (_e1292 * _e1234.y)) + (_e1299 * _e1234.z))) / (((_e1285 * _e430) + (_e1292 * _e433)) + _e1299));
-                                            if (_e1313 > 0f) {
-                                                if (_e1313 < _e199) {
-                                                    let _e1317 = triangles.member[(0u + _e1029)].v0_;
-                                                    let _e1319 = triangles.member[(0u + _e1029)].v1_;
-                                                    if (_e1317.x < _e1319.x) {
-                                                        phi_1485_ = _e1317.x;
-                                                    } else {
-                                                        phi_1485_ = _e1319.x;
-                                                    }
-                                                    let _e1326 = phi_1485_;
-                                                    if (_e1317.y < _e1319.y) {
-                                                        phi_1494_ = _e1317.y;
-                                                    } else {
-                                                        phi_1494_ = _e1319.y;
-                                                    }
-                                                    let _e1333 = phi_1494_;
-                                                    if (_e1317.z < _e1319.z) {
-                                                        phi_1503_ = _e1317.z;
-                                                    } else {
-                                                        phi_1503_ = _e1319.z;
-                                                    }
-                                                    let _e1340 = phi_1503_;
-                                                    let _e1342 = triangles.member[(0u + _e1029)].v2_;
-                                                    if (_e1326 < _e1342.x) {
-                                                        phi_1512_ = _e1326;
-                                                    } else {
-                                                        phi_1512_ = _e1342.x;
-                                                    }
-                                                    let _e1347 = phi_1512_;
-                                                    if (_e1333 < _e1342.y) {
-                                                        phi_1519_ = _e1333;
-                                                    } else {
-                                                        phi_1519_ = _e1342.y;
-                                                    }
-                                                    let _e1352 = phi_1519_;
-                                                    if (_e1340 < _e1342.z) {
-                                                        phi_1526_ = _e1340;
-                                                    } else {
-                                                        phi_1526_ = _e1342.z;
-                                                    }
-                                                    let _e1357 = phi_1526_;
-                                                    let _e1359 = triangles.member[(0u + _e1029)].v0_;
-                                                    let _e1361 = triangles.member[(0u + _e1029)].v1_;
-                                                    if (_e1359.x > _e1361.x) {
-                                                        phi_1539_ = _e1359.x;
-                                                    } else {
-                                                        phi_1539_ = _e1361.x;
-                                                    }
-                                                    let _e1368 = phi_1539_;
-                                                    if (_e1359.y > _e1361.y) {
-                                                        phi_1548_ = _e1359.y;
-                                                    } else {
-                                                        phi_1548_ = _e1361.y;
-                                                    }
-                                                    let _e1375 = phi_1548_;
-                                                    if (_e1359.z > _e1361.z) {
-                                                        phi_1557_ = _e1359.z;
-                                                    } else {
-                                                        phi_1557_ = _e1361.z;
-                                                    }
-                                                    let _e1382 = phi_1557_;
-                                                    let _e1384 = triangles.member[(0u + _e1029)].v2_;
-                                                    if (_e1368 > _e1384.x) {
-                                                        phi_1566_ = _e1368;
-                                                    } else {
-                                                        phi_1566_ = _e1384.x;
-                                                    }
-                                                    let _e1389 = phi_1566_;
-                                                    if (_e1375 > _e1384.y) {
-                                                        phi_1573_ = _e1375;
-                                                    } else {
-                                                        phi_1573_ = _e1384.y;
-                                                    }
-                                                    let _e1394 = phi_1573_;
-                                                    if (_e1382 > _e1384.z) {
-                                                        phi_1580_ = _e1382;
-                                                    } else {
-                                                        phi_1580_ = _e1384.z;
-                                                    }
-                                                    let _e1399 = phi_1580_;
-                                                    let _e1403 = ((_e1347 - _e191) * _e348);
-                                                    let _e1404 = ((_e1352 - _e193) * _e358);
-                                                    let _e1405 = ((_e1357 - _e195) * _e368);
-                                                    let _e1409 = ((_e1389 - _e191) * _e348);
-                                                    let _e1410 = ((_e1394 - _e193) * _e358);
-                                                    let _e1411 = ((_e1399 - _e195) * _e368);
-                                                    if (_e1403 < _e1409) {
-                                                        phi_1597_ = _e1403;
-                                                    } else {
-                                                        phi_1597_ = _e1409;
-                                                    }
-                                                    let _e1414 = phi_1597_;
-                                                    if (_e1404 < _e1410) {
-                                                        phi_1602_ = _e1404;
-                                                    } else {
-                                                        phi_1602_ = _e1410;
-                                                    }
-                                                    let _e1417 = phi_1602_;
-                                                    if (_e1405 < _e1411) {
-                                                        phi_1607_ = _e1405;
-                                                    } else {
-                                                        phi_1607_ = _e1411;
-                                                    }
-                                                    let _e1420 = phi_1607_;
-                                                    if (_e1403 > _e1409) {
-                                                        phi_1615_ = _e1403;
-                                                    } else {
-                                                        phi_1615_ = _e1409;
-                                                    }
-                                                    let _e1426 = phi_1615_;
-                                                    if (_e1404 > _e1410) {
-                                                        phi_1620_ = _e1404;
-                                                    } else {
-                                                        phi_1620_ = _e1410;
-                                                    }
-                                                    let _e1429 = phi_1620_;
-                                                    if (_e1405 > _e1411) {
-                                                        phi_1625_ = _e1405;
-                                                    } else {
-                                                        phi_1625_ = _e1411;
-                                                    }
-                                                    let _e1432 = phi_1625_;
-                                                    let _e1436 = core_intrinsics_maximum_number_nsz_f32_((_e1414 - _e403), (_e1417 - _e404));
-                                                    let _e1437 = core_intrinsics_maximum_number_nsz_f32_(_e1436, (_e1420 - _e405));
-                                                    let _e1438 = core_intrinsics_minimum_number_nsz_f32_((_e1426 + _e403), (_e1429 + _e404));
-                                                    let _e1439 = core_intrinsics_minimum_number_nsz_f32_(_e1438, (_e1432 + _e405));
-                                                    if (_e1437 > -300000000000000000000000000000000000000f) {
-                                                        phi_1637_ = _e1437;
-                                                    } else {
-                                                        phi_1637_ = -300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1442 = phi_1637_;
-                                                    if (_e1439 < 300000000000000000000000000000000000000f) {
-                                                        phi_1642_ = _e1439;
-                                                    } else {
-                                                        phi_1642_ = 300000000000000000000000000000000000000f;
-                                                    }
-                                                    let _e1445 = phi_1642_;
-                                                    if (_e1313 < _e1442) {
-                                                        phi_1647_ = _e1442;
-                                                    } else {
-                                                        phi_1647_ = _e1313;
-                                                    }
-                                                    let _e1448 = phi_1647_;
-                                                    if (_e1448 > _e1445) {
-                                                        phi_1652_ = _e1445;
-                                                    } else {
-                                                        phi_1652_ = _e1448;
-                                                    }
-                                                    let _e1451 = phi_1652_;
-                                                    phi_1657_ = lt_bvh_triangle_Intersection(_e1451, (_e1154 / _e1213), (_e1175 / _e1213), (_e1442 <= _e1445));
-                                                    phi_1658_ = false;
-                                                } else {
-                                                    phi_1657_ = lt_bvh_triangle_Intersection();
-                                                    phi_1658_ = true;
-                                                }
-                                                let _e1457 = phi_1657_;
-                                                let _e1459 = phi_1658_;
-                                                phi_1659_ = _e1457;
-                                                phi_1660_ = _e1459;
-                                            } else {
-                                                phi_1659_ = lt_bvh_triangle_Intersection();
-                                                phi_1660_ = true;
-                                            }
-                                            let _e1461 = phi_1659_;
-                                            let _e1463 = phi_1660_;
-                                            if _e1463 {
-                                            }
-                                            phi_1664_ = _e1461;
-                                            phi_1665_ = _e1463;
+                                            phi_1350_ = _e1213;
                                         }
-                                        let _e1465 = phi_1664_;
-                                        let _e1467 = phi_1665_;
-                                        phi_1666_ = _e1465;
-                                        phi_1667_ = _e1216;
-                                        phi_1668_ = _e1467;
+                                        let _e1215 = phi_1350_;
+                                        phi_1351_ = _e1209;
+                                        phi_1352_ = _e1215;
                                     } else {
-                                        phi_1666_ = lt_bvh_triangle_Intersection();
-                                        phi_1667_ = true;
-                                        phi_1668_ = false;
+                                        phi_1351_ = _e1194;
+                                        phi_1352_ = true;
                                     }
-                                    let _e1469 = phi_1666_;
-                                    let _e1471 = phi_1667_;
-                                    let _e1473 = phi_1668_;
-                                    if _e1471 {
-                                        phi_1672_ = true;
+                                    let _e1217 = phi_1351_;
+                                    let _e1219 = phi_1352_;
+                                    if _e1219 {
+                                        let _e1220 = (_e1217 == 0f);
+                                        if _e1220 {
+                                            phi_1668_ = lt_bvh_triangle_Intersection();
+                                            phi_1669_ = false;
+                                        } else {
+                                            let _e1222 = triangles.member[(0u + _e1033)].v0_;
+                                            let _e1224 = (_e1222.x - _e191);
+                                            let _e1226 = (_e1222.y - _e193);
+                                            let _e1228 = (_e1222.z - _e195);
+                                            if (_e419 == 0u) {
+                                                phi_1381_ = vec3<f32>(_e1226, _e1228, _e1224);
+                                            } else {
+                                                if (_e419 == 1u) {
+                                                    phi_1380_ = vec3<f32>(_e1228, _e1224, _e1226);
+                                                } else {
+                                                    phi_1380_ = (_e1222 - vec3<f32>(_e191, _e193, _e195));
+                                                }
+                                                let _e1236 = phi_1380_;
+                                                phi_1381_ = _e1236;
+                                            }
+                                            let _e1238 = phi_1381_;
+                                            let _e1240 = triangles.member[(0u + _e1033)].v1_;
+                                            let _e1242 = triangles.member[(0u + _e1033)].v0_;
+                                            let _e1245 = (_e1240.x - _e1242.x);
+                                            let _e1248 = (_e1240.y - _e1242.y);
+                                            let _e1251 = (_e1240.z - _e1242.z);
+                                            if (_e419 == 0u) {
+                                                phi_1407_ = vec3<f32>(_e1248, _e1251, _e1245);
+                                            } else {
+                                                if (_e419 == 1u) {
+                                                    phi_1406_ = vec3<f32>(_e1251, _e1245, _e1248);
+                                                } else {
+                                                    phi_1406_ = (_e1240 - _e1242);
+                                                }
+                                                let _e1258 = phi_1406_;
+                                                phi_1407_ = _e1258;
+                                            }
+                                            let _e1260 = phi_1407_;
+                                            let _e1262 = triangles.member[(0u + _e1033)].v2_;
+                                            let _e1264 = triangles.member[(0u + _e1033)].v0_;
+                                            let _e1267 = (_e1262.x - _e1264.x);
+                                            let _e1270 = (_e1262.y - _e1264.y);
+                                            let _e1273 = (_e1262.z - _e1264.z);
+                                            if (_e419 == 0u) {
+                                                phi_1433_ = vec3<f32>(_e1270, _e1273, _e1267);
+                                            } else {
+                                                if (_e419 == 1u) {
+                                                    phi_1432_ = vec3<f32>(_e1273, _e1267, _e1270);
+                                                } else {
+                                                    phi_1432_ = (_e1262 - _e1264);
+                                                }
+                                                let _e1280 = phi_1432_;
+                                                phi_1433_ = _e1280;
+                                            }
+                                            let _e1282 = phi_1433_;
+                                            let _e1289 = ((_e1260.y * _e1282.z) - (_e1260.z * _e1282.y));
+                                            let _e1296 = ((_e1260.z * _e1282.x) - (_e1260.x * _e1282.z));
+                                            let _e1303 = ((_e1260.x * _e1282.y) - (_e1260.y * _e1282.x));
+                                            let _e1317 = (((1f / _e427.z) * (((_e1289 * _e1238.x) + (_e1296 * _e1238.y)) + (_e1303 * _e1238.z))) / (((_e1289 * _e430) + (_e1296 * _e433)) + _e1303));
+                                            if (_e1317 > 0f) {
+                                                if (_e1317 < _e199) {
+                                                    let _e1321 = triangles.member[(0u + _e1033)].v0_;
+                                                    let _e1323 = triangles.member[(0u + _e1033)].v1_;
+                                                    if (_e1321.x < _e1323.x) {
+                                                        phi_1489_ = _e1321.x;
+                                                    } else {
+                                                        phi_1489_ = _e1323.x;
+                                                    }
+                                                    let _e1330 = phi_1489_;
+                                                    if (_e1321.y < _e1323.y) {
+                                                        phi_1498_ = _e1321.y;
+                                                    } else {
+                                                        phi_1498_ = _e1323.y;
+                                                    }
+                                                    let _e1337 = phi_1498_;
+                                                    if (_e1321.z < _e1323.z) {
+                                                        phi_1507_ = _e1321.z;
+                                                    } else {
+                                                        phi_1507_ = _e1323.z;
+                                                    }
+                                                    let _e1344 = phi_1507_;
+                                                    let _e1346 = triangles.member[(0u + _e1033)].v2_;
+                                                    if (_e1330 < _e1346.x) {
+                                                        phi_1516_ = _e1330;
+                                                    } else {
+                                                        phi_1516_ = _e1346.x;
+                                                    }
+                                                    let _e1351 = phi_1516_;
+                                                    if (_e1337 < _e1346.y) {
+                                                        phi_1523_ = _e1337;
+                                                    } else {
+                                                        phi_1523_ = _e1346.y;
+                                                    }
+                                                    let _e1356 = phi_1523_;
+                                                    if (_e1344 < _e1346.z) {
+                                                        phi_1530_ = _e1344;
+                                                    } else {
+                                                        phi_1530_ = _e1346.z;
+                                                    }
+                                                    let _e1361 = phi_1530_;
+                                                    let _e1363 = triangles.member[(0u + _e1033)].v0_;
+                                                    let _e1365 = triangles.member[(0u + _e1033)].v1_;
+                                                    if (_e1363.x > _e1365.x) {
+                                                        phi_1543_ = _e1363.x;
+                                                    } else {
+                                                        phi_1543_ = _e1365.x;
+                                                    }
+                                                    let _e1372 = phi_1543_;
+                                                    if (_e1363.y > _e1365.y) {
+                                                        phi_1552_ = _e1363.y;
+                                                    } else {
+                                                        phi_1552_ = _e1365.y;
+                                                    }
+                                                    let _e1379 = phi_1552_;
+                                                    if (_e1363.z > _e1365.z) {
+                                                        phi_1561_ = _e1363.z;
+                                                    } else {
+                                                        phi_1561_ = _e1365.z;
+                                                    }
+                                                    let _e1386 = phi_1561_;
+                                                    let _e1388 = triangles.member[(0u + _e1033)].v2_;
+                                                    if (_e1372 > _e1388.x) {
+                                                        phi_1570_ = _e1372;
+                                                    } else {
+                                                        phi_1570_ = _e1388.x;
+                                                    }
+                                                    let _e1393 = phi_1570_;
+                                                    if (_e1379 > _e1388.y) {
+                                                        phi_1577_ = _e1379;
+                                                    } else {
+                                                        phi_1577_ = _e1388.y;
+                                                    }
+                                                    let _e1398 = phi_1577_;
+                                                    if (_e1386 > _e1388.z) {
+                                                        phi_1584_ = _e1386;
+                                                    } else {
+                                                        phi_1584_ = _e1388.z;
+                                                    }
+                                                    let _e1403 = phi_1584_;
+                                                    let _e1407 = ((_e1351 - _e191) * _e348);
+                                                    let _e1408 = ((_e1356 - _e193) * _e358);
+                                                    let _e1409 = ((_e1361 - _e195) * _e368);
+                                                    let _e1413 = ((_e1393 - _e191) * _e348);
+                                                    let _e1414 = ((_e1398 - _e193) * _e358);
+                                                    let _e1415 = ((_e1403 - _e195) * _e368);
+                                                    if (_e1407 < _e1413) {
+                                                        phi_1601_ = _e1407;
+                                                    } else {
+                                                        phi_1601_ = _e1413;
+                                                    }
+                                                    let _e1418 = phi_1601_;
+                                                    if (_e1408 < _e1414) {
+                                                        phi_1606_ = _e1408;
+                                                    } else {
+                                                        phi_1606_ = _e1414;
+                                                    }
+                                                    let _e1421 = phi_1606_;
+                                                    if (_e1409 < _e1415) {
+                                                        phi_1611_ = _e1409;
+                                                    } else {
+                                                        phi_1611_ = _e1415;
+                                                    }
+                                                    let _e1424 = phi_1611_;
+                                                    if (_e1407 > _e1413) {
+                                                        phi_1619_ = _e1407;
+                                                    } else {
+                                                        phi_1619_ = _e1413;
+                                                    }
+                                                    let _e1430 = phi_1619_;
+                                                    if (_e1408 > _e1414) {
+                                                        phi_1624_ = _e1408;
+                                                    } else {
+                                                        phi_1624_ = _e1414;
+                                                    }
+                                                    let _e1433 = phi_1624_;
+                                                    if (_e1409 > _e1415) {
+                                                        phi_1629_ = _e1409;
+                                                    } else {
+                                                        phi_1629_ = _e1415;
+                                                    }
+                                                    let _e1436 = phi_1629_;
+                                                    let _e1440 = core_intrinsics_maximum_number_nsz_f32_((_e1418 - _e403), (_e1421 - _e404));
+                                                    let _e1441 = core_intrinsics_maximum_number_nsz_f32_(_e1440, (_e1424 - _e405));
+                                                    let _e1442 = core_intrinsics_minimum_number_nsz_f32_((_e1430 + _e403), (_e1433 + _e404));
+                                                    let _e1443 = core_intrinsics_minimum_number_nsz_f32_(_e1442, (_e1436 + _e405));
+                                                    if (_e1441 > -300000000000000000000000000000000000000f) {
+                                                        phi_1641_ = _e1441;
+                                                    } else {
+                                                        phi_1641_ = -300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1446 = phi_1641_;
+                                                    if (_e1443 < 300000000000000000000000000000000000000f) {
+                                                        phi_1646_ = _e1443;
+                                                    } else {
+                                                        phi_1646_ = 300000000000000000000000000000000000000f;
+                                                    }
+                                                    let _e1449 = phi_1646_;
+                                                    if (_e1317 < _e1446) {
+                                                        phi_1651_ = _e1446;
+                                                    } else {
+                                                        phi_1651_ = _e1317;
+                                                    }
+                                                    let _e1452 = phi_1651_;
+                                                    if (_e1452 > _e1449) {
+                                                        phi_1656_ = _e1449;
+                                                    } else {
+                                                        phi_1656_ = _e1452;
+                                                    }
+                                                    let _e1455 = phi_1656_;
+                                                    phi_1661_ = lt_bvh_triangle_Intersection(_e1455, (_e1158 / _e1217), (_e1179 / _e1217), (_e1446 <= _e1449));
+                                                    phi_1662_ = false;
+                                                } else {
+                                                    phi_1661_ = lt_bvh_triangle_Intersection();
+                                                    phi_1662_ = true;
+                                                }
+                                                let _e1461 = phi_1661_;
+                                                let _e1463 = phi_1662_;
+                                                phi_1663_ = _e1461;
+                                                phi_1664_ = _e1463;
+                                            } else {
+                                                phi_1663_ = lt_bvh_triangle_Intersection();
+                                                phi_1664_ = true;
+                                            }
+                                            let _e1465 = phi_1663_;
+                                            let _e1467 = phi_1664_;
+                                            if _e1467 {
+                                            }
+                                            phi_1668_ = _e1465;
+                                            phi_1669_ = _e1467;
+                                        }
+                                        let _e1469 = phi_1668_;
+                                        let _e1471 = phi_1669_;
+                                        phi_1670_ = _e1469;
+                                        phi_1671_ = _e1220;
+                                        phi_1672_ = _e1471;
                                     } else {
-                                        phi_1672_ = _e1473;
+                                        phi_1670_ = lt_bvh_triangle_Intersection();
+                                        phi_1671_ = true;
+                                        phi_1672_ = false;
                                     }
-                                    let _e1475 = phi_1672_;
+                                    let _e1473 = phi_1670_;
+                                    let _e1475 = phi_1671_;
+                                    let _e1477 = phi_1672_;
                                     if _e1475 {
-                                        phi_1676_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        phi_1676_ = true;
                                     } else {
-                                        phi_1676_ = _e1469;
+                                        phi_1676_ = _e1477;
                                     }
-                                    let _e1477 = phi_1676_;
-                                    if _e1477.is_hit {
-                                        if (_e1477.t > 0f) {
-                                            if (_e1477.t < _e199) {
-                                                let _e1484 = triangles.member[(0u + _e1029)].i0_;
-                                                let _e1486 = ((_e1484 & 2147483648u) == 0u);
-                                                if _e1486 {
-                                                    phi_1702_ = false;
-                                                    phi_1703_ = false;
+                                    let _e1479 = phi_1676_;
+                                    if _e1479 {
+                                        phi_1680_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    } else {
+                                        phi_1680_ = _e1473;
+                                    }
+                                    let _e1481 = phi_1680_;
+                                    if _e1481.is_hit {
+                                        if (_e1481.t > 0f) {
+                                            if (_e1481.t < _e199) {
+                                                if true {
+                                                    phi_1700_ = false;
                                                 } else {
-                                                    if true {
-                                                        phi_1701_ = false;
-                                                    } else {
-                                                        phi_1701_ = true;
-                                                    }
-                                                    let _e1488 = phi_1701_;
-                                                    phi_1702_ = _e1488;
-                                                    phi_1703_ = true;
+                                                    phi_1700_ = true;
                                                 }
-                                                let _e1490 = phi_1702_;
-                                                let _e1492 = phi_1703_;
-                                                phi_1704_ = _e1490;
-                                                phi_1705_ = _e1486;
-                                                phi_1706_ = _e1492;
+                                                let _e1490 = phi_1700_;
+                                                phi_1701_ = true;
+                                                phi_1702_ = _e1490;
                                             } else {
-                                                phi_1704_ = true;
-                                                phi_1705_ = false;
-                                                phi_1706_ = false;
+                                                phi_1701_ = _e1024;
+                                                phi_1702_ = true;
                                             }
-                                            let _e1494 = phi_1704_;
-                                            let _e1496 = phi_1705_;
-                                            let _e1498 = phi_1706_;
-                                            phi_1707_ = _e1494;
-                                            phi_1708_ = _e1496;
-                                            phi_1709_ = _e1498;
+                                            let _e1492 = phi_1701_;
+                                            let _e1494 = phi_1702_;
+                                            phi_1703_ = _e1492;
+                                            phi_1704_ = _e1494;
                                         } else {
-                                            phi_1707_ = true;
-                                            phi_1708_ = false;
-                                            phi_1709_ = false;
+                                            phi_1703_ = _e1024;
+                                            phi_1704_ = true;
                                         }
-                                        let _e1500 = phi_1707_;
-                                        let _e1502 = phi_1708_;
-                                        let _e1504 = phi_1709_;
-                                        phi_1710_ = _e1500;
-                                        phi_1711_ = _e1502;
-                                        phi_1712_ = _e1504;
+                                        let _e1496 = phi_1703_;
+                                        let _e1498 = phi_1704_;
+                                        phi_1705_ = _e1496;
+                                        phi_1706_ = _e1498;
                                     } else {
-                                        phi_1710_ = true;
-                                        phi_1711_ = false;
-                                        phi_1712_ = false;
+                                        phi_1705_ = _e1024;
+                                        phi_1706_ = true;
                                     }
-                                    let _e1506 = phi_1710_;
-                                    let _e1508 = phi_1711_;
-                                    let _e1510 = phi_1712_;
-                                    if _e1506 {
-                                        phi_1716_ = false;
-                                        phi_1717_ = false;
-                                    } else {
-                                        phi_1716_ = _e1508;
-                                        phi_1717_ = _e1510;
+                                    let _e1500 = phi_1705_;
+                                    let _e1502 = phi_1706_;
+                                    if _e1502 {
                                     }
-                                    let _e1512 = phi_1716_;
-                                    let _e1514 = phi_1717_;
-                                    phi_1108_ = (_e1020 & (_e1020 - 1u));
-                                    phi_1718_ = _e1506;
-                                    phi_1719_ = _e1512;
-                                    phi_1720_ = _e1514;
+                                    phi_1110_ = (_e1022 & (_e1022 - 1u));
+                                    phi_1113_ = _e1500;
+                                    phi_1710_ = _e1502;
                                 }
-                                let _e1516 = phi_1108_;
-                                let _e1518 = phi_1718_;
-                                let _e1520 = phi_1719_;
-                                let _e1522 = phi_1720_;
-                                local_7 = _e1520;
-                                local_8 = _e1522;
+                                let _e1504 = phi_1110_;
+                                let _e1506 = phi_1113_;
+                                let _e1508 = phi_1710_;
                                 continue;
                                 continuing {
-                                    phi_1107_ = _e1516;
-                                    break if !(_e1518);
+                                    phi_1109_ = _e1504;
+                                    phi_1112_ = _e1506;
+                                    break if !(_e1508);
                                 }
                             }
-                            let _e1525 = local_5;
-                            if _e1525 {
-                                let _e1527 = local.group_mask;
-                                if ((_e1527 & 4278190080u) == 0u) {
-                                    let _e1531 = local.len;
-                                    if (_e1531 == 0u) {
-                                        phi_1762_ = false;
+                            let _e1511 = local_5;
+                            if _e1511 {
+                                let _e1513 = local.group_mask;
+                                if ((_e1513 & 4278190080u) == 0u) {
+                                    let _e1517 = local.len;
+                                    if (_e1517 == 0u) {
+                                        phi_1752_ = false;
                                     } else {
-                                        let _e1535 = local.len;
-                                        local.len = (_e1535 - 1u);
-                                        let _e1538 = local.len;
-                                        if (_e1538 < 32u) {
+                                        let _e1521 = local.len;
+                                        local.len = (_e1521 - 1u);
+                                        let _e1524 = local.len;
+                                        if (_e1524 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1543 = local.first[(0u + _e1538)];
-                                        local.group = _e1543;
-                                        let _e1546 = local.len;
-                                        if (_e1546 < 32u) {
+                                        let _e1529 = local.first[(0u + _e1524)];
+                                        local.group = _e1529;
+                                        let _e1532 = local.len;
+                                        if (_e1532 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e1551 = local.mask[(0u + _e1546)];
-                                        local.group_mask = _e1551;
-                                        phi_1762_ = true;
+                                        let _e1537 = local.mask[(0u + _e1532)];
+                                        local.group_mask = _e1537;
+                                        phi_1752_ = true;
                                     }
-                                    let _e1554 = phi_1762_;
-                                    phi_1763_ = _e1554;
+                                    let _e1540 = phi_1752_;
+                                    phi_1753_ = _e1540;
                                 } else {
-                                    phi_1763_ = true;
+                                    phi_1753_ = true;
                                 }
-                                let _e1556 = phi_1763_;
-                                if _e1556 {
-                                    let _e1558 = local.group_mask;
-                                    let _e1564 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1558)), 32u, (_e1558 == 0u)));
+                                let _e1542 = phi_1753_;
+                                if _e1542 {
+                                    let _e1544 = local.group_mask;
+                                    let _e1550 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1544)), 32u, (_e1544 == 0u)));
+                                    let _e1554 = local.group_mask;
                                     let _e1568 = local.group_mask;
-                                    let _e1582 = local.group_mask;
-                                    local.group_mask = (_e1582 & ~((1u << bitcast<u32>((_e1564 & 31u)))));
-                                    let _e1585 = local.group;
-                                    phi_1794_ = (_e1585 + countOneBits(((_e1568 & ~((4294967295u << bitcast<u32>((((_e1564 - 24u) ^ _e446) & 31u))))) & 255u)));
+                                    local.group_mask = (_e1568 & ~((1u << bitcast<u32>((_e1550 & 31u)))));
+                                    let _e1571 = local.group;
+                                    phi_1784_ = (_e1571 + countOneBits(((_e1554 & ~((4294967295u << bitcast<u32>((((_e1550 - 24u) ^ _e446) & 31u))))) & 255u)));
                                 } else {
-                                    phi_1794_ = 4294967295u;
+                                    phi_1784_ = 4294967295u;
                                 }
-                                let _e1588 = phi_1794_;
-                                phi_1795_ = _e1588;
-                                phi_1796_ = false;
-                                phi_1797_ = false;
+                                let _e1574 = phi_1784_;
+                                phi_1785_ = _e1574;
                             } else {
-                                phi_1795_ = u32();
-                                let _e1807 = local_7;
-                                phi_1796_ = _e1807;
-                                let _e1810 = local_8;
-                                phi_1797_ = _e1810;
+                                phi_1785_ = u32();
                             }
-                            let _e1590 = phi_1795_;
-                            let _e1592 = phi_1796_;
-                            let _e1594 = phi_1797_;
-                            phi_778_ = _e1590;
-                            let _e1814 = local_9;
-                            phi_1798_ = _e1814;
-                            phi_1799_ = false;
-                            phi_1800_ = _e1592;
-                            phi_1801_ = _e1594;
+                            let _e1576 = phi_1785_;
+                            phi_778_ = _e1576;
+                            let _e1778 = local_7;
+                            phi_781_ = _e1778;
+                            let _e1781 = local_8;
+                            phi_1786_ = _e1781;
+                            phi_1787_ = false;
                         } else {
                             phi_778_ = u32();
-                            phi_1798_ = false;
-                            phi_1799_ = true;
-                            phi_1800_ = false;
-                            phi_1801_ = false;
+                            phi_781_ = bool();
+                            phi_1786_ = false;
+                            phi_1787_ = true;
                         }
-                        let _e1596 = phi_778_;
-                        let _e1598 = phi_1798_;
-                        let _e1600 = phi_1799_;
-                        let _e1602 = phi_1800_;
-                        let _e1604 = phi_1801_;
-                        local_6 = _e1600;
-                        local_10 = _e1602;
-                        local_11 = _e1604;
+                        let _e1578 = phi_778_;
+                        let _e1580 = phi_781_;
+                        let _e1582 = phi_1786_;
+                        let _e1584 = phi_1787_;
+                        local_6 = _e1584;
                         continue;
                         continuing {
-                            phi_777_ = _e1596;
-                            break if !(_e1598);
+                            phi_777_ = _e1578;
+                            phi_780_ = _e1580;
+                            break if !(_e1582);
                         }
                     }
-                    let _e1607 = local_6;
-                    if _e1607 {
-                        phi_1805_ = false;
-                        phi_1806_ = false;
+                    let _e1587 = local_6;
+                    if _e1587 {
+                        phi_1791_ = false;
                     } else {
-                        let _e1821 = local_10;
-                        phi_1805_ = _e1821;
-                        let _e1824 = local_11;
-                        phi_1806_ = _e1824;
+                        phi_1791_ = true;
                     }
-                    let _e1609 = phi_1805_;
-                    let _e1611 = phi_1806_;
-                    if _e1609 {
-                        phi_1810_ = true;
+                    let _e1589 = phi_1791_;
+                    if _e1589 {
+                        phi_1795_ = true;
                     } else {
-                        phi_1810_ = _e1611;
+                        let _e1787 = local_9;
+                        phi_1795_ = _e1787;
                     }
-                    let _e1613 = phi_1810_;
-                    if _e1613 {
-                        phi_1814_ = true;
-                    } else {
-                        phi_1814_ = false;
-                    }
-                    let _e1615 = phi_1814_;
-                    phi_1815_ = _e1615;
+                    let _e1591 = phi_1795_;
+                    phi_1796_ = _e1591;
                 }
-                let _e1617 = phi_1815_;
-                phi_1816_ = _e1617;
-                phi_1817_ = _e272;
+                let _e1593 = phi_1796_;
+                phi_1797_ = _e1593;
+                phi_1798_ = _e272;
             } else {
-                phi_1816_ = bool();
-                phi_1817_ = true;
+                phi_1797_ = bool();
+                phi_1798_ = true;
             }
-            let _e1619 = phi_1816_;
-            let _e1621 = phi_1817_;
-            if _e1621 {
-                phi_1821_ = false;
+            let _e1595 = phi_1797_;
+            let _e1597 = phi_1798_;
+            if _e1597 {
+                phi_1802_ = false;
             } else {
-                phi_1821_ = _e1619;
+                phi_1802_ = _e1595;
             }
-            let _e1623 = phi_1821_;
-            if _e1623 {
-                phi_1825_ = 0f;
+            let _e1599 = phi_1802_;
+            if _e1599 {
+                phi_1806_ = 0f;
             } else {
-                phi_1825_ = 1f;
+                phi_1806_ = 1f;
             }
-            let _e1625 = phi_1825_;
-            phi_1826_ = _e1625;
+            let _e1601 = phi_1806_;
+            phi_1807_ = _e1601;
         }
-        let _e1627 = phi_1826_;
+        let _e1603 = phi_1807_;
         if (_e73.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.first_primitive)] = _e1627;
+        visibility.member[(0u + _e73.first_primitive)] = _e1603;
     }
     return;
 }

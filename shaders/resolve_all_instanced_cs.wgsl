@@ -30,41 +30,6 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_29 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct lt_bvh_Instance {
-    world_to_object: array<vec4<f32>, 3>,
-    object_to_world: array<vec4<f32>, 3>,
-    low_world: vec3<f32>,
-    root: u32,
-    high_world: vec3<f32>,
-    first_triangle: u32,
-    source: u32,
-    padding: array<u32, 3>,
-}
-
-struct type_36 {
-    member: array<lt_bvh_Instance>,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -73,28 +38,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_45 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -110,8 +58,60 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_53 {
+struct type_30 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_39 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
+    root: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
+}
+
+struct type_49 {
+    member: array<lt_bvh_Instance>,
 }
 
 var<private> id_1: vec3<u32>;
@@ -121,13 +121,13 @@ var<storage> samples: type_9;
 var<storage, read_write> visibility: type_13;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_53;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_45;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_39;
 @group(0) @binding(5) 
-var<storage> instances: type_36;
+var<storage> instances: type_49;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_183_: lt_bvh_traverse_Tree;
@@ -293,41 +293,39 @@ fn function_() {
     var phi_759_: bool;
     var phi_790_: u32;
     var phi_792_: u32;
-    var phi_873_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_900_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_927_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_933_: u32;
-    var phi_936_: u32;
-    var phi_950_: u32;
-    var phi_960_: u32;
-    var phi_970_: u32;
-    var phi_988_: u32;
-    var phi_998_: u32;
-    var phi_1008_: u32;
-    var phi_1044_: u32;
-    var phi_1057_: u32;
-    var phi_1062_: u32;
-    var phi_1063_: u32;
+    var phi_795_: bool;
+    var phi_875_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_902_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_929_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_935_: u32;
+    var phi_938_: u32;
+    var phi_952_: u32;
+    var phi_962_: u32;
+    var phi_972_: u32;
+    var phi_990_: u32;
+    var phi_1000_: u32;
+    var phi_1010_: u32;
+    var phi_1046_: u32;
+    var phi_1059_: u32;
     var phi_1064_: u32;
-    var phi_934_: u32;
-    var phi_937_: u32;
+    var phi_1065_: u32;
+    var phi_1066_: u32;
+    var phi_936_: u32;
+    var phi_939_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1122_: u32;
-    var phi_1172_: f32;
-    var phi_1177_: f32;
-    var phi_1182_: f32;
-    var phi_1190_: f32;
-    var phi_1195_: f32;
-    var phi_1200_: f32;
-    var phi_1344_: bool;
-    var phi_1345_: bool;
-    var phi_1346_: bool;
+    var phi_1124_: u32;
+    var phi_1127_: bool;
+    var phi_1176_: f32;
+    var phi_1181_: f32;
+    var phi_1186_: f32;
+    var phi_1194_: f32;
+    var phi_1199_: f32;
+    var phi_1204_: f32;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
     var phi_1350_: bool;
-    var phi_1351_: bool;
-    var phi_1352_: bool;
-    var phi_1353_: bool;
     var phi_1354_: bool;
     var phi_1355_: bool;
     var phi_1356_: bool;
@@ -342,136 +340,139 @@ fn function_() {
     var phi_1365_: bool;
     var phi_1366_: bool;
     var phi_1367_: bool;
+    var phi_1368_: bool;
+    var phi_1369_: bool;
+    var phi_1370_: bool;
     var phi_1371_: bool;
     var phi_1375_: bool;
-    var phi_1445_: f32;
-    var phi_1452_: f32;
-    var phi_1459_: f32;
-    var phi_1466_: f32;
-    var phi_1473_: f32;
-    var phi_1480_: f32;
-    var phi_1497_: f32;
-    var phi_1502_: f32;
-    var phi_1507_: f32;
-    var phi_1535_: bool;
-    var phi_1536_: bool;
-    var phi_1544_: u32;
-    var phi_1545_: u32;
-    var phi_1556_: vec3<f32>;
-    var phi_1557_: vec3<f32>;
-    var phi_1570_: u32;
-    var phi_1575_: u32;
-    var phi_1580_: u32;
-    var phi_1694_: bool;
-    var phi_1695_: bool;
-    var phi_1726_: u32;
-    var phi_1728_: u32;
-    var phi_1809_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1836_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1863_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1869_: u32;
-    var phi_1872_: u32;
-    var phi_1886_: u32;
-    var phi_1896_: u32;
-    var phi_1906_: u32;
-    var phi_1924_: u32;
-    var phi_1934_: u32;
-    var phi_1944_: u32;
-    var phi_1980_: u32;
-    var phi_1993_: u32;
-    var phi_1998_: u32;
+    var phi_1379_: bool;
+    var phi_1449_: f32;
+    var phi_1456_: f32;
+    var phi_1463_: f32;
+    var phi_1470_: f32;
+    var phi_1477_: f32;
+    var phi_1484_: f32;
+    var phi_1501_: f32;
+    var phi_1506_: f32;
+    var phi_1511_: f32;
+    var phi_1539_: bool;
+    var phi_1540_: bool;
+    var phi_1548_: u32;
+    var phi_1549_: u32;
+    var phi_1560_: vec3<f32>;
+    var phi_1561_: vec3<f32>;
+    var phi_1574_: u32;
+    var phi_1579_: u32;
+    var phi_1584_: u32;
+    var phi_1698_: bool;
+    var phi_1699_: bool;
+    var phi_1730_: u32;
+    var phi_1732_: u32;
+    var phi_1735_: bool;
+    var phi_1815_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1842_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1869_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1875_: u32;
+    var phi_1878_: u32;
+    var phi_1892_: u32;
+    var phi_1902_: u32;
+    var phi_1912_: u32;
+    var phi_1930_: u32;
+    var phi_1940_: u32;
+    var phi_1950_: u32;
+    var phi_1986_: u32;
     var phi_1999_: u32;
-    var phi_2000_: u32;
-    var phi_1870_: u32;
-    var phi_1873_: u32;
+    var phi_2004_: u32;
+    var phi_2005_: u32;
+    var phi_2006_: u32;
+    var phi_1876_: u32;
+    var phi_1879_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2058_: u32;
-    var phi_2103_: vec3<f32>;
-    var phi_2104_: vec3<f32>;
-    var phi_2133_: vec3<f32>;
-    var phi_2134_: vec3<f32>;
-    var phi_2163_: vec3<f32>;
-    var phi_2164_: vec3<f32>;
-    var phi_2182_: bool;
-    var phi_2183_: bool;
-    var phi_2187_: f32;
-    var phi_2188_: f32;
-    var phi_2189_: f32;
-    var phi_2190_: f32;
+    var phi_2064_: u32;
+    var phi_2067_: bool;
+    var phi_2111_: vec3<f32>;
+    var phi_2112_: vec3<f32>;
+    var phi_2141_: vec3<f32>;
+    var phi_2142_: vec3<f32>;
+    var phi_2171_: vec3<f32>;
+    var phi_2172_: vec3<f32>;
+    var phi_2190_: bool;
+    var phi_2191_: bool;
+    var phi_2195_: f32;
+    var phi_2196_: f32;
+    var phi_2197_: f32;
     var phi_2198_: f32;
-    var phi_2208_: bool;
-    var phi_2209_: bool;
-    var phi_2213_: f32;
-    var phi_2214_: f32;
-    var phi_2215_: f32;
-    var phi_2216_: f32;
+    var phi_2206_: f32;
+    var phi_2216_: bool;
+    var phi_2217_: bool;
+    var phi_2221_: f32;
+    var phi_2222_: f32;
+    var phi_2223_: f32;
     var phi_2224_: f32;
-    var phi_2234_: bool;
-    var phi_2235_: bool;
-    var phi_2239_: f32;
-    var phi_2240_: f32;
-    var phi_2241_: f32;
-    var phi_2242_: f32;
+    var phi_2232_: f32;
+    var phi_2242_: bool;
+    var phi_2243_: bool;
+    var phi_2247_: f32;
+    var phi_2248_: f32;
+    var phi_2249_: f32;
     var phi_2250_: f32;
-    var phi_2265_: f32;
-    var phi_2266_: bool;
-    var phi_2267_: f32;
-    var phi_2268_: bool;
-    var phi_2269_: f32;
-    var phi_2270_: bool;
-    var phi_2288_: f32;
-    var phi_2289_: bool;
-    var phi_2290_: bool;
-    var phi_2291_: f32;
-    var phi_2292_: bool;
-    var phi_2293_: bool;
+    var phi_2258_: f32;
+    var phi_2273_: f32;
+    var phi_2274_: bool;
+    var phi_2275_: f32;
+    var phi_2276_: bool;
+    var phi_2277_: f32;
+    var phi_2278_: bool;
+    var phi_2296_: f32;
     var phi_2297_: bool;
-    var phi_2298_: f32;
-    var phi_2299_: bool;
-    var phi_2327_: vec3<f32>;
-    var phi_2328_: vec3<f32>;
-    var phi_2353_: vec3<f32>;
-    var phi_2354_: vec3<f32>;
-    var phi_2379_: vec3<f32>;
-    var phi_2380_: vec3<f32>;
-    var phi_2436_: f32;
-    var phi_2445_: f32;
-    var phi_2454_: f32;
-    var phi_2463_: f32;
-    var phi_2470_: f32;
-    var phi_2477_: f32;
-    var phi_2490_: f32;
-    var phi_2499_: f32;
-    var phi_2508_: f32;
-    var phi_2517_: f32;
-    var phi_2524_: f32;
-    var phi_2531_: f32;
-    var phi_2548_: f32;
-    var phi_2553_: f32;
-    var phi_2558_: f32;
+    var phi_2298_: bool;
+    var phi_2299_: f32;
+    var phi_2300_: bool;
+    var phi_2301_: bool;
+    var phi_2305_: bool;
+    var phi_2306_: f32;
+    var phi_2307_: bool;
+    var phi_2335_: vec3<f32>;
+    var phi_2336_: vec3<f32>;
+    var phi_2361_: vec3<f32>;
+    var phi_2362_: vec3<f32>;
+    var phi_2387_: vec3<f32>;
+    var phi_2388_: vec3<f32>;
+    var phi_2444_: f32;
+    var phi_2453_: f32;
+    var phi_2462_: f32;
+    var phi_2471_: f32;
+    var phi_2478_: f32;
+    var phi_2485_: f32;
+    var phi_2498_: f32;
+    var phi_2507_: f32;
+    var phi_2516_: f32;
+    var phi_2525_: f32;
+    var phi_2532_: f32;
+    var phi_2539_: f32;
+    var phi_2556_: f32;
+    var phi_2561_: f32;
     var phi_2566_: f32;
-    var phi_2571_: f32;
-    var phi_2576_: f32;
-    var phi_2588_: f32;
-    var phi_2593_: f32;
-    var phi_2598_: f32;
-    var phi_2603_: f32;
-    var phi_2608_: lt_bvh_triangle_Intersection;
-    var phi_2609_: bool;
-    var phi_2610_: lt_bvh_triangle_Intersection;
-    var phi_2611_: bool;
-    var phi_2615_: lt_bvh_triangle_Intersection;
-    var phi_2616_: bool;
-    var phi_2617_: lt_bvh_triangle_Intersection;
-    var phi_2618_: bool;
+    var phi_2574_: f32;
+    var phi_2579_: f32;
+    var phi_2584_: f32;
+    var phi_2596_: f32;
+    var phi_2601_: f32;
+    var phi_2606_: f32;
+    var phi_2611_: f32;
+    var phi_2616_: lt_bvh_triangle_Intersection;
+    var phi_2617_: bool;
+    var phi_2618_: lt_bvh_triangle_Intersection;
     var phi_2619_: bool;
-    var phi_2623_: bool;
-    var phi_2627_: lt_bvh_triangle_Intersection;
-    var phi_2652_: bool;
-    var phi_2653_: bool;
-    var phi_2654_: bool;
+    var phi_2623_: lt_bvh_triangle_Intersection;
+    var phi_2624_: bool;
+    var phi_2625_: lt_bvh_triangle_Intersection;
+    var phi_2626_: bool;
+    var phi_2627_: bool;
+    var phi_2631_: bool;
+    var phi_2635_: lt_bvh_triangle_Intersection;
     var phi_2655_: bool;
     var phi_2656_: bool;
     var phi_2657_: bool;
@@ -479,64 +480,59 @@ fn function_() {
     var phi_2659_: bool;
     var phi_2660_: bool;
     var phi_2661_: bool;
-    var phi_2662_: bool;
-    var phi_2663_: bool;
-    var phi_2667_: bool;
-    var phi_2668_: bool;
-    var phi_2059_: u32;
-    var phi_2669_: bool;
-    var phi_2670_: bool;
-    var phi_2671_: bool;
+    var phi_2065_: u32;
+    var phi_2068_: bool;
+    var phi_2665_: bool;
     var local_9: bool;
-    var phi_2713_: bool;
-    var phi_2714_: bool;
-    var phi_2745_: u32;
-    var phi_2746_: u32;
-    var phi_2747_: bool;
-    var phi_2748_: bool;
-    var phi_1729_: u32;
-    var phi_2749_: bool;
+    var phi_2707_: bool;
+    var phi_2708_: bool;
+    var phi_2739_: u32;
+    var phi_2740_: u32;
+    var phi_1733_: u32;
+    var phi_1736_: bool;
+    var phi_2741_: bool;
+    var phi_2742_: bool;
+    var local_10: bool;
+    var phi_2746_: bool;
     var phi_2750_: bool;
     var phi_2751_: bool;
     var phi_2752_: bool;
-    var local_10: bool;
-    var phi_2756_: bool;
+    var phi_2753_: bool;
     var phi_2757_: bool;
     var phi_2761_: bool;
+    var phi_2762_: bool;
+    var phi_2763_: bool;
+    var phi_2764_: bool;
     var phi_2765_: bool;
     var phi_2766_: bool;
     var phi_2767_: bool;
-    var phi_2768_: bool;
-    var phi_2772_: bool;
-    var phi_2776_: bool;
-    var phi_2777_: bool;
-    var phi_2778_: bool;
-    var phi_2779_: bool;
-    var phi_1123_: u32;
-    var phi_2783_: bool;
+    var phi_1125_: u32;
+    var phi_1128_: bool;
+    var phi_2771_: bool;
     var local_11: bool;
-    var phi_2825_: bool;
-    var phi_2826_: bool;
-    var phi_2857_: u32;
-    var phi_2858_: u32;
+    var phi_2813_: bool;
+    var phi_2814_: bool;
+    var phi_2845_: u32;
+    var phi_2846_: u32;
     var phi_793_: u32;
-    var phi_2859_: bool;
-    var phi_2860_: bool;
+    var phi_796_: bool;
+    var phi_2847_: bool;
+    var phi_2848_: bool;
     var local_12: bool;
-    var phi_2864_: bool;
-    var phi_2868_: bool;
-    var phi_2869_: bool;
-    var phi_2870_: bool;
-    var phi_2871_: bool;
-    var phi_2875_: bool;
-    var phi_2879_: f32;
-    var phi_2880_: f32;
+    var phi_2852_: bool;
+    var phi_2856_: bool;
+    var phi_2857_: bool;
+    var phi_2858_: bool;
+    var phi_2862_: bool;
+    var phi_2863_: bool;
+    var phi_2867_: bool;
+    var phi_2871_: f32;
+    var phi_2872_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: bool;
-    var local_18: bool;
 
     let _e57 = id_1;
     let _e64 = arrayLength((&nodes.member));
@@ -575,7 +571,7 @@ fn function_() {
         let _e176 = phi_352_;
         let _e181 = p.member.root;
         if _e176.unnamed_1 {
-            phi_2880_ = _e176.unnamed.visibility;
+            phi_2872_ = _e176.unnamed.visibility;
         } else {
             let _e183 = p.member.light;
             let _e185 = local_2.position;
@@ -703,7 +699,7 @@ fn function_() {
             if _e278 {
                 let _e279 = (_e181 >= _e64);
                 if _e279 {
-                    phi_2869_ = bool();
+                    phi_2856_ = false;
                 } else {
                     if (_e181 < _e64) {
                     } else {
@@ -853,1616 +849,1598 @@ fn function_() {
                     }
                     let _e559 = phi_790_;
                     phi_792_ = _e559;
+                    phi_795_ = false;
                     loop {
                         let _e561 = phi_792_;
+                        let _e563 = phi_795_;
                         if (_e561 != 4294967295u) {
                             if (_e561 < _e64) {
                             } else {
                                 return;
                             }
-                            let _e568 = nodes.member[(0u + _e561)].frame[3u];
-                            let _e593 = (bitcast<f32>((((_e568 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e355);
-                            let _e594 = (bitcast<f32>((((_e568 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e365);
-                            let _e595 = (bitcast<f32>((((_e568 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e375);
-                            let _e598 = nodes.member[(0u + _e561)].frame[0u];
-                            let _e602 = nodes.member[(0u + _e561)].frame[1u];
-                            let _e606 = nodes.member[(0u + _e561)].frame[2u];
-                            let _e611 = ((bitcast<f32>(_e598) - _e199) * _e355);
-                            let _e612 = ((bitcast<f32>(_e602) - _e201) * _e365);
-                            let _e613 = ((bitcast<f32>(_e606) - _e203) * _e375);
-                            let _e621 = nodes.member[(0u + _e561)].x;
+                            let _e570 = nodes.member[(0u + _e561)].frame[3u];
+                            let _e595 = (bitcast<f32>((((_e570 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e355);
+                            let _e596 = (bitcast<f32>((((_e570 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e365);
+                            let _e597 = (bitcast<f32>((((_e570 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e375);
+                            let _e600 = nodes.member[(0u + _e561)].frame[0u];
+                            let _e604 = nodes.member[(0u + _e561)].frame[1u];
+                            let _e608 = nodes.member[(0u + _e561)].frame[2u];
+                            let _e613 = ((bitcast<f32>(_e600) - _e199) * _e355);
+                            let _e614 = ((bitcast<f32>(_e604) - _e201) * _e365);
+                            let _e615 = ((bitcast<f32>(_e608) - _e203) * _e375);
+                            let _e623 = nodes.member[(0u + _e561)].x;
                             if (_e355 < 0f) {
-                                let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.unnamed.root, _e621.w), _e632.unnamed_1);
-                                let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_bvh_traverse_Tree(_e621.x, _e638.unnamed_1.first_primitive));
-                                phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e644.unnamed_1.root, _e621.y));
+                                let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e634.unnamed.root, _e623.w), _e634.unnamed_1);
+                                let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_bvh_traverse_Tree(_e623.x, _e640.unnamed_1.first_primitive));
+                                phi_875_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e646.unnamed_1.root, _e623.y));
                             } else {
-                                let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e621.y), _e660.unnamed_1);
-                                let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e621.z, _e666.unnamed_1.first_primitive));
-                                phi_873_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e621.w));
+                                let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e623.y), _e662.unnamed_1);
+                                let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e623.z, _e668.unnamed_1.first_primitive));
+                                phi_875_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e623.w));
                             }
-                            let _e680 = phi_873_;
-                            let _e690 = nodes.member[(0u + _e561)].y;
+                            let _e682 = phi_875_;
+                            let _e692 = nodes.member[(0u + _e561)].y;
                             if (_e365 < 0f) {
-                                let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e690.w), _e701.unnamed_1);
-                                let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e690.x, _e707.unnamed_1.first_primitive));
-                                phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e690.y));
+                                let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e703.unnamed.root, _e692.w), _e703.unnamed_1);
+                                let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e692.x, _e709.unnamed_1.first_primitive));
+                                phi_902_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e715.unnamed_1.root, _e692.y));
                             } else {
-                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e690.y), _e729.unnamed_1);
-                                let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e690.z, _e735.unnamed_1.first_primitive));
-                                phi_900_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e690.w));
+                                let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e692.y), _e731.unnamed_1);
+                                let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e692.z, _e737.unnamed_1.first_primitive));
+                                phi_902_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e692.w));
                             }
-                            let _e749 = phi_900_;
-                            let _e759 = nodes.member[(0u + _e561)].z;
+                            let _e751 = phi_902_;
+                            let _e761 = nodes.member[(0u + _e561)].z;
                             if (_e375 < 0f) {
-                                let _e770 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e770.unnamed.root, _e759.w), _e770.unnamed_1);
-                                let _e782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e776.unnamed, lt_bvh_traverse_Tree(_e759.x, _e776.unnamed_1.first_primitive));
-                                phi_927_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e782.unnamed, lt_bvh_traverse_Tree(_e782.unnamed_1.root, _e759.y));
+                                let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e761.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e772.unnamed.root, _e761.w), _e772.unnamed_1);
+                                let _e784 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_bvh_traverse_Tree(_e761.x, _e778.unnamed_1.first_primitive));
+                                phi_929_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e784.unnamed, lt_bvh_traverse_Tree(_e784.unnamed_1.root, _e761.y));
                             } else {
-                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e798.unnamed.root, _e759.y), _e798.unnamed_1);
-                                let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_bvh_traverse_Tree(_e759.z, _e804.unnamed_1.first_primitive));
-                                phi_927_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e810.unnamed, lt_bvh_traverse_Tree(_e810.unnamed_1.root, _e759.w));
+                                let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e761.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e800.unnamed.root, _e761.y), _e800.unnamed_1);
+                                let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_bvh_traverse_Tree(_e761.z, _e806.unnamed_1.first_primitive));
+                                phi_929_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e812.unnamed, lt_bvh_traverse_Tree(_e812.unnamed_1.root, _e761.w));
                             }
-                            let _e818 = phi_927_;
-                            phi_933_ = 0u;
-                            phi_936_ = 0u;
+                            let _e820 = phi_929_;
+                            phi_935_ = 0u;
+                            phi_938_ = 0u;
                             loop {
-                                let _e828 = phi_933_;
-                                let _e830 = phi_936_;
-                                local_3 = _e830;
-                                local_4 = _e830;
-                                local_5 = _e830;
-                                let _e831 = (_e828 < 8u);
-                                if _e831 {
-                                    let _e833 = (_e828 >> bitcast<u32>(2i));
-                                    let _e834 = (_e828 & 3u);
-                                    if (_e833 == 0u) {
-                                        phi_950_ = _e680.unnamed.root;
+                                let _e830 = phi_935_;
+                                let _e832 = phi_938_;
+                                local_3 = _e832;
+                                local_4 = _e832;
+                                local_5 = _e832;
+                                let _e833 = (_e830 < 8u);
+                                if _e833 {
+                                    let _e835 = (_e830 >> bitcast<u32>(2i));
+                                    let _e836 = (_e830 & 3u);
+                                    if (_e835 == 0u) {
+                                        phi_952_ = _e682.unnamed.root;
                                     } else {
-                                        phi_950_ = _e680.unnamed.first_primitive;
+                                        phi_952_ = _e682.unnamed.first_primitive;
                                     }
-                                    let _e837 = phi_950_;
-                                    if (_e833 == 0u) {
-                                        phi_960_ = _e749.unnamed.root;
+                                    let _e839 = phi_952_;
+                                    if (_e835 == 0u) {
+                                        phi_962_ = _e751.unnamed.root;
                                     } else {
-                                        phi_960_ = _e749.unnamed.first_primitive;
+                                        phi_962_ = _e751.unnamed.first_primitive;
                                     }
-                                    let _e846 = phi_960_;
-                                    if (_e833 == 0u) {
-                                        phi_970_ = _e818.unnamed.root;
+                                    let _e848 = phi_962_;
+                                    if (_e835 == 0u) {
+                                        phi_972_ = _e820.unnamed.root;
                                     } else {
-                                        phi_970_ = _e818.unnamed.first_primitive;
+                                        phi_972_ = _e820.unnamed.first_primitive;
                                     }
-                                    let _e855 = phi_970_;
-                                    let _e868 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e837 >> bitcast<u32>(((_e834 * 8u) & 31u))) & 255u)) * _e593) + (_e611 - _e403)), ((f32(((_e846 >> bitcast<u32>(((_e834 * 8u) & 31u))) & 255u)) * _e594) + (_e612 - _e404)));
-                                    let _e869 = core_intrinsics_maximum_number_nsz_f32_(_e868, ((f32(((_e855 >> bitcast<u32>(((_e834 * 8u) & 31u))) & 255u)) * _e595) + (_e613 - _e405)));
-                                    if (_e833 == 0u) {
-                                        phi_988_ = _e680.unnamed_1.root;
+                                    let _e857 = phi_972_;
+                                    let _e870 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e839 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e595) + (_e613 - _e403)), ((f32(((_e848 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e596) + (_e614 - _e404)));
+                                    let _e871 = core_intrinsics_maximum_number_nsz_f32_(_e870, ((f32(((_e857 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e597) + (_e615 - _e405)));
+                                    if (_e835 == 0u) {
+                                        phi_990_ = _e682.unnamed_1.root;
                                     } else {
-                                        phi_988_ = _e680.unnamed_1.first_primitive;
+                                        phi_990_ = _e682.unnamed_1.first_primitive;
                                     }
-                                    let _e872 = phi_988_;
-                                    if (_e833 == 0u) {
-                                        phi_998_ = _e749.unnamed_1.root;
+                                    let _e874 = phi_990_;
+                                    if (_e835 == 0u) {
+                                        phi_1000_ = _e751.unnamed_1.root;
                                     } else {
-                                        phi_998_ = _e749.unnamed_1.first_primitive;
+                                        phi_1000_ = _e751.unnamed_1.first_primitive;
                                     }
-                                    let _e881 = phi_998_;
-                                    if (_e833 == 0u) {
-                                        phi_1008_ = _e818.unnamed_1.root;
+                                    let _e883 = phi_1000_;
+                                    if (_e835 == 0u) {
+                                        phi_1010_ = _e820.unnamed_1.root;
                                     } else {
-                                        phi_1008_ = _e818.unnamed_1.first_primitive;
+                                        phi_1010_ = _e820.unnamed_1.first_primitive;
                                     }
-                                    let _e890 = phi_1008_;
-                                    let _e903 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e872 >> bitcast<u32>(((_e834 * 8u) & 31u))) & 255u)) * _e593) + (_e611 + _e403)), ((f32(((_e881 >> bitcast<u32>(((_e834 * 8u) & 31u))) & 255u)) * _e594) + (_e612 + _e404)));
-                                    let _e904 = core_intrinsics_minimum_number_nsz_f32_(_e903, ((f32(((_e890 >> bitcast<u32>(((_e834 * 8u) & 31u))) & 255u)) * _e595) + (_e613 + _e405)));
-                                    if (_e869 <= _e904) {
-                                        if (_e869 <= _e207) {
-                                            if (_e904 >= 0f) {
-                                                if (_e833 == 0u) {
-                                                    let _e911 = nodes.member[(0u + _e561)].links[2u];
-                                                    phi_1044_ = _e911;
+                                    let _e892 = phi_1010_;
+                                    let _e905 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e874 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e595) + (_e613 + _e403)), ((f32(((_e883 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e596) + (_e614 + _e404)));
+                                    let _e906 = core_intrinsics_minimum_number_nsz_f32_(_e905, ((f32(((_e892 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u)) * _e597) + (_e615 + _e405)));
+                                    if (_e871 <= _e906) {
+                                        if (_e871 <= _e207) {
+                                            if (_e906 >= 0f) {
+                                                if (_e835 == 0u) {
+                                                    let _e913 = nodes.member[(0u + _e561)].links[2u];
+                                                    phi_1046_ = _e913;
                                                 } else {
-                                                    let _e914 = nodes.member[(0u + _e561)].links[3u];
-                                                    phi_1044_ = _e914;
+                                                    let _e916 = nodes.member[(0u + _e561)].links[3u];
+                                                    phi_1046_ = _e916;
                                                 }
-                                                let _e916 = phi_1044_;
-                                                let _e921 = ((_e916 >> bitcast<u32>(((_e834 * 8u) & 31u))) & 255u);
-                                                let _e922 = (_e921 & 31u);
-                                                if (_e922 >= 24u) {
-                                                    phi_1057_ = (24u + ((_e922 - 24u) ^ _e423));
+                                                let _e918 = phi_1046_;
+                                                let _e923 = ((_e918 >> bitcast<u32>(((_e836 * 8u) & 31u))) & 255u);
+                                                let _e924 = (_e923 & 31u);
+                                                if (_e924 >= 24u) {
+                                                    phi_1059_ = (24u + ((_e924 - 24u) ^ _e423));
                                                 } else {
-                                                    phi_1057_ = _e922;
+                                                    phi_1059_ = _e924;
                                                 }
-                                                let _e928 = phi_1057_;
-                                                phi_1062_ = (_e830 | ((_e921 >> bitcast<u32>(5i)) << bitcast<u32>((_e928 & 31u))));
+                                                let _e930 = phi_1059_;
+                                                phi_1064_ = (_e832 | ((_e923 >> bitcast<u32>(5i)) << bitcast<u32>((_e930 & 31u))));
                                             } else {
-                                                phi_1062_ = _e830;
+                                                phi_1064_ = _e832;
                                             }
-                                            let _e936 = phi_1062_;
-                                            phi_1063_ = _e936;
+                                            let _e938 = phi_1064_;
+                                            phi_1065_ = _e938;
                                         } else {
-                                            phi_1063_ = _e830;
+                                            phi_1065_ = _e832;
                                         }
-                                        let _e938 = phi_1063_;
-                                        phi_1064_ = _e938;
+                                        let _e940 = phi_1065_;
+                                        phi_1066_ = _e940;
                                     } else {
-                                        phi_1064_ = _e830;
+                                        phi_1066_ = _e832;
                                     }
-                                    let _e940 = phi_1064_;
-                                    phi_934_ = (_e828 + 1u);
-                                    phi_937_ = _e940;
+                                    let _e942 = phi_1066_;
+                                    phi_936_ = (_e830 + 1u);
+                                    phi_939_ = _e942;
                                 } else {
-                                    phi_934_ = u32();
-                                    phi_937_ = u32();
+                                    phi_936_ = u32();
+                                    phi_939_ = u32();
                                 }
-                                let _e943 = phi_934_;
-                                let _e945 = phi_937_;
+                                let _e945 = phi_936_;
+                                let _e947 = phi_939_;
                                 continue;
                                 continuing {
-                                    phi_933_ = _e943;
-                                    phi_936_ = _e945;
-                                    break if !(_e831);
+                                    phi_935_ = _e945;
+                                    phi_938_ = _e947;
+                                    break if !(_e833);
                                 }
                             }
-                            let _e949 = nodes.member[(0u + _e561)].links[0u];
-                            let _e953 = nodes.member[(0u + _e561)].frame[3u];
-                            let _e957 = local_3;
-                            if ((_e957 & 4278190080u) == 0u) {
+                            let _e951 = nodes.member[(0u + _e561)].links[0u];
+                            let _e955 = nodes.member[(0u + _e561)].frame[3u];
+                            let _e959 = local_3;
+                            if ((_e959 & 4278190080u) == 0u) {
                             } else {
-                                let _e961 = local_1.group_mask;
-                                if ((_e961 & 4278190080u) == 0u) {
+                                let _e963 = local_1.group_mask;
+                                if ((_e963 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e965 = local_1.len;
-                                    if (_e965 < 32u) {
-                                        let _e968 = local_1.group;
-                                        let _e970 = local_1.len;
-                                        if (_e970 < 32u) {
+                                    let _e967 = local_1.len;
+                                    if (_e967 < 32u) {
+                                        let _e970 = local_1.group;
+                                        let _e972 = local_1.len;
+                                        if (_e972 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.first[(0u + _e970)] = _e968;
-                                        let _e976 = local_1.group_mask;
-                                        let _e978 = local_1.len;
-                                        if (_e978 < 32u) {
+                                        local_1.first[(0u + _e972)] = _e970;
+                                        let _e978 = local_1.group_mask;
+                                        let _e980 = local_1.len;
+                                        if (_e980 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        local_1.mask[(0u + _e978)] = _e976;
-                                        let _e985 = local_1.len;
-                                        local_1.len = (_e985 + 1u);
+                                        local_1.mask[(0u + _e980)] = _e978;
+                                        let _e987 = local_1.len;
+                                        local_1.len = (_e987 + 1u);
                                     }
                                 }
-                                local_1.group = (_e181 + _e949);
-                                let _e989 = local_4;
-                                local_1.group_mask = ((_e989 & 4278190080u) | (_e953 >> bitcast<u32>(24i)));
+                                local_1.group = (_e181 + _e951);
+                                let _e991 = local_4;
+                                local_1.group_mask = ((_e991 & 4278190080u) | (_e955 >> bitcast<u32>(24i)));
                             }
-                            let _e994 = local_5;
-                            phi_1122_ = (_e994 & 16777215u);
+                            let _e996 = local_5;
+                            phi_1124_ = (_e996 & 16777215u);
+                            phi_1127_ = _e563;
                             loop {
-                                let _e997 = phi_1122_;
-                                let _e998 = (_e997 == 0u);
-                                local_11 = _e998;
-                                local_18 = _e998;
-                                if _e998 {
-                                    phi_1123_ = u32();
-                                    phi_2783_ = false;
+                                let _e999 = phi_1124_;
+                                let _e1001 = phi_1127_;
+                                local_16 = _e1001;
+                                let _e1002 = (_e999 == 0u);
+                                local_11 = _e1002;
+                                local_17 = _e1002;
+                                if _e1002 {
+                                    phi_1125_ = u32();
+                                    phi_1128_ = bool();
+                                    phi_2771_ = false;
                                 } else {
-                                    let _e1001 = nodes.member[(0u + _e561)].links[1u];
-                                    let _e1005 = (_e1001 + select(firstTrailingBit(_e997), 32u, (_e997 == 0u)));
-                                    if (_e1005 < arrayLength((&instances.member))) {
+                                    let _e1005 = nodes.member[(0u + _e561)].links[1u];
+                                    let _e1009 = (_e1005 + select(firstTrailingBit(_e999), 32u, (_e999 == 0u)));
+                                    if (_e1009 < arrayLength((&instances.member))) {
                                     } else {
                                         return;
                                     }
-                                    let _e1012 = instances.member[(0u + _e1005)].low_world;
-                                    let _e1014 = instances.member[(0u + _e1005)].high_world;
-                                    let _e1021 = ((_e1012.x - _e199) * _e355);
-                                    let _e1022 = ((_e1012.y - _e201) * _e365);
-                                    let _e1023 = ((_e1012.z - _e203) * _e375);
-                                    let _e1030 = ((_e1014.x - _e199) * _e355);
-                                    let _e1031 = ((_e1014.y - _e201) * _e365);
-                                    let _e1032 = ((_e1014.z - _e203) * _e375);
-                                    if (_e1021 < _e1030) {
-                                        phi_1172_ = _e1021;
+                                    let _e1016 = instances.member[(0u + _e1009)].low_world;
+                                    let _e1018 = instances.member[(0u + _e1009)].high_world;
+                                    let _e1025 = ((_e1016.x - _e199) * _e355);
+                                    let _e1026 = ((_e1016.y - _e201) * _e365);
+                                    let _e1027 = ((_e1016.z - _e203) * _e375);
+                                    let _e1034 = ((_e1018.x - _e199) * _e355);
+                                    let _e1035 = ((_e1018.y - _e201) * _e365);
+                                    let _e1036 = ((_e1018.z - _e203) * _e375);
+                                    if (_e1025 < _e1034) {
+                                        phi_1176_ = _e1025;
                                     } else {
-                                        phi_1172_ = _e1030;
+                                        phi_1176_ = _e1034;
                                     }
-                                    let _e1035 = phi_1172_;
-                                    if (_e1022 < _e1031) {
-                                        phi_1177_ = _e1022;
+                                    let _e1039 = phi_1176_;
+                                    if (_e1026 < _e1035) {
+                                        phi_1181_ = _e1026;
                                     } else {
-                                        phi_1177_ = _e1031;
+                                        phi_1181_ = _e1035;
                                     }
-                                    let _e1038 = phi_1177_;
-                                    if (_e1023 < _e1032) {
-                                        phi_1182_ = _e1023;
+                                    let _e1042 = phi_1181_;
+                                    if (_e1027 < _e1036) {
+                                        phi_1186_ = _e1027;
                                     } else {
-                                        phi_1182_ = _e1032;
+                                        phi_1186_ = _e1036;
                                     }
-                                    let _e1041 = phi_1182_;
-                                    if (_e1021 > _e1030) {
-                                        phi_1190_ = _e1021;
+                                    let _e1045 = phi_1186_;
+                                    if (_e1025 > _e1034) {
+                                        phi_1194_ = _e1025;
                                     } else {
-                                        phi_1190_ = _e1030;
+                                        phi_1194_ = _e1034;
                                     }
-                                    let _e1047 = phi_1190_;
-                                    if (_e1022 > _e1031) {
-                                        phi_1195_ = _e1022;
+                                    let _e1051 = phi_1194_;
+                                    if (_e1026 > _e1035) {
+                                        phi_1199_ = _e1026;
                                     } else {
-                                        phi_1195_ = _e1031;
+                                        phi_1199_ = _e1035;
                                     }
-                                    let _e1050 = phi_1195_;
-                                    if (_e1023 > _e1032) {
-                                        phi_1200_ = _e1023;
+                                    let _e1054 = phi_1199_;
+                                    if (_e1027 > _e1036) {
+                                        phi_1204_ = _e1027;
                                     } else {
-                                        phi_1200_ = _e1032;
+                                        phi_1204_ = _e1036;
                                     }
-                                    let _e1053 = phi_1200_;
-                                    let _e1057 = core_intrinsics_maximum_number_nsz_f32_((_e1035 - _e410), (_e1038 - _e411));
-                                    let _e1058 = core_intrinsics_maximum_number_nsz_f32_(_e1057, (_e1041 - _e412));
-                                    let _e1059 = core_intrinsics_minimum_number_nsz_f32_((_e1047 + _e410), (_e1050 + _e411));
-                                    let _e1060 = core_intrinsics_minimum_number_nsz_f32_(_e1059, (_e1053 + _e412));
-                                    if (_e1058 <= _e1060) {
-                                        if (_e1058 <= _e207) {
-                                            if (_e1060 >= 0f) {
-                                                let _e1066 = instances.member[(0u + _e1005)].world_to_object[0u];
-                                                let _e1077 = ((((_e1066.x * _e199) + (_e1066.y * _e201)) + (_e1066.z * _e203)) + (_e1066.w * 1f));
-                                                let _e1079 = instances.member[(0u + _e1005)].world_to_object[1u];
-                                                let _e1090 = ((((_e1079.x * _e199) + (_e1079.y * _e201)) + (_e1079.z * _e203)) + (_e1079.w * 1f));
-                                                let _e1092 = instances.member[(0u + _e1005)].world_to_object[2u];
-                                                let _e1103 = ((((_e1092.x * _e199) + (_e1092.y * _e201)) + (_e1092.z * _e203)) + (_e1092.w * 1f));
-                                                let _e1106 = instances.member[(0u + _e1005)].world_to_object[0u];
-                                                let _e1117 = ((((_e1106.x * _e215) + (_e1106.y * _e216)) + (_e1106.z * _e217)) + (_e1106.w * 0f));
-                                                let _e1119 = instances.member[(0u + _e1005)].world_to_object[1u];
-                                                let _e1130 = ((((_e1119.x * _e215) + (_e1119.y * _e216)) + (_e1119.z * _e217)) + (_e1119.w * 0f));
-                                                let _e1132 = instances.member[(0u + _e1005)].world_to_object[2u];
-                                                let _e1143 = ((((_e1132.x * _e215) + (_e1132.y * _e216)) + (_e1132.z * _e217)) + (_e1132.w * 0f));
-                                                let _e1146 = instances.member[(0u + _e1005)].root;
-                                                let _e1148 = instances.member[(0u + _e1005)].first_triangle;
-                                                let _e1152 = abs(_e1117);
-                                                let _e1153 = abs(_e1130);
-                                                let _e1154 = abs(_e1143);
-                                                if (abs(_e1077) < 1000000000000000f) {
-                                                    if (abs(_e1090) < 1000000000000000f) {
-                                                        if (abs(_e1103) < 1000000000000000f) {
-                                                            if (_e1152 < 1000000000000000f) {
-                                                                if (_e1153 < 1000000000000000f) {
-                                                                    if (_e1154 < 1000000000000000f) {
-                                                                        if (_e1152 > 0f) {
-                                                                            phi_1345_ = bool();
-                                                                            phi_1346_ = true;
-                                                                        } else {
-                                                                            let _e1162 = (_e1153 > 0f);
-                                                                            if _e1162 {
-                                                                                phi_1344_ = bool();
-                                                                            } else {
-                                                                                phi_1344_ = (_e1154 > 0f);
-                                                                            }
-                                                                            let _e1165 = phi_1344_;
-                                                                            phi_1345_ = _e1165;
-                                                                            phi_1346_ = _e1162;
-                                                                        }
-                                                                        let _e1167 = phi_1345_;
-                                                                        let _e1169 = phi_1346_;
-                                                                        if _e1169 {
+                                    let _e1057 = phi_1204_;
+                                    let _e1061 = core_intrinsics_maximum_number_nsz_f32_((_e1039 - _e410), (_e1042 - _e411));
+                                    let _e1062 = core_intrinsics_maximum_number_nsz_f32_(_e1061, (_e1045 - _e412));
+                                    let _e1063 = core_intrinsics_minimum_number_nsz_f32_((_e1051 + _e410), (_e1054 + _e411));
+                                    let _e1064 = core_intrinsics_minimum_number_nsz_f32_(_e1063, (_e1057 + _e412));
+                                    if (_e1062 <= _e1064) {
+                                        if (_e1062 <= _e207) {
+                                            if (_e1064 >= 0f) {
+                                                let _e1070 = instances.member[(0u + _e1009)].world_to_object[0u];
+                                                let _e1081 = ((((_e1070.x * _e199) + (_e1070.y * _e201)) + (_e1070.z * _e203)) + (_e1070.w * 1f));
+                                                let _e1083 = instances.member[(0u + _e1009)].world_to_object[1u];
+                                                let _e1094 = ((((_e1083.x * _e199) + (_e1083.y * _e201)) + (_e1083.z * _e203)) + (_e1083.w * 1f));
+                                                let _e1096 = instances.member[(0u + _e1009)].world_to_object[2u];
+                                                let _e1107 = ((((_e1096.x * _e199) + (_e1096.y * _e201)) + (_e1096.z * _e203)) + (_e1096.w * 1f));
+                                                let _e1110 = instances.member[(0u + _e1009)].world_to_object[0u];
+                                                let _e1121 = ((((_e1110.x * _e215) + (_e1110.y * _e216)) + (_e1110.z * _e217)) + (_e1110.w * 0f));
+                                                let _e1123 = instances.member[(0u + _e1009)].world_to_object[1u];
+                                                let _e1134 = ((((_e1123.x * _e215) + (_e1123.y * _e216)) + (_e1123.z * _e217)) + (_e1123.w * 0f));
+                                                let _e1136 = instances.member[(0u + _e1009)].world_to_object[2u];
+                                                let _e1147 = ((((_e1136.x * _e215) + (_e1136.y * _e216)) + (_e1136.z * _e217)) + (_e1136.w * 0f));
+                                                let _e1150 = instances.member[(0u + _e1009)].root;
+                                                let _e1152 = instances.member[(0u + _e1009)].first_triangle;
+                                                let _e1156 = abs(_e1121);
+                                                let _e1157 = abs(_e1134);
+                                                let _e1158 = abs(_e1147);
+                                                if (abs(_e1081) < 1000000000000000f) {
+                                                    if (abs(_e1094) < 1000000000000000f) {
+                                                        if (abs(_e1107) < 1000000000000000f) {
+                                                            if (_e1156 < 1000000000000000f) {
+                                                                if (_e1157 < 1000000000000000f) {
+                                                                    if (_e1158 < 1000000000000000f) {
+                                                                        if (_e1156 > 0f) {
+                                                                            phi_1349_ = bool();
                                                                             phi_1350_ = true;
                                                                         } else {
-                                                                            phi_1350_ = _e1167;
+                                                                            let _e1166 = (_e1157 > 0f);
+                                                                            if _e1166 {
+                                                                                phi_1348_ = bool();
+                                                                            } else {
+                                                                                phi_1348_ = (_e1158 > 0f);
+                                                                            }
+                                                                            let _e1169 = phi_1348_;
+                                                                            phi_1349_ = _e1169;
+                                                                            phi_1350_ = _e1166;
                                                                         }
-                                                                        let _e1171 = phi_1350_;
-                                                                        phi_1351_ = _e1171;
-                                                                        phi_1352_ = false;
+                                                                        let _e1171 = phi_1349_;
+                                                                        let _e1173 = phi_1350_;
+                                                                        if _e1173 {
+                                                                            phi_1354_ = true;
+                                                                        } else {
+                                                                            phi_1354_ = _e1171;
+                                                                        }
+                                                                        let _e1175 = phi_1354_;
+                                                                        phi_1355_ = _e1175;
+                                                                        phi_1356_ = false;
                                                                     } else {
-                                                                        phi_1351_ = bool();
-                                                                        phi_1352_ = true;
+                                                                        phi_1355_ = bool();
+                                                                        phi_1356_ = true;
                                                                     }
-                                                                    let _e1173 = phi_1351_;
-                                                                    let _e1175 = phi_1352_;
-                                                                    phi_1353_ = _e1173;
-                                                                    phi_1354_ = false;
-                                                                    phi_1355_ = _e1175;
+                                                                    let _e1177 = phi_1355_;
+                                                                    let _e1179 = phi_1356_;
+                                                                    phi_1357_ = _e1177;
+                                                                    phi_1358_ = false;
+                                                                    phi_1359_ = _e1179;
                                                                 } else {
-                                                                    phi_1353_ = bool();
-                                                                    phi_1354_ = true;
-                                                                    phi_1355_ = false;
+                                                                    phi_1357_ = bool();
+                                                                    phi_1358_ = true;
+                                                                    phi_1359_ = false;
                                                                 }
-                                                                let _e1177 = phi_1353_;
-                                                                let _e1179 = phi_1354_;
-                                                                let _e1181 = phi_1355_;
-                                                                phi_1356_ = _e1177;
-                                                                phi_1357_ = _e1179;
-                                                                phi_1358_ = _e1181;
+                                                                let _e1181 = phi_1357_;
+                                                                let _e1183 = phi_1358_;
+                                                                let _e1185 = phi_1359_;
+                                                                phi_1360_ = _e1181;
+                                                                phi_1361_ = _e1183;
+                                                                phi_1362_ = _e1185;
                                                             } else {
-                                                                phi_1356_ = bool();
-                                                                phi_1357_ = true;
-                                                                phi_1358_ = false;
+                                                                phi_1360_ = bool();
+                                                                phi_1361_ = true;
+                                                                phi_1362_ = false;
                                                             }
-                                                            let _e1183 = phi_1356_;
-                                                            let _e1185 = phi_1357_;
-                                                            let _e1187 = phi_1358_;
-                                                            phi_1359_ = _e1183;
-                                                            phi_1360_ = _e1185;
-                                                            phi_1361_ = _e1187;
+                                                            let _e1187 = phi_1360_;
+                                                            let _e1189 = phi_1361_;
+                                                            let _e1191 = phi_1362_;
+                                                            phi_1363_ = _e1187;
+                                                            phi_1364_ = _e1189;
+                                                            phi_1365_ = _e1191;
                                                         } else {
-                                                            phi_1359_ = bool();
-                                                            phi_1360_ = true;
-                                                            phi_1361_ = false;
+                                                            phi_1363_ = bool();
+                                                            phi_1364_ = true;
+                                                            phi_1365_ = false;
                                                         }
-                                                        let _e1189 = phi_1359_;
-                                                        let _e1191 = phi_1360_;
-                                                        let _e1193 = phi_1361_;
-                                                        phi_1362_ = _e1189;
-                                                        phi_1363_ = _e1191;
-                                                        phi_1364_ = _e1193;
+                                                        let _e1193 = phi_1363_;
+                                                        let _e1195 = phi_1364_;
+                                                        let _e1197 = phi_1365_;
+                                                        phi_1366_ = _e1193;
+                                                        phi_1367_ = _e1195;
+                                                        phi_1368_ = _e1197;
                                                     } else {
-                                                        phi_1362_ = bool();
-                                                        phi_1363_ = true;
-                                                        phi_1364_ = false;
+                                                        phi_1366_ = bool();
+                                                        phi_1367_ = true;
+                                                        phi_1368_ = false;
                                                     }
-                                                    let _e1195 = phi_1362_;
-                                                    let _e1197 = phi_1363_;
-                                                    let _e1199 = phi_1364_;
-                                                    phi_1365_ = _e1195;
-                                                    phi_1366_ = _e1197;
-                                                    phi_1367_ = _e1199;
+                                                    let _e1199 = phi_1366_;
+                                                    let _e1201 = phi_1367_;
+                                                    let _e1203 = phi_1368_;
+                                                    phi_1369_ = _e1199;
+                                                    phi_1370_ = _e1201;
+                                                    phi_1371_ = _e1203;
                                                 } else {
-                                                    phi_1365_ = bool();
-                                                    phi_1366_ = true;
-                                                    phi_1367_ = false;
+                                                    phi_1369_ = bool();
+                                                    phi_1370_ = true;
+                                                    phi_1371_ = false;
                                                 }
-                                                let _e1201 = phi_1365_;
-                                                let _e1203 = phi_1366_;
-                                                let _e1205 = phi_1367_;
-                                                if _e1203 {
-                                                    phi_1371_ = true;
-                                                } else {
-                                                    phi_1371_ = _e1205;
-                                                }
-                                                let _e1207 = phi_1371_;
+                                                let _e1205 = phi_1369_;
+                                                let _e1207 = phi_1370_;
+                                                let _e1209 = phi_1371_;
                                                 if _e1207 {
-                                                    phi_1375_ = false;
+                                                    phi_1375_ = true;
                                                 } else {
-                                                    phi_1375_ = _e1201;
+                                                    phi_1375_ = _e1209;
                                                 }
-                                                let _e1209 = phi_1375_;
-                                                if _e1209 {
-                                                    let _e1210 = (_e1146 >= _e64);
-                                                    if _e1210 {
-                                                        phi_2766_ = bool();
+                                                let _e1211 = phi_1375_;
+                                                if _e1211 {
+                                                    phi_1379_ = false;
+                                                } else {
+                                                    phi_1379_ = _e1205;
+                                                }
+                                                let _e1213 = phi_1379_;
+                                                if _e1213 {
+                                                    let _e1214 = (_e1150 >= _e64);
+                                                    if _e1214 {
+                                                        phi_2751_ = bool();
                                                     } else {
-                                                        if (_e1146 < _e64) {
+                                                        if (_e1150 < _e64) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e1216 = nodes.member[(0u + _e1146)].frame[0u];
-                                                        let _e1220 = nodes.member[(0u + _e1146)].frame[1u];
-                                                        let _e1224 = nodes.member[(0u + _e1146)].frame[2u];
-                                                        let _e1228 = nodes.member[(0u + _e1146)].frame[0u];
-                                                        let _e1232 = nodes.member[(0u + _e1146)].frame[1u];
-                                                        let _e1236 = nodes.member[(0u + _e1146)].frame[2u];
-                                                        let _e1240 = nodes.member[(0u + _e1146)].frame[3u];
-                                                        let _e1274 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1117), abs(_e1130));
-                                                        let _e1275 = core_intrinsics_maximum_number_nsz_f32_(_e1274, abs(_e1143));
-                                                        let _e1276 = (_e1275 * 0.0000000000009094947f);
-                                                        if (abs(_e1117) < _e1276) {
-                                                            phi_1445_ = _e1276;
+                                                        let _e1220 = nodes.member[(0u + _e1150)].frame[0u];
+                                                        let _e1224 = nodes.member[(0u + _e1150)].frame[1u];
+                                                        let _e1228 = nodes.member[(0u + _e1150)].frame[2u];
+                                                        let _e1232 = nodes.member[(0u + _e1150)].frame[0u];
+                                                        let _e1236 = nodes.member[(0u + _e1150)].frame[1u];
+                                                        let _e1240 = nodes.member[(0u + _e1150)].frame[2u];
+                                                        let _e1244 = nodes.member[(0u + _e1150)].frame[3u];
+                                                        let _e1278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1121), abs(_e1134));
+                                                        let _e1279 = core_intrinsics_maximum_number_nsz_f32_(_e1278, abs(_e1147));
+                                                        let _e1280 = (_e1279 * 0.0000000000009094947f);
+                                                        if (abs(_e1121) < _e1280) {
+                                                            phi_1449_ = _e1280;
                                                         } else {
-                                                            phi_1445_ = abs(_e1117);
+                                                            phi_1449_ = abs(_e1121);
                                                         }
-                                                        let _e1281 = phi_1445_;
-                                                        if (_e1117 < 0f) {
-                                                            phi_1452_ = (-1f / _e1281);
+                                                        let _e1285 = phi_1449_;
+                                                        if (_e1121 < 0f) {
+                                                            phi_1456_ = (-1f / _e1285);
                                                         } else {
-                                                            phi_1452_ = (1f / _e1281);
+                                                            phi_1456_ = (1f / _e1285);
                                                         }
-                                                        let _e1286 = phi_1452_;
-                                                        if (abs(_e1130) < _e1276) {
-                                                            phi_1459_ = _e1276;
+                                                        let _e1290 = phi_1456_;
+                                                        if (abs(_e1134) < _e1280) {
+                                                            phi_1463_ = _e1280;
                                                         } else {
-                                                            phi_1459_ = abs(_e1130);
+                                                            phi_1463_ = abs(_e1134);
                                                         }
-                                                        let _e1291 = phi_1459_;
-                                                        if (_e1130 < 0f) {
-                                                            phi_1466_ = (-1f / _e1291);
+                                                        let _e1295 = phi_1463_;
+                                                        if (_e1134 < 0f) {
+                                                            phi_1470_ = (-1f / _e1295);
                                                         } else {
-                                                            phi_1466_ = (1f / _e1291);
+                                                            phi_1470_ = (1f / _e1295);
                                                         }
-                                                        let _e1296 = phi_1466_;
-                                                        if (abs(_e1143) < _e1276) {
-                                                            phi_1473_ = _e1276;
+                                                        let _e1300 = phi_1470_;
+                                                        if (abs(_e1147) < _e1280) {
+                                                            phi_1477_ = _e1280;
                                                         } else {
-                                                            phi_1473_ = abs(_e1143);
+                                                            phi_1477_ = abs(_e1147);
                                                         }
-                                                        let _e1301 = phi_1473_;
-                                                        if (_e1143 < 0f) {
-                                                            phi_1480_ = (-1f / _e1301);
+                                                        let _e1305 = phi_1477_;
+                                                        if (_e1147 < 0f) {
+                                                            phi_1484_ = (-1f / _e1305);
                                                         } else {
-                                                            phi_1480_ = (1f / _e1301);
+                                                            phi_1484_ = (1f / _e1305);
                                                         }
-                                                        let _e1306 = phi_1480_;
-                                                        let _e1310 = abs((bitcast<f32>(_e1216) - _e1077));
-                                                        let _e1311 = abs((bitcast<f32>(_e1220) - _e1090));
-                                                        let _e1312 = abs((bitcast<f32>(_e1224) - _e1103));
-                                                        let _e1316 = abs(((bitcast<f32>(_e1228) + (bitcast<f32>((((_e1240 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1077));
-                                                        let _e1317 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1240 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1090));
-                                                        let _e1318 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1240 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1103));
-                                                        if (_e1310 > _e1316) {
-                                                            phi_1497_ = _e1310;
+                                                        let _e1310 = phi_1484_;
+                                                        let _e1314 = abs((bitcast<f32>(_e1220) - _e1081));
+                                                        let _e1315 = abs((bitcast<f32>(_e1224) - _e1094));
+                                                        let _e1316 = abs((bitcast<f32>(_e1228) - _e1107));
+                                                        let _e1320 = abs(((bitcast<f32>(_e1232) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1081));
+                                                        let _e1321 = abs(((bitcast<f32>(_e1236) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1094));
+                                                        let _e1322 = abs(((bitcast<f32>(_e1240) + (bitcast<f32>((((_e1244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1107));
+                                                        if (_e1314 > _e1320) {
+                                                            phi_1501_ = _e1314;
                                                         } else {
-                                                            phi_1497_ = _e1316;
+                                                            phi_1501_ = _e1320;
                                                         }
-                                                        let _e1321 = phi_1497_;
-                                                        if (_e1311 > _e1317) {
-                                                            phi_1502_ = _e1311;
+                                                        let _e1325 = phi_1501_;
+                                                        if (_e1315 > _e1321) {
+                                                            phi_1506_ = _e1315;
                                                         } else {
-                                                            phi_1502_ = _e1317;
+                                                            phi_1506_ = _e1321;
                                                         }
-                                                        let _e1324 = phi_1502_;
-                                                        if (_e1312 > _e1318) {
-                                                            phi_1507_ = _e1312;
+                                                        let _e1328 = phi_1506_;
+                                                        if (_e1316 > _e1322) {
+                                                            phi_1511_ = _e1316;
                                                         } else {
-                                                            phi_1507_ = _e1318;
+                                                            phi_1511_ = _e1322;
                                                         }
-                                                        let _e1327 = phi_1507_;
-                                                        let _e1328 = core_intrinsics_maximum_number_nsz_f32_(_e1321, _e1324);
-                                                        let _e1329 = core_intrinsics_maximum_number_nsz_f32_(_e1328, _e1327);
-                                                        let _e1333 = (_e1329 * 0.0000019073486f);
-                                                        let _e1334 = (abs(_e1286) * _e1333);
-                                                        let _e1335 = (abs(_e1296) * _e1333);
-                                                        let _e1336 = (abs(_e1306) * _e1333);
-                                                        let _e1340 = (_e1329 * 0.0000009536743f);
-                                                        let _e1341 = (abs(_e1286) * _e1340);
-                                                        let _e1342 = (abs(_e1296) * _e1340);
-                                                        let _e1343 = (abs(_e1306) * _e1340);
-                                                        let _e1344 = abs(_e1117);
-                                                        let _e1345 = abs(_e1130);
-                                                        let _e1346 = abs(_e1143);
-                                                        if (_e1344 >= _e1345) {
-                                                            if (_e1344 >= _e1346) {
-                                                                phi_1535_ = false;
+                                                        let _e1331 = phi_1511_;
+                                                        let _e1332 = core_intrinsics_maximum_number_nsz_f32_(_e1325, _e1328);
+                                                        let _e1333 = core_intrinsics_maximum_number_nsz_f32_(_e1332, _e1331);
+                                                        let _e1337 = (_e1333 * 0.0000019073486f);
+                                                        let _e1338 = (abs(_e1290) * _e1337);
+                                                        let _e1339 = (abs(_e1300) * _e1337);
+                                                        let _e1340 = (abs(_e1310) * _e1337);
+                                                        let _e1344 = (_e1333 * 0.0000009536743f);
+                                                        let _e1345 = (abs(_e1290) * _e1344);
+                                                        let _e1346 = (abs(_e1300) * _e1344);
+                                                        let _e1347 = (abs(_e1310) * _e1344);
+                                                        let _e1348 = abs(_e1121);
+                                                        let _e1349 = abs(_e1134);
+                                                        let _e1350 = abs(_e1147);
+                                                        if (_e1348 >= _e1349) {
+                                                            if (_e1348 >= _e1350) {
+                                                                phi_1539_ = false;
                                                             } else {
-                                                                phi_1535_ = true;
+                                                                phi_1539_ = true;
                                                             }
-                                                            let _e1350 = phi_1535_;
-                                                            phi_1536_ = _e1350;
+                                                            let _e1354 = phi_1539_;
+                                                            phi_1540_ = _e1354;
                                                         } else {
-                                                            phi_1536_ = true;
+                                                            phi_1540_ = true;
                                                         }
-                                                        let _e1352 = phi_1536_;
-                                                        if _e1352 {
-                                                            if (_e1345 >= _e1346) {
-                                                                phi_1544_ = 1u;
+                                                        let _e1356 = phi_1540_;
+                                                        if _e1356 {
+                                                            if (_e1349 >= _e1350) {
+                                                                phi_1548_ = 1u;
                                                             } else {
-                                                                phi_1544_ = 2u;
+                                                                phi_1548_ = 2u;
                                                             }
-                                                            let _e1355 = phi_1544_;
-                                                            phi_1545_ = _e1355;
+                                                            let _e1359 = phi_1548_;
+                                                            phi_1549_ = _e1359;
                                                         } else {
-                                                            phi_1545_ = 0u;
+                                                            phi_1549_ = 0u;
                                                         }
-                                                        let _e1357 = phi_1545_;
-                                                        if (_e1357 == 0u) {
-                                                            phi_1557_ = vec3<f32>(_e1130, _e1143, _e1117);
+                                                        let _e1361 = phi_1549_;
+                                                        if (_e1361 == 0u) {
+                                                            phi_1561_ = vec3<f32>(_e1134, _e1147, _e1121);
                                                         } else {
-                                                            if (_e1357 == 1u) {
-                                                                phi_1556_ = vec3<f32>(_e1143, _e1117, _e1130);
+                                                            if (_e1361 == 1u) {
+                                                                phi_1560_ = vec3<f32>(_e1147, _e1121, _e1134);
                                                             } else {
-                                                                phi_1556_ = vec3<f32>(_e1117, _e1130, _e1143);
+                                                                phi_1560_ = vec3<f32>(_e1121, _e1134, _e1147);
                                                             }
-                                                            let _e1363 = phi_1556_;
-                                                            phi_1557_ = _e1363;
+                                                            let _e1367 = phi_1560_;
+                                                            phi_1561_ = _e1367;
                                                         }
-                                                        let _e1365 = phi_1557_;
-                                                        let _e1368 = (_e1365.x / _e1365.z);
-                                                        let _e1371 = (_e1365.y / _e1365.z);
-                                                        if (_e1286 < 0f) {
-                                                            phi_1570_ = 0u;
+                                                        let _e1369 = phi_1561_;
+                                                        let _e1372 = (_e1369.x / _e1369.z);
+                                                        let _e1375 = (_e1369.y / _e1369.z);
+                                                        if (_e1290 < 0f) {
+                                                            phi_1574_ = 0u;
                                                         } else {
-                                                            phi_1570_ = 1u;
+                                                            phi_1574_ = 1u;
                                                         }
-                                                        let _e1376 = phi_1570_;
-                                                        if (_e1296 < 0f) {
-                                                            phi_1575_ = 0u;
+                                                        let _e1380 = phi_1574_;
+                                                        if (_e1300 < 0f) {
+                                                            phi_1579_ = 0u;
                                                         } else {
-                                                            phi_1575_ = 2u;
+                                                            phi_1579_ = 2u;
                                                         }
-                                                        let _e1379 = phi_1575_;
-                                                        if (_e1306 < 0f) {
-                                                            phi_1580_ = 0u;
+                                                        let _e1383 = phi_1579_;
+                                                        if (_e1310 < 0f) {
+                                                            phi_1584_ = 0u;
                                                         } else {
-                                                            phi_1580_ = 4u;
+                                                            phi_1584_ = 4u;
                                                         }
-                                                        let _e1382 = phi_1580_;
-                                                        let _e1384 = ((_e1376 | _e1379) | _e1382);
-                                                        let _e1385 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1146, 2147483648u);
-                                                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1385.first[0], _e1385.first[1], _e1385.first[2], _e1385.first[3], _e1385.first[4], _e1385.first[5], _e1385.first[6], _e1385.first[7], _e1385.first[8], _e1385.first[9], _e1385.first[10], _e1385.first[11], _e1385.first[12], _e1385.first[13], _e1385.first[14], _e1385.first[15], _e1385.first[16], _e1385.first[17], _e1385.first[18], _e1385.first[19], _e1385.first[20], _e1385.first[21], _e1385.first[22], _e1385.first[23], _e1385.first[24], _e1385.first[25], _e1385.first[26], _e1385.first[27], _e1385.first[28], _e1385.first[29], _e1385.first[30], _e1385.first[31]), array<u32, 32>(_e1385.mask[0], _e1385.mask[1], _e1385.mask[2], _e1385.mask[3], _e1385.mask[4], _e1385.mask[5], _e1385.mask[6], _e1385.mask[7], _e1385.mask[8], _e1385.mask[9], _e1385.mask[10], _e1385.mask[11], _e1385.mask[12], _e1385.mask[13], _e1385.mask[14], _e1385.mask[15], _e1385.mask[16], _e1385.mask[17], _e1385.mask[18], _e1385.mask[19], _e1385.mask[20], _e1385.mask[21], _e1385.mask[22], _e1385.mask[23], _e1385.mask[24], _e1385.mask[25], _e1385.mask[26], _e1385.mask[27], _e1385.mask[28], _e1385.mask[29], _e1385.mask[30], _e1385.mask[31]), _e1385.len, _e1385.group, _e1385.group_mask);
-                                                        let _e1459 = local.group_mask;
-                                                        if ((_e1459 & 4278190080u) == 0u) {
-                                                            let _e1463 = local.len;
-                                                            if (_e1463 == 0u) {
-                                                                phi_1694_ = false;
+                                                        let _e1386 = phi_1584_;
+                                                        let _e1388 = ((_e1380 | _e1383) | _e1386);
+                                                        let _e1389 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1150, 2147483648u);
+                                                        local = lt_bvh_traverse_Stack(array<u32, 32>(_e1389.first[0], _e1389.first[1], _e1389.first[2], _e1389.first[3], _e1389.first[4], _e1389.first[5], _e1389.first[6], _e1389.first[7], _e1389.first[8], _e1389.first[9], _e1389.first[10], _e1389.first[11], _e1389.first[12], _e1389.first[13], _e1389.first[14], _e1389.first[15], _e1389.first[16], _e1389.first[17], _e1389.first[18], _e1389.first[19], _e1389.first[20], _e1389.first[21], _e1389.first[22], _e1389.first[23], _e1389.first[24], _e1389.first[25], _e1389.first[26], _e1389.first[27], _e1389.first[28], _e1389.first[29], _e1389.first[30], _e1389.first[31]), array<u32, 32>(_e1389.mask[0], _e1389.mask[1], _e1389.mask[2], _e1389.mask[3], _e1389.mask[4], _e1389.mask[5], _e1389.mask[6], _e1389.mask[7], _e1389.mask[8], _e1389.mask[9], _e1389.mask[10], _e1389.mask[11], _e1389.mask[12], _e1389.mask[13], _e1389.mask[14], _e1389.mask[15], _e1389.mask[16], _e1389.mask[17], _e1389.mask[18], _e1389.mask[19], _e1389.mask[20], _e1389.mask[21], _e1389.mask[22], _e1389.mask[23], _e1389.mask[24], _e1389.mask[25], _e1389.mask[26], _e1389.mask[27], _e1389.mask[28], _e1389.mask[29], _e1389.mask[30], _e1389.mask[31]), _e1389.len, _e1389.group, _e1389.group_mask);
+                                                        let _e1463 = local.group_mask;
+                                                        if ((_e1463 & 4278190080u) == 0u) {
+                                                            let _e1467 = local.len;
+                                                            if (_e1467 == 0u) {
+                                                                phi_1698_ = false;
                                                             } else {
-                                                                let _e1467 = local.len;
-                                                                local.len = (_e1467 - 1u);
-                                                                let _e1470 = local.len;
-                                                                if (_e1470 < 32u) {
+                                                                let _e1471 = local.len;
+                                                                local.len = (_e1471 - 1u);
+                                                                let _e1474 = local.len;
+                                                                if (_e1474 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1475 = local.first[(0u + _e1470)];
-                                                                local.group = _e1475;
-                                                                let _e1478 = local.len;
-                                                                if (_e1478 < 32u) {
+                                                                let _e1479 = local.first[(0u + _e1474)];
+                                                                local.group = _e1479;
+                                                                let _e1482 = local.len;
+                                                                if (_e1482 < 32u) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1483 = local.mask[(0u + _e1478)];
-                                                                local.group_mask = _e1483;
-                                                                phi_1694_ = true;
+                                                                let _e1487 = local.mask[(0u + _e1482)];
+                                                                local.group_mask = _e1487;
+                                                                phi_1698_ = true;
                                                             }
-                                                            let _e1486 = phi_1694_;
-                                                            phi_1695_ = _e1486;
+                                                            let _e1490 = phi_1698_;
+                                                            phi_1699_ = _e1490;
                                                         } else {
-                                                            phi_1695_ = true;
+                                                            phi_1699_ = true;
                                                         }
-                                                        let _e1488 = phi_1695_;
-                                                        if _e1488 {
-                                                            let _e1490 = local.group_mask;
-                                                            let _e1496 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1490)), 32u, (_e1490 == 0u)));
-                                                            let _e1500 = local.group_mask;
-                                                            let _e1514 = local.group_mask;
-                                                            local.group_mask = (_e1514 & ~((1u << bitcast<u32>((_e1496 & 31u)))));
-                                                            let _e1517 = local.group;
-                                                            phi_1726_ = (_e1517 + countOneBits(((_e1500 & ~((4294967295u << bitcast<u32>((((_e1496 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        let _e1492 = phi_1699_;
+                                                        if _e1492 {
+                                                            let _e1494 = local.group_mask;
+                                                            let _e1500 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1494)), 32u, (_e1494 == 0u)));
+                                                            let _e1504 = local.group_mask;
+                                                            let _e1518 = local.group_mask;
+                                                            local.group_mask = (_e1518 & ~((1u << bitcast<u32>((_e1500 & 31u)))));
+                                                            let _e1521 = local.group;
+                                                            phi_1730_ = (_e1521 + countOneBits(((_e1504 & ~((4294967295u << bitcast<u32>((((_e1500 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                         } else {
-                                                            phi_1726_ = 4294967295u;
+                                                            phi_1730_ = 4294967295u;
                                                         }
-                                                        let _e1520 = phi_1726_;
-                                                        phi_1728_ = _e1520;
+                                                        let _e1524 = phi_1730_;
+                                                        phi_1732_ = _e1524;
+                                                        phi_1735_ = _e1001;
                                                         loop {
-                                                            let _e1522 = phi_1728_;
-                                                            if (_e1522 != 4294967295u) {
-                                                                if (_e1522 < _e64) {
+                                                            let _e1526 = phi_1732_;
+                                                            let _e1528 = phi_1735_;
+                                                            local_15 = _e1528;
+                                                            if (_e1526 != 4294967295u) {
+                                                                if (_e1526 < _e64) {
                                                                 } else {
                                                                     return;
                                                                 }
-                                                                let _e1529 = nodes.member[(0u + _e1522)].frame[3u];
-                                                                let _e1554 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1286);
-                                                                let _e1555 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1296);
-                                                                let _e1556 = (bitcast<f32>((((_e1529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1306);
-                                                                let _e1559 = nodes.member[(0u + _e1522)].frame[0u];
-                                                                let _e1563 = nodes.member[(0u + _e1522)].frame[1u];
-                                                                let _e1567 = nodes.member[(0u + _e1522)].frame[2u];
-                                                                let _e1572 = ((bitcast<f32>(_e1559) - _e1077) * _e1286);
-                                                                let _e1573 = ((bitcast<f32>(_e1563) - _e1090) * _e1296);
-                                                                let _e1574 = ((bitcast<f32>(_e1567) - _e1103) * _e1306);
-                                                                let _e1582 = nodes.member[(0u + _e1522)].x;
-                                                                if (_e1286 < 0f) {
-                                                                    let _e1593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1593.unnamed.root, _e1582.w), _e1593.unnamed_1);
-                                                                    let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1599.unnamed, lt_bvh_traverse_Tree(_e1582.x, _e1599.unnamed_1.first_primitive));
-                                                                    phi_1809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1605.unnamed, lt_bvh_traverse_Tree(_e1605.unnamed_1.root, _e1582.y));
+                                                                let _e1535 = nodes.member[(0u + _e1526)].frame[3u];
+                                                                let _e1560 = (bitcast<f32>((((_e1535 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1290);
+                                                                let _e1561 = (bitcast<f32>((((_e1535 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1300);
+                                                                let _e1562 = (bitcast<f32>((((_e1535 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1310);
+                                                                let _e1565 = nodes.member[(0u + _e1526)].frame[0u];
+                                                                let _e1569 = nodes.member[(0u + _e1526)].frame[1u];
+                                                                let _e1573 = nodes.member[(0u + _e1526)].frame[2u];
+                                                                let _e1578 = ((bitcast<f32>(_e1565) - _e1081) * _e1290);
+                                                                let _e1579 = ((bitcast<f32>(_e1569) - _e1094) * _e1300);
+                                                                let _e1580 = ((bitcast<f32>(_e1573) - _e1107) * _e1310);
+                                                                let _e1588 = nodes.member[(0u + _e1526)].x;
+                                                                if (_e1290 < 0f) {
+                                                                    let _e1599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1588.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1599.unnamed.root, _e1588.w), _e1599.unnamed_1);
+                                                                    let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1605.unnamed, lt_bvh_traverse_Tree(_e1588.x, _e1605.unnamed_1.first_primitive));
+                                                                    phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_bvh_traverse_Tree(_e1611.unnamed_1.root, _e1588.y));
                                                                 } else {
-                                                                    let _e1621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1621.unnamed.root, _e1582.y), _e1621.unnamed_1);
-                                                                    let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1627.unnamed, lt_bvh_traverse_Tree(_e1582.z, _e1627.unnamed_1.first_primitive));
-                                                                    phi_1809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1633.unnamed, lt_bvh_traverse_Tree(_e1633.unnamed_1.root, _e1582.w));
+                                                                    let _e1627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1588.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1627.unnamed.root, _e1588.y), _e1627.unnamed_1);
+                                                                    let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1633.unnamed, lt_bvh_traverse_Tree(_e1588.z, _e1633.unnamed_1.first_primitive));
+                                                                    phi_1815_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_bvh_traverse_Tree(_e1639.unnamed_1.root, _e1588.w));
                                                                 }
-                                                                let _e1641 = phi_1809_;
-                                                                let _e1651 = nodes.member[(0u + _e1522)].y;
-                                                                if (_e1296 < 0f) {
-                                                                    let _e1662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1662.unnamed.root, _e1651.w), _e1662.unnamed_1);
-                                                                    let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1668.unnamed, lt_bvh_traverse_Tree(_e1651.x, _e1668.unnamed_1.first_primitive));
-                                                                    phi_1836_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1674.unnamed, lt_bvh_traverse_Tree(_e1674.unnamed_1.root, _e1651.y));
+                                                                let _e1647 = phi_1815_;
+                                                                let _e1657 = nodes.member[(0u + _e1526)].y;
+                                                                if (_e1300 < 0f) {
+                                                                    let _e1668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1657.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1668.unnamed.root, _e1657.w), _e1668.unnamed_1);
+                                                                    let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1674.unnamed, lt_bvh_traverse_Tree(_e1657.x, _e1674.unnamed_1.first_primitive));
+                                                                    phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_bvh_traverse_Tree(_e1680.unnamed_1.root, _e1657.y));
                                                                 } else {
-                                                                    let _e1690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1690.unnamed.root, _e1651.y), _e1690.unnamed_1);
-                                                                    let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1696.unnamed, lt_bvh_traverse_Tree(_e1651.z, _e1696.unnamed_1.first_primitive));
-                                                                    phi_1836_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1702.unnamed, lt_bvh_traverse_Tree(_e1702.unnamed_1.root, _e1651.w));
+                                                                    let _e1696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1657.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1696.unnamed.root, _e1657.y), _e1696.unnamed_1);
+                                                                    let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1702.unnamed, lt_bvh_traverse_Tree(_e1657.z, _e1702.unnamed_1.first_primitive));
+                                                                    phi_1842_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_bvh_traverse_Tree(_e1708.unnamed_1.root, _e1657.w));
                                                                 }
-                                                                let _e1710 = phi_1836_;
-                                                                let _e1720 = nodes.member[(0u + _e1522)].z;
-                                                                if (_e1306 < 0f) {
-                                                                    let _e1731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1731.unnamed.root, _e1720.w), _e1731.unnamed_1);
-                                                                    let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1737.unnamed, lt_bvh_traverse_Tree(_e1720.x, _e1737.unnamed_1.first_primitive));
-                                                                    phi_1863_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1743.unnamed, lt_bvh_traverse_Tree(_e1743.unnamed_1.root, _e1720.y));
+                                                                let _e1716 = phi_1842_;
+                                                                let _e1726 = nodes.member[(0u + _e1526)].z;
+                                                                if (_e1310 < 0f) {
+                                                                    let _e1737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1726.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1737.unnamed.root, _e1726.w), _e1737.unnamed_1);
+                                                                    let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1743.unnamed, lt_bvh_traverse_Tree(_e1726.x, _e1743.unnamed_1.first_primitive));
+                                                                    phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_bvh_traverse_Tree(_e1749.unnamed_1.root, _e1726.y));
                                                                 } else {
-                                                                    let _e1759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1759.unnamed.root, _e1720.y), _e1759.unnamed_1);
-                                                                    let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1765.unnamed, lt_bvh_traverse_Tree(_e1720.z, _e1765.unnamed_1.first_primitive));
-                                                                    phi_1863_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1771.unnamed, lt_bvh_traverse_Tree(_e1771.unnamed_1.root, _e1720.w));
+                                                                    let _e1765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1726.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1765.unnamed.root, _e1726.y), _e1765.unnamed_1);
+                                                                    let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1771.unnamed, lt_bvh_traverse_Tree(_e1726.z, _e1771.unnamed_1.first_primitive));
+                                                                    phi_1869_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_bvh_traverse_Tree(_e1777.unnamed_1.root, _e1726.w));
                                                                 }
-                                                                let _e1779 = phi_1863_;
-                                                                phi_1869_ = 0u;
-                                                                phi_1872_ = 0u;
+                                                                let _e1785 = phi_1869_;
+                                                                phi_1875_ = 0u;
+                                                                phi_1878_ = 0u;
                                                                 loop {
-                                                                    let _e1789 = phi_1869_;
-                                                                    let _e1791 = phi_1872_;
-                                                                    local_6 = _e1791;
-                                                                    local_7 = _e1791;
-                                                                    local_8 = _e1791;
-                                                                    let _e1792 = (_e1789 < 8u);
-                                                                    if _e1792 {
-                                                                        let _e1794 = (_e1789 >> bitcast<u32>(2i));
-                                                                        let _e1795 = (_e1789 & 3u);
-                                                                        if (_e1794 == 0u) {
-                                                                            phi_1886_ = _e1641.unnamed.root;
+                                                                    let _e1795 = phi_1875_;
+                                                                    let _e1797 = phi_1878_;
+                                                                    local_6 = _e1797;
+                                                                    local_7 = _e1797;
+                                                                    local_8 = _e1797;
+                                                                    let _e1798 = (_e1795 < 8u);
+                                                                    if _e1798 {
+                                                                        let _e1800 = (_e1795 >> bitcast<u32>(2i));
+                                                                        let _e1801 = (_e1795 & 3u);
+                                                                        if (_e1800 == 0u) {
+                                                                            phi_1892_ = _e1647.unnamed.root;
                                                                         } else {
-                                                                            phi_1886_ = _e1641.unnamed.first_primitive;
+                                                                            phi_1892_ = _e1647.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1798 = phi_1886_;
-                                                                        if (_e1794 == 0u) {
-                                                                            phi_1896_ = _e1710.unnamed.root;
+                                                                        let _e1804 = phi_1892_;
+                                                                        if (_e1800 == 0u) {
+                                                                            phi_1902_ = _e1716.unnamed.root;
                                                                         } else {
-                                                                            phi_1896_ = _e1710.unnamed.first_primitive;
+                                                                            phi_1902_ = _e1716.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1807 = phi_1896_;
-                                                                        if (_e1794 == 0u) {
-                                                                            phi_1906_ = _e1779.unnamed.root;
+                                                                        let _e1813 = phi_1902_;
+                                                                        if (_e1800 == 0u) {
+                                                                            phi_1912_ = _e1785.unnamed.root;
                                                                         } else {
-                                                                            phi_1906_ = _e1779.unnamed.first_primitive;
+                                                                            phi_1912_ = _e1785.unnamed.first_primitive;
                                                                         }
-                                                                        let _e1816 = phi_1906_;
-                                                                        let _e1829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1798 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 - _e1334)), ((f32(((_e1807 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 - _e1335)));
-                                                                        let _e1830 = core_intrinsics_maximum_number_nsz_f32_(_e1829, ((f32(((_e1816 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 - _e1336)));
-                                                                        if (_e1794 == 0u) {
-                                                                            phi_1924_ = _e1641.unnamed_1.root;
+                                                                        let _e1822 = phi_1912_;
+                                                                        let _e1835 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1804 >> bitcast<u32>(((_e1801 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 - _e1338)), ((f32(((_e1813 >> bitcast<u32>(((_e1801 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 - _e1339)));
+                                                                        let _e1836 = core_intrinsics_maximum_number_nsz_f32_(_e1835, ((f32(((_e1822 >> bitcast<u32>(((_e1801 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 - _e1340)));
+                                                                        if (_e1800 == 0u) {
+                                                                            phi_1930_ = _e1647.unnamed_1.root;
                                                                         } else {
-                                                                            phi_1924_ = _e1641.unnamed_1.first_primitive;
+                                                                            phi_1930_ = _e1647.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1833 = phi_1924_;
-                                                                        if (_e1794 == 0u) {
-                                                                            phi_1934_ = _e1710.unnamed_1.root;
+                                                                        let _e1839 = phi_1930_;
+                                                                        if (_e1800 == 0u) {
+                                                                            phi_1940_ = _e1716.unnamed_1.root;
                                                                         } else {
-                                                                            phi_1934_ = _e1710.unnamed_1.first_primitive;
+                                                                            phi_1940_ = _e1716.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1842 = phi_1934_;
-                                                                        if (_e1794 == 0u) {
-                                                                            phi_1944_ = _e1779.unnamed_1.root;
+                                                                        let _e1848 = phi_1940_;
+                                                                        if (_e1800 == 0u) {
+                                                                            phi_1950_ = _e1785.unnamed_1.root;
                                                                         } else {
-                                                                            phi_1944_ = _e1779.unnamed_1.first_primitive;
+                                                                            phi_1950_ = _e1785.unnamed_1.first_primitive;
                                                                         }
-                                                                        let _e1851 = phi_1944_;
-                                                                        let _e1864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1833 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1554) + (_e1572 + _e1334)), ((f32(((_e1842 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1555) + (_e1573 + _e1335)));
-                                                                        let _e1865 = core_intrinsics_minimum_number_nsz_f32_(_e1864, ((f32(((_e1851 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u)) * _e1556) + (_e1574 + _e1336)));
-                                                                        if (_e1830 <= _e1865) {
-                                                                            if (_e1830 <= _e207) {
-                                                                                if (_e1865 >= 0f) {
-                                                                                    if (_e1794 == 0u) {
-                                                                                        let _e1872 = nodes.member[(0u + _e1522)].links[2u];
-                                                                                        phi_1980_ = _e1872;
+                                                                        let _e1857 = phi_1950_;
+                                                                        let _e1870 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1839 >> bitcast<u32>(((_e1801 * 8u) & 31u))) & 255u)) * _e1560) + (_e1578 + _e1338)), ((f32(((_e1848 >> bitcast<u32>(((_e1801 * 8u) & 31u))) & 255u)) * _e1561) + (_e1579 + _e1339)));
+                                                                        let _e1871 = core_intrinsics_minimum_number_nsz_f32_(_e1870, ((f32(((_e1857 >> bitcast<u32>(((_e1801 * 8u) & 31u))) & 255u)) * _e1562) + (_e1580 + _e1340)));
+                                                                        if (_e1836 <= _e1871) {
+                                                                            if (_e1836 <= _e207) {
+                                                                                if (_e1871 >= 0f) {
+                                                                                    if (_e1800 == 0u) {
+                                                                                        let _e1878 = nodes.member[(0u + _e1526)].links[2u];
+                                                                                        phi_1986_ = _e1878;
                                                                                     } else {
-                                                                                        let _e1875 = nodes.member[(0u + _e1522)].links[3u];
-                                                                                        phi_1980_ = _e1875;
+                                                                                        let _e1881 = nodes.member[(0u + _e1526)].links[3u];
+                                                                                        phi_1986_ = _e1881;
                                                                                     }
-                                                                                    let _e1877 = phi_1980_;
-                                                                                    let _e1882 = ((_e1877 >> bitcast<u32>(((_e1795 * 8u) & 31u))) & 255u);
-                                                                                    let _e1883 = (_e1882 & 31u);
-                                                                                    if (_e1883 >= 24u) {
-                                                                                        phi_1993_ = (24u + ((_e1883 - 24u) ^ _e1384));
+                                                                                    let _e1883 = phi_1986_;
+                                                                                    let _e1888 = ((_e1883 >> bitcast<u32>(((_e1801 * 8u) & 31u))) & 255u);
+                                                                                    let _e1889 = (_e1888 & 31u);
+                                                                                    if (_e1889 >= 24u) {
+                                                                                        phi_1999_ = (24u + ((_e1889 - 24u) ^ _e1388));
                                                                                     } else {
-                                                                                        phi_1993_ = _e1883;
+                                                                                        phi_1999_ = _e1889;
                                                                                     }
-                                                                                    let _e1889 = phi_1993_;
-                                                                                    phi_1998_ = (_e1791 | ((_e1882 >> bitcast<u32>(5i)) << bitcast<u32>((_e1889 & 31u))));
+                                                                                    let _e1895 = phi_1999_;
+                                                                                    phi_2004_ = (_e1797 | ((_e1888 >> bitcast<u32>(5i)) << bitcast<u32>((_e1895 & 31u))));
                                                                                 } else {
-                                                                                    phi_1998_ = _e1791;
+                                                                                    phi_2004_ = _e1797;
                                                                                 }
-                                                                                let _e1897 = phi_1998_;
-                                                                                phi_1999_ = _e1897;
+                                                                                let _e1903 = phi_2004_;
+                                                                                phi_2005_ = _e1903;
                                                                             } else {
-                                                                                phi_1999_ = _e1791;
+                                                                                phi_2005_ = _e1797;
                                                                             }
-                                                                            let _e1899 = phi_1999_;
-                                                                            phi_2000_ = _e1899;
+                                                                            let _e1905 = phi_2005_;
+                                                                            phi_2006_ = _e1905;
                                                                         } else {
-                                                                            phi_2000_ = _e1791;
+                                                                            phi_2006_ = _e1797;
                                                                         }
-                                                                        let _e1901 = phi_2000_;
-                                                                        phi_1870_ = (_e1789 + 1u);
-                                                                        phi_1873_ = _e1901;
+                                                                        let _e1907 = phi_2006_;
+                                                                        phi_1876_ = (_e1795 + 1u);
+                                                                        phi_1879_ = _e1907;
                                                                     } else {
-                                                                        phi_1870_ = u32();
-                                                                        phi_1873_ = u32();
+                                                                        phi_1876_ = u32();
+                                                                        phi_1879_ = u32();
                                                                     }
-                                                                    let _e1904 = phi_1870_;
-                                                                    let _e1906 = phi_1873_;
+                                                                    let _e1910 = phi_1876_;
+                                                                    let _e1912 = phi_1879_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_1869_ = _e1904;
-                                                                        phi_1872_ = _e1906;
-                                                                        break if !(_e1792);
+                                                                        phi_1875_ = _e1910;
+                                                                        phi_1878_ = _e1912;
+                                                                        break if !(_e1798);
                                                                     }
                                                                 }
-                                                                let _e1910 = nodes.member[(0u + _e1522)].links[0u];
-                                                                let _e1914 = nodes.member[(0u + _e1522)].frame[3u];
-                                                                let _e1918 = local_6;
-                                                                if ((_e1918 & 4278190080u) == 0u) {
+                                                                let _e1916 = nodes.member[(0u + _e1526)].links[0u];
+                                                                let _e1920 = nodes.member[(0u + _e1526)].frame[3u];
+                                                                let _e1924 = local_6;
+                                                                if ((_e1924 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1922 = local.group_mask;
-                                                                    if ((_e1922 & 4278190080u) == 0u) {
+                                                                    let _e1928 = local.group_mask;
+                                                                    if ((_e1928 & 4278190080u) == 0u) {
                                                                     } else {
-                                                                        let _e1926 = local.len;
-                                                                        if (_e1926 < 32u) {
-                                                                            let _e1929 = local.group;
-                                                                            let _e1931 = local.len;
-                                                                            if (_e1931 < 32u) {
+                                                                        let _e1932 = local.len;
+                                                                        if (_e1932 < 32u) {
+                                                                            let _e1935 = local.group;
+                                                                            let _e1937 = local.len;
+                                                                            if (_e1937 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local.first[(0u + _e1931)] = _e1929;
-                                                                            let _e1937 = local.group_mask;
-                                                                            let _e1939 = local.len;
-                                                                            if (_e1939 < 32u) {
+                                                                            local.first[(0u + _e1937)] = _e1935;
+                                                                            let _e1943 = local.group_mask;
+                                                                            let _e1945 = local.len;
+                                                                            if (_e1945 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            local.mask[(0u + _e1939)] = _e1937;
-                                                                            let _e1946 = local.len;
-                                                                            local.len = (_e1946 + 1u);
+                                                                            local.mask[(0u + _e1945)] = _e1943;
+                                                                            let _e1952 = local.len;
+                                                                            local.len = (_e1952 + 1u);
                                                                         }
                                                                     }
-                                                                    local.group = (_e1146 + _e1910);
-                                                                    let _e1950 = local_7;
-                                                                    local.group_mask = ((_e1950 & 4278190080u) | (_e1914 >> bitcast<u32>(24i)));
+                                                                    local.group = (_e1150 + _e1916);
+                                                                    let _e1956 = local_7;
+                                                                    local.group_mask = ((_e1956 & 4278190080u) | (_e1920 >> bitcast<u32>(24i)));
                                                                 }
-                                                                let _e1955 = local_8;
-                                                                phi_2058_ = (_e1955 & 16777215u);
+                                                                let _e1961 = local_8;
+                                                                phi_2064_ = (_e1961 & 16777215u);
+                                                                phi_2067_ = _e1528;
                                                                 loop {
-                                                                    let _e1958 = phi_2058_;
-                                                                    let _e1959 = (_e1958 == 0u);
-                                                                    local_9 = _e1959;
-                                                                    local_15 = _e1959;
-                                                                    if _e1959 {
-                                                                        phi_2059_ = u32();
-                                                                        phi_2669_ = false;
-                                                                        phi_2670_ = false;
-                                                                        phi_2671_ = false;
+                                                                    let _e1964 = phi_2064_;
+                                                                    let _e1966 = phi_2067_;
+                                                                    local_13 = _e1966;
+                                                                    let _e1967 = (_e1964 == 0u);
+                                                                    local_9 = _e1967;
+                                                                    local_14 = _e1967;
+                                                                    if _e1967 {
+                                                                        phi_2065_ = u32();
+                                                                        phi_2068_ = bool();
+                                                                        phi_2665_ = false;
                                                                     } else {
-                                                                        let _e1962 = nodes.member[(0u + _e1522)].links[1u];
-                                                                        let _e1967 = ((_e1148 + _e1962) + select(firstTrailingBit(_e1958), 32u, (_e1958 == 0u)));
-                                                                        if (_e1967 < arrayLength((&triangles.member))) {
+                                                                        let _e1970 = nodes.member[(0u + _e1526)].links[1u];
+                                                                        let _e1975 = ((_e1152 + _e1970) + select(firstTrailingBit(_e1964), 32u, (_e1964 == 0u)));
+                                                                        if (_e1975 < arrayLength((&triangles.member))) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e1974 = triangles.member[(0u + _e1967)].v0_;
-                                                                        let _e1976 = (_e1974.x - _e1077);
-                                                                        let _e1978 = (_e1974.y - _e1090);
-                                                                        let _e1980 = (_e1974.z - _e1103);
-                                                                        if (_e1357 == 0u) {
-                                                                            phi_2104_ = vec3<f32>(_e1978, _e1980, _e1976);
+                                                                        let _e1982 = triangles.member[(0u + _e1975)].v0_;
+                                                                        let _e1984 = (_e1982.x - _e1081);
+                                                                        let _e1986 = (_e1982.y - _e1094);
+                                                                        let _e1988 = (_e1982.z - _e1107);
+                                                                        if (_e1361 == 0u) {
+                                                                            phi_2112_ = vec3<f32>(_e1986, _e1988, _e1984);
                                                                         } else {
-                                                                            if (_e1357 == 1u) {
-                                                                                phi_2103_ = vec3<f32>(_e1980, _e1976, _e1978);
+                                                                            if (_e1361 == 1u) {
+                                                                                phi_2111_ = vec3<f32>(_e1988, _e1984, _e1986);
                                                                             } else {
-                                                                                phi_2103_ = (_e1974 - vec3<f32>(_e1077, _e1090, _e1103));
+                                                                                phi_2111_ = (_e1982 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                             }
-                                                                            let _e1988 = phi_2103_;
-                                                                            phi_2104_ = _e1988;
+                                                                            let _e1996 = phi_2111_;
+                                                                            phi_2112_ = _e1996;
                                                                         }
-                                                                        let _e1990 = phi_2104_;
-                                                                        let _e1994 = (_e1990.x - (_e1368 * _e1990.z));
-                                                                        let _e1998 = (_e1990.y - (_e1371 * _e1990.z));
-                                                                        let _e2000 = triangles.member[(0u + _e1967)].v1_;
-                                                                        let _e2002 = (_e2000.x - _e1077);
-                                                                        let _e2004 = (_e2000.y - _e1090);
-                                                                        let _e2006 = (_e2000.z - _e1103);
-                                                                        if (_e1357 == 0u) {
-                                                                            phi_2134_ = vec3<f32>(_e2004, _e2006, _e2002);
+                                                                        let _e1998 = phi_2112_;
+                                                                        let _e2002 = (_e1998.x - (_e1372 * _e1998.z));
+                                                                        let _e2006 = (_e1998.y - (_e1375 * _e1998.z));
+                                                                        let _e2008 = triangles.member[(0u + _e1975)].v1_;
+                                                                        let _e2010 = (_e2008.x - _e1081);
+                                                                        let _e2012 = (_e2008.y - _e1094);
+                                                                        let _e2014 = (_e2008.z - _e1107);
+                                                                        if (_e1361 == 0u) {
+                                                                            phi_2142_ = vec3<f32>(_e2012, _e2014, _e2010);
                                                                         } else {
-                                                                            if (_e1357 == 1u) {
-                                                                                phi_2133_ = vec3<f32>(_e2006, _e2002, _e2004);
+                                                                            if (_e1361 == 1u) {
+                                                                                phi_2141_ = vec3<f32>(_e2014, _e2010, _e2012);
                                                                             } else {
-                                                                                phi_2133_ = (_e2000 - vec3<f32>(_e1077, _e1090, _e1103));
+                                                                                phi_2141_ = (_e2008 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                             }
-                                                                            let _e2014 = phi_2133_;
-                                                                            phi_2134_ = _e2014;
+                                                                            let _e2022 = phi_2141_;
+                                                                            phi_2142_ = _e2022;
                                                                         }
-                                                                        let _e2016 = phi_2134_;
-                                                                        let _e2020 = (_e2016.x - (_e1368 * _e2016.z));
-                                                                        let _e2024 = (_e2016.y - (_e1371 * _e2016.z));
-                                                                        let _e2026 = triangles.member[(0u + _e1967)].v2_;
-                                                                        let _e2028 = (_e2026.x - _e1077);
-                                                                        let _e2030 = (_e2026.y - _e1090);
-                                                                        let _e2032 = (_e2026.z - _e1103);
-                                                                        if (_e1357 == 0u) {
-                                                                            phi_2164_ = vec3<f32>(_e2030, _e2032, _e2028);
+                                                                        let _e2024 = phi_2142_;
+                                                                        let _e2028 = (_e2024.x - (_e1372 * _e2024.z));
+                                                                        let _e2032 = (_e2024.y - (_e1375 * _e2024.z));
+                                                                        let _e2034 = triangles.member[(0u + _e1975)].v2_;
+                                                                        let _e2036 = (_e2034.x - _e1081);
+                                                                        let _e2038 = (_e2034.y - _e1094);
+                                                                        let _e2040 = (_e2034.z - _e1107);
+                                                                        if (_e1361 == 0u) {
+                                                                            phi_2172_ = vec3<f32>(_e2038, _e2040, _e2036);
                                                                         } else {
-                                                                            if (_e1357 == 1u) {
-                                                                                phi_2163_ = vec3<f32>(_e2032, _e2028, _e2030);
+                                                                            if (_e1361 == 1u) {
+                                                                                phi_2171_ = vec3<f32>(_e2040, _e2036, _e2038);
                                                                             } else {
-                                                                                phi_2163_ = (_e2026 - vec3<f32>(_e1077, _e1090, _e1103));
+                                                                                phi_2171_ = (_e2034 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                             }
-                                                                            let _e2040 = phi_2163_;
-                                                                            phi_2164_ = _e2040;
+                                                                            let _e2048 = phi_2171_;
+                                                                            phi_2172_ = _e2048;
                                                                         }
-                                                                        let _e2042 = phi_2164_;
-                                                                        let _e2046 = (_e2042.x - (_e1368 * _e2042.z));
-                                                                        let _e2050 = (_e2042.y - (_e1371 * _e2042.z));
-                                                                        if (_e2020 < _e2046) {
-                                                                            phi_2183_ = true;
+                                                                        let _e2050 = phi_2172_;
+                                                                        let _e2054 = (_e2050.x - (_e1372 * _e2050.z));
+                                                                        let _e2058 = (_e2050.y - (_e1375 * _e2050.z));
+                                                                        if (_e2028 < _e2054) {
+                                                                            phi_2191_ = true;
                                                                         } else {
-                                                                            if (_e2020 == _e2046) {
-                                                                                phi_2182_ = (_e2024 < _e2050);
+                                                                            if (_e2028 == _e2054) {
+                                                                                phi_2190_ = (_e2032 < _e2058);
                                                                             } else {
-                                                                                phi_2182_ = false;
+                                                                                phi_2190_ = false;
                                                                             }
-                                                                            let _e2055 = phi_2182_;
-                                                                            phi_2183_ = _e2055;
+                                                                            let _e2063 = phi_2190_;
+                                                                            phi_2191_ = _e2063;
                                                                         }
-                                                                        let _e2057 = phi_2183_;
-                                                                        if _e2057 {
-                                                                            phi_2187_ = _e2050;
-                                                                            phi_2188_ = _e2046;
-                                                                            phi_2189_ = _e2024;
-                                                                            phi_2190_ = _e2020;
+                                                                        let _e2065 = phi_2191_;
+                                                                        if _e2065 {
+                                                                            phi_2195_ = _e2058;
+                                                                            phi_2196_ = _e2054;
+                                                                            phi_2197_ = _e2032;
+                                                                            phi_2198_ = _e2028;
                                                                         } else {
-                                                                            phi_2187_ = _e2024;
-                                                                            phi_2188_ = _e2020;
-                                                                            phi_2189_ = _e2050;
-                                                                            phi_2190_ = _e2046;
+                                                                            phi_2195_ = _e2032;
+                                                                            phi_2196_ = _e2028;
+                                                                            phi_2197_ = _e2058;
+                                                                            phi_2198_ = _e2054;
                                                                         }
-                                                                        let _e2059 = phi_2187_;
-                                                                        let _e2061 = phi_2188_;
-                                                                        let _e2063 = phi_2189_;
-                                                                        let _e2065 = phi_2190_;
-                                                                        let _e2068 = ((_e2065 * _e2059) - (_e2063 * _e2061));
-                                                                        if _e2057 {
-                                                                            phi_2198_ = -(_e2068);
+                                                                        let _e2067 = phi_2195_;
+                                                                        let _e2069 = phi_2196_;
+                                                                        let _e2071 = phi_2197_;
+                                                                        let _e2073 = phi_2198_;
+                                                                        let _e2076 = ((_e2073 * _e2067) - (_e2071 * _e2069));
+                                                                        if _e2065 {
+                                                                            phi_2206_ = -(_e2076);
                                                                         } else {
-                                                                            phi_2198_ = _e2068;
+                                                                            phi_2206_ = _e2076;
                                                                         }
-                                                                        let _e2071 = phi_2198_;
-                                                                        if (_e2046 < _e1994) {
-                                                                            phi_2209_ = true;
+                                                                        let _e2079 = phi_2206_;
+                                                                        if (_e2054 < _e2002) {
+                                                                            phi_2217_ = true;
                                                                         } else {
-                                                                            if (_e2046 == _e1994) {
-                                                                                phi_2208_ = (_e2050 < _e1998);
+                                                                            if (_e2054 == _e2002) {
+                                                                                phi_2216_ = (_e2058 < _e2006);
                                                                             } else {
-                                                                                phi_2208_ = false;
+                                                                                phi_2216_ = false;
                                                                             }
-                                                                            let _e2076 = phi_2208_;
-                                                                            phi_2209_ = _e2076;
+                                                                            let _e2084 = phi_2216_;
+                                                                            phi_2217_ = _e2084;
                                                                         }
-                                                                        let _e2078 = phi_2209_;
-                                                                        if _e2078 {
-                                                                            phi_2213_ = _e1998;
-                                                                            phi_2214_ = _e1994;
-                                                                            phi_2215_ = _e2050;
-                                                                            phi_2216_ = _e2046;
+                                                                        let _e2086 = phi_2217_;
+                                                                        if _e2086 {
+                                                                            phi_2221_ = _e2006;
+                                                                            phi_2222_ = _e2002;
+                                                                            phi_2223_ = _e2058;
+                                                                            phi_2224_ = _e2054;
                                                                         } else {
-                                                                            phi_2213_ = _e2050;
-                                                                            phi_2214_ = _e2046;
-                                                                            phi_2215_ = _e1998;
-                                                                            phi_2216_ = _e1994;
+                                                                            phi_2221_ = _e2058;
+                                                                            phi_2222_ = _e2054;
+                                                                            phi_2223_ = _e2006;
+                                                                            phi_2224_ = _e2002;
                                                                         }
-                                                                        let _e2080 = phi_2213_;
-                                                                        let _e2082 = phi_2214_;
-                                                                        let _e2084 = phi_2215_;
-                                                                        let _e2086 = phi_2216_;
-                                                                        let _e2089 = ((_e2086 * _e2080) - (_e2084 * _e2082));
-                                                                        if _e2078 {
-                                                                            phi_2224_ = -(_e2089);
+                                                                        let _e2088 = phi_2221_;
+                                                                        let _e2090 = phi_2222_;
+                                                                        let _e2092 = phi_2223_;
+                                                                        let _e2094 = phi_2224_;
+                                                                        let _e2097 = ((_e2094 * _e2088) - (_e2092 * _e2090));
+                                                                        if _e2086 {
+                                                                            phi_2232_ = -(_e2097);
                                                                         } else {
-                                                                            phi_2224_ = _e2089;
+                                                                            phi_2232_ = _e2097;
                                                                         }
-                                                                        let _e2092 = phi_2224_;
-                                                                        if (_e1994 < _e2020) {
-                                                                            phi_2235_ = true;
+                                                                        let _e2100 = phi_2232_;
+                                                                        if (_e2002 < _e2028) {
+                                                                            phi_2243_ = true;
                                                                         } else {
-                                                                            if (_e1994 == _e2020) {
-                                                                                phi_2234_ = (_e1998 < _e2024);
+                                                                            if (_e2002 == _e2028) {
+                                                                                phi_2242_ = (_e2006 < _e2032);
                                                                             } else {
-                                                                                phi_2234_ = false;
+                                                                                phi_2242_ = false;
                                                                             }
-                                                                            let _e2097 = phi_2234_;
-                                                                            phi_2235_ = _e2097;
+                                                                            let _e2105 = phi_2242_;
+                                                                            phi_2243_ = _e2105;
                                                                         }
-                                                                        let _e2099 = phi_2235_;
-                                                                        if _e2099 {
-                                                                            phi_2239_ = _e2024;
-                                                                            phi_2240_ = _e2020;
-                                                                            phi_2241_ = _e1998;
-                                                                            phi_2242_ = _e1994;
+                                                                        let _e2107 = phi_2243_;
+                                                                        if _e2107 {
+                                                                            phi_2247_ = _e2032;
+                                                                            phi_2248_ = _e2028;
+                                                                            phi_2249_ = _e2006;
+                                                                            phi_2250_ = _e2002;
                                                                         } else {
-                                                                            phi_2239_ = _e1998;
-                                                                            phi_2240_ = _e1994;
-                                                                            phi_2241_ = _e2024;
-                                                                            phi_2242_ = _e2020;
+                                                                            phi_2247_ = _e2006;
+                                                                            phi_2248_ = _e2002;
+                                                                            phi_2249_ = _e2032;
+                                                                            phi_2250_ = _e2028;
                                                                         }
-                                                                        let _e2101 = phi_2239_;
-                                                                        let _e2103 = phi_2240_;
-                                                                        let _e2105 = phi_2241_;
-                                                                        let _e2107 = phi_2242_;
-                                                                        let _e2110 = ((_e2107 * _e2101) - (_e2105 * _e2103));
-                                                                        if _e2099 {
-                                                                            phi_2250_ = -(_e2110);
+                                                                        let _e2109 = phi_2247_;
+                                                                        let _e2111 = phi_2248_;
+                                                                        let _e2113 = phi_2249_;
+                                                                        let _e2115 = phi_2250_;
+                                                                        let _e2118 = ((_e2115 * _e2109) - (_e2113 * _e2111));
+                                                                        if _e2107 {
+                                                                            phi_2258_ = -(_e2118);
                                                                         } else {
-                                                                            phi_2250_ = _e2110;
+                                                                            phi_2258_ = _e2118;
                                                                         }
-                                                                        let _e2113 = phi_2250_;
-                                                                        if (_e2071 >= 0f) {
-                                                                            if (_e2092 >= 0f) {
-                                                                                if (_e2113 >= 0f) {
-                                                                                    phi_2265_ = ((_e2071 + _e2092) + _e2113);
-                                                                                    phi_2266_ = false;
+                                                                        let _e2121 = phi_2258_;
+                                                                        if (_e2079 >= 0f) {
+                                                                            if (_e2100 >= 0f) {
+                                                                                if (_e2121 >= 0f) {
+                                                                                    phi_2273_ = ((_e2079 + _e2100) + _e2121);
+                                                                                    phi_2274_ = false;
                                                                                 } else {
-                                                                                    phi_2265_ = f32();
-                                                                                    phi_2266_ = true;
+                                                                                    phi_2273_ = f32();
+                                                                                    phi_2274_ = true;
                                                                                 }
-                                                                                let _e2120 = phi_2265_;
-                                                                                let _e2122 = phi_2266_;
-                                                                                phi_2267_ = _e2120;
-                                                                                phi_2268_ = _e2122;
+                                                                                let _e2128 = phi_2273_;
+                                                                                let _e2130 = phi_2274_;
+                                                                                phi_2275_ = _e2128;
+                                                                                phi_2276_ = _e2130;
                                                                             } else {
-                                                                                phi_2267_ = f32();
-                                                                                phi_2268_ = true;
+                                                                                phi_2275_ = f32();
+                                                                                phi_2276_ = true;
                                                                             }
-                                                                            let _e2124 = phi_2267_;
-                                                                            let _e2126 = phi_2268_;
-                                                                            phi_2269_ = _e2124;
-                                                                            phi_2270_ = _e2126;
+                                                                            let _e2132 = phi_2275_;
+                                                                            let _e2134 = phi_2276_;
+                                                                            phi_2277_ = _e2132;
+                                                                            phi_2278_ = _e2134;
                                                                         } else {
-                                                                            phi_2269_ = f32();
-                                                                            phi_2270_ = true;
+                                                                            phi_2277_ = f32();
+                                                                            phi_2278_ = true;
                                                                         }
-                                                                        let _e2128 = phi_2269_;
-                                                                        let _e2130 = phi_2270_;
-                                                                        if _e2130 {
-                                                                            if (_e2071 <= 0f) {
-                                                                                if (_e2092 <= 0f) {
-                                                                                    let _e2133 = (_e2113 <= 0f);
-                                                                                    if _e2133 {
+                                                                        let _e2136 = phi_2277_;
+                                                                        let _e2138 = phi_2278_;
+                                                                        if _e2138 {
+                                                                            if (_e2079 <= 0f) {
+                                                                                if (_e2100 <= 0f) {
+                                                                                    let _e2141 = (_e2121 <= 0f);
+                                                                                    if _e2141 {
                                                                                     }
-                                                                                    phi_2288_ = ((_e2071 + _e2092) + _e2113);
-                                                                                    phi_2289_ = false;
-                                                                                    phi_2290_ = _e2133;
+                                                                                    phi_2296_ = ((_e2079 + _e2100) + _e2121);
+                                                                                    phi_2297_ = false;
+                                                                                    phi_2298_ = _e2141;
                                                                                 } else {
-                                                                                    phi_2288_ = f32();
-                                                                                    phi_2289_ = true;
-                                                                                    phi_2290_ = false;
+                                                                                    phi_2296_ = f32();
+                                                                                    phi_2297_ = true;
+                                                                                    phi_2298_ = false;
                                                                                 }
-                                                                                let _e2137 = phi_2288_;
-                                                                                let _e2139 = phi_2289_;
-                                                                                let _e2141 = phi_2290_;
-                                                                                phi_2291_ = _e2137;
-                                                                                phi_2292_ = _e2139;
-                                                                                phi_2293_ = _e2141;
+                                                                                let _e2145 = phi_2296_;
+                                                                                let _e2147 = phi_2297_;
+                                                                                let _e2149 = phi_2298_;
+                                                                                phi_2299_ = _e2145;
+                                                                                phi_2300_ = _e2147;
+                                                                                phi_2301_ = _e2149;
                                                                             } else {
-                                                                                phi_2291_ = f32();
-                                                                                phi_2292_ = true;
-                                                                                phi_2293_ = false;
+                                                                                phi_2299_ = f32();
+                                                                                phi_2300_ = true;
+                                                                                phi_2301_ = false;
                                                                             }
-                                                                            let _e2143 = phi_2291_;
-                                                                            let _e2145 = phi_2292_;
-                                                                            let _e2147 = phi_2293_;
-                                                                            if _e2145 {
-                                                                                phi_2297_ = false;
+                                                                            let _e2151 = phi_2299_;
+                                                                            let _e2153 = phi_2300_;
+                                                                            let _e2155 = phi_2301_;
+                                                                            if _e2153 {
+                                                                                phi_2305_ = false;
                                                                             } else {
-                                                                                phi_2297_ = _e2147;
+                                                                                phi_2305_ = _e2155;
                                                                             }
-                                                                            let _e2149 = phi_2297_;
-                                                                            phi_2298_ = _e2143;
-                                                                            phi_2299_ = _e2149;
+                                                                            let _e2157 = phi_2305_;
+                                                                            phi_2306_ = _e2151;
+                                                                            phi_2307_ = _e2157;
                                                                         } else {
-                                                                            phi_2298_ = _e2128;
-                                                                            phi_2299_ = true;
+                                                                            phi_2306_ = _e2136;
+                                                                            phi_2307_ = true;
                                                                         }
-                                                                        let _e2151 = phi_2298_;
-                                                                        let _e2153 = phi_2299_;
-                                                                        if _e2153 {
-                                                                            let _e2154 = (_e2151 == 0f);
-                                                                            if _e2154 {
-                                                                                phi_2615_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2616_ = false;
+                                                                        let _e2159 = phi_2306_;
+                                                                        let _e2161 = phi_2307_;
+                                                                        if _e2161 {
+                                                                            let _e2162 = (_e2159 == 0f);
+                                                                            if _e2162 {
+                                                                                phi_2623_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2624_ = false;
                                                                             } else {
-                                                                                let _e2156 = triangles.member[(0u + _e1967)].v0_;
-                                                                                let _e2158 = (_e2156.x - _e1077);
-                                                                                let _e2160 = (_e2156.y - _e1090);
-                                                                                let _e2162 = (_e2156.z - _e1103);
-                                                                                if (_e1357 == 0u) {
-                                                                                    phi_2328_ = vec3<f32>(_e2160, _e2162, _e2158);
+                                                                                let _e2164 = triangles.member[(0u + _e1975)].v0_;
+                                                                                let _e2166 = (_e2164.x - _e1081);
+                                                                                let _e2168 = (_e2164.y - _e1094);
+                                                                                let _e2170 = (_e2164.z - _e1107);
+                                                                                if (_e1361 == 0u) {
+                                                                                    phi_2336_ = vec3<f32>(_e2168, _e2170, _e2166);
                                                                                 } else {
-                                                                                    if (_e1357 == 1u) {
-                                                                                        phi_2327_ = vec3<f32>(_e2162, _e2158, _e2160);
+                                                                                    if (_e1361 == 1u) {
+                                                                                        phi_2335_ = vec3<f32>(_e2170, _e2166, _e2168);
                                                                                     } else {
-                                                                                        phi_2327_ = (_e2156 - vec3<f32>(_e1077, _e1090, _e1103));
+                                                                                        phi_2335_ = (_e2164 - vec3<f32>(_e1081, _e1094, _e1107));
                                                                                     }
-                                                                                    let _e2170 = phi_2327_;
-                                                                                    phi_2328_ = _e2170;
+                                                                                    let _e2178 = phi_2335_;
+                                                                                    phi_2336_ = _e2178;
                                                                                 }
-                                                                                let _e2172 = phi_2328_;
-                                                                                let _e2174 = triangles.member[(0u + _e1967)].v1_;
-                                                                                let _e2176 = triangles.member[(0u + _e1967)].v0_;
-                                                                                let _e2179 = (_e2174.x - _e2176.x);
-                                                                                let _e2182 = (_e2174.y - _e2176.y);
-                                                                                let _e2185 = (_e2174.z - _e2176.z);
-                                                                                if (_e1357 == 0u) {
-                                                                                    phi_2354_ = vec3<f32>(_e2182, _e2185, _e2179);
+                                                                                let _e2180 = phi_2336_;
+                                                                                let _e2182 = triangles.member[(0u + _e1975)].v1_;
+                                                                                let _e2184 = triangles.member[(0u + _e1975)].v0_;
+                                                                                let _e2187 = (_e2182.x - _e2184.x);
+                                                                                let _e2190 = (_e2182.y - _e2184.y);
+                                                                                let _e2193 = (_e2182.z - _e2184.z);
+                                                                                if (_e1361 == 0u) {
+                                                                                    phi_2362_ = vec3<f32>(_e2190, _e2193, _e2187);
                                                                                 } else {
-                                                                                    if (_e1357 == 1u) {
-                                                                                        phi_2353_ = vec3<f32>(_e2185, _e2179, _e2182);
+                                                                                    if (_e1361 == 1u) {
+                                                                                        phi_2361_ = vec3<f32>(_e2193, _e2187, _e2190);
                                                                                     } else {
-                                                                                        phi_2353_ = (_e2174 - _e2176);
+                                                                                        phi_2361_ = (_e2182 - _e2184);
                                                                                     }
-                                                                                    let _e2192 = phi_2353_;
-                                                                                    phi_2354_ = _e2192;
+                                                                                    let _e2200 = phi_2361_;
+                                                                                    phi_2362_ = _e2200;
                                                                                 }
-                                                                                let _e2194 = phi_2354_;
-                                                                                let _e2196 = triangles.member[(0u + _e1967)].v2_;
-                                                                                let _e2198 = triangles.member[(0u + _e1967)].v0_;
-                                                                                let _e2201 = (_e2196.x - _e2198.x);
-                                                                                let _e2204 = (_e2196.y - _e2198.y);
-                                                                                let _e2207 = (_e2196.z - _e2198.z);
-                                                                                if (_e1357 == 0u) {
-                                                                                    phi_2380_ = vec3<f32>(_e2204, _e2207, _e2201);
+                                                                                let _e2202 = phi_2362_;
+                                                                                let _e2204 = triangles.member[(0u + _e1975)].v2_;
+                                                                                let _e2206 = triangles.member[(0u + _e1975)].v0_;
+                                                                                let _e2209 = (_e2204.x - _e2206.x);
+                                                                                let _e2212 = (_e2204.y - _e2206.y);
+                                                                                let _e2215 = (_e2204.z - _e2206.z);
+                                                                                if (_e1361 == 0u) {
+                                                                                    phi_2388_ = vec3<f32>(_e2212, _e2215, _e2209);
                                                                                 } else {
-                                                                                    if (_e1357 == 1u) {
-                                                                                        phi_2379_ = vec3<f32>(_e2207, _e2201, _e2204);
+                                                                                    if (_e1361 == 1u) {
+                                                                                        phi_2387_ = vec3<f32>(_e2215, _e2209, _e2212);
                                                                                     } else {
-                                                                                        phi_2379_ = (_e2196 - _e2198);
+                                                                                        phi_2387_ = (_e2204 - _e2206);
                                                                                     }
-                                                                                    let _e2214 = phi_2379_;
-                                                                                    phi_2380_ = _e2214;
+                                                                                    let _e2222 = phi_2387_;
+                                                                                    phi_2388_ = _e2222;
                                                                                 }
-                                                                                let _e2216 = phi_2380_;
-                                                                                let _e2223 = ((_e2194.y * _e2216.z) - (_e2194.z * _e2216.y));
-                                                                                let _e2230 = ((_e2194.z * _e2216.x) - (_e2194.x * _e2216.z));
-                                                                                let _e2237 = ((_e2194.x * _e2216.y) - (_e2194.y * _e2216.x));
-                                                                                let _e2251 = (((1f / _e1365.z) * (((_e2223 * _e2172.x) + (_e2230 * _e2172.y)) + (_e2237 * _e2172.z))) / (((_e2223 * _e1368) + (_e2230 * _e1371)) + _e2237));
-                                                                                if (_e2251 > 0f) {
-                                                                                    if (_e2251 < _e207) {
-                                                                                        let _e2255 = triangles.member[(0u + _e1967)].v0_;
-                                                                                        let _e2257 = triangles.member[(0u + _e1967)].v1_;
-                                                                                        if (_e2255.x < _e2257.x) {
-                                                                                            phi_2436_ = _e2255.x;
+                                                                                let _e2224 = phi_2388_;
+                                                                                let _e2231 = ((_e2202.y * _e2224.z) - (_e2202.z * _e2224.y));
+                                                                                let _e2238 = ((_e2202.z * _e2224.x) - (_e2202.x * _e2224.z));
+                                                                                let _e2245 = ((_e2202.x * _e2224.y) - (_e2202.y * _e2224.x));
+                                                                                let _e2259 = (((1f / _e1369.z) * (((_e2231 * _e2180.x) + (_e2238 * _e2180.y)) + (_e2245 * _e2180.z))) / (((_e2231 * _e1372) + (_e2238 * _e1375)) + _e2245));
+                                                                                if (_e2259 > 0f) {
+                                                                                    if (_e2259 < _e207) {
+                                                                                        let _e2263 = triangles.member[(0u + _e1975)].v0_;
+                                                                                        let _e2265 = triangles.member[(0u + _e1975)].v1_;
+                                                                                        if (_e2263.x < _e2265.x) {
+                                                                                            phi_2444_ = _e2263.x;
                                                                                         } else {
-                                                                                            phi_2436_ = _e2257.x;
+                                                                                            phi_2444_ = _e2265.x;
                                                                                         }
-                                                                                        let _e2264 = phi_2436_;
-                                                                                        if (_e2255.y < _e2257.y) {
-                                                                                            phi_2445_ = _e2255.y;
+                                                                                        let _e2272 = phi_2444_;
+                                                                                        if (_e2263.y < _e2265.y) {
+                                                                                            phi_2453_ = _e2263.y;
                                                                                         } else {
-                                                                                            phi_2445_ = _e2257.y;
+                                                                                            phi_2453_ = _e2265.y;
                                                                                         }
-                                                                                        let _e2271 = phi_2445_;
-                                                                                        if (_e2255.z < _e2257.z) {
-                                                                                            phi_2454_ = _e2255.z;
+                                                                                        let _e2279 = phi_2453_;
+                                                                                        if (_e2263.z < _e2265.z) {
+                                                                                            phi_2462_ = _e2263.z;
                                                                                         } else {
-                                                                                            phi_2454_ = _e2257.z;
+                                                                                            phi_2462_ = _e2265.z;
                                                                                         }
-                                                                                        let _e2278 = phi_2454_;
-                                                                                        let _e2280 = triangles.member[(0u + _e1967)].v2_;
-                                                                                        if (_e2264 < _e2280.x) {
-                                                                                            phi_2463_ = _e2264;
+                                                                                        let _e2286 = phi_2462_;
+                                                                                        let _e2288 = triangles.member[(0u + _e1975)].v2_;
+                                                                                        if (_e2272 < _e2288.x) {
+                                                                                            phi_2471_ = _e2272;
                                                                                         } else {
-                                                                                            phi_2463_ = _e2280.x;
+                                                                                            phi_2471_ = _e2288.x;
                                                                                         }
-                                                                                        let _e2285 = phi_2463_;
-                                                                                        if (_e2271 < _e2280.y) {
-                                                                                            phi_2470_ = _e2271;
+                                                                                        let _e2293 = phi_2471_;
+                                                                                        if (_e2279 < _e2288.y) {
+                                                                                            phi_2478_ = _e2279;
                                                                                         } else {
-                                                                                            phi_2470_ = _e2280.y;
+                                                                                            phi_2478_ = _e2288.y;
                                                                                         }
-                                                                                        let _e2290 = phi_2470_;
-                                                                                        if (_e2278 < _e2280.z) {
-                                                                                            phi_2477_ = _e2278;
+                                                                                        let _e2298 = phi_2478_;
+                                                                                        if (_e2286 < _e2288.z) {
+                                                                                            phi_2485_ = _e2286;
                                                                                         } else {
-                                                                                            phi_2477_ = _e2280.z;
+                                                                                            phi_2485_ = _e2288.z;
                                                                                         }
-                                                                                        let _e2295 = phi_2477_;
-                                                                                        let _e2297 = triangles.member[(0u + _e1967)].v0_;
-                                                                                        let _e2299 = triangles.member[(0u + _e1967)].v1_;
-                                                                                        if (_e2297.x > _e2299.x) {
-                                                                                            phi_2490_ = _e2297.x;
+                                                                                        let _e2303 = phi_2485_;
+                                                                                        let _e2305 = triangles.member[(0u + _e1975)].v0_;
+                                                                                        let _e2307 = triangles.member[(0u + _e1975)].v1_;
+                                                                                        if (_e2305.x > _e2307.x) {
+                                                                                            phi_2498_ = _e2305.x;
                                                                                         } else {
-                                                                                            phi_2490_ = _e2299.x;
+                                                                                            phi_2498_ = _e2307.x;
                                                                                         }
-                                                                                        let _e2306 = phi_2490_;
-                                                                                        if (_e2297.y > _e2299.y) {
-                                                                                            phi_2499_ = _e2297.y;
+                                                                                        let _e2314 = phi_2498_;
+                                                                                        if (_e2305.y > _e2307.y) {
+                                                                                            phi_2507_ = _e2305.y;
                                                                                         } else {
-                                                                                            phi_2499_ = _e2299.y;
+                                                                                            phi_2507_ = _e2307.y;
                                                                                         }
-                                                                                        let _e2313 = phi_2499_;
-                                                                                        if (_e2297.z > _e2299.z) {
-                                                                                            phi_2508_ = _e2297.z;
+                                                                                        let _e2321 = phi_2507_;
+                                                                                        if (_e2305.z > _e2307.z) {
+                                                                                            phi_2516_ = _e2305.z;
                                                                                         } else {
-                                                                                            phi_2508_ = _e2299.z;
+                                                                                            phi_2516_ = _e2307.z;
                                                                                         }
-                                                                                        let _e2320 = phi_2508_;
-                                                                                        let _e2322 = triangles.member[(0u + _e1967)].v2_;
-                                                                                        if (_e2306 > _e2322.x) {
-                                                                                            phi_2517_ = _e2306;
+                                                                                        let _e2328 = phi_2516_;
+                                                                                        let _e2330 = triangles.member[(0u + _e1975)].v2_;
+                                                                                        if (_e2314 > _e2330.x) {
+                                                                                            phi_2525_ = _e2314;
                                                                                         } else {
-                                                                                            phi_2517_ = _e2322.x;
+                                                                                            phi_2525_ = _e2330.x;
                                                                                         }
-                                                                                        let _e2327 = phi_2517_;
-                                                                                        if (_e2313 > _e2322.y) {
-                                                                                            phi_2524_ = _e2313;
+                                                                                        let _e2335 = phi_2525_;
+                                                                                        if (_e2321 > _e2330.y) {
+                                                                                            phi_2532_ = _e2321;
                                                                                         } else {
-                                                                                            phi_2524_ = _e2322.y;
+                                                                                            phi_2532_ = _e2330.y;
                                                                                         }
-                                                                                        let _e2332 = phi_2524_;
-                                                                                        if (_e2320 > _e2322.z) {
-                                                                                            phi_2531_ = _e2320;
+                                                                                        let _e2340 = phi_2532_;
+                                                                                        if (_e2328 > _e2330.z) {
+                                                                                            phi_2539_ = _e2328;
                                                                                         } else {
-                                                                                            phi_2531_ = _e2322.z;
+                                                                                            phi_2539_ = _e2330.z;
                                                                                         }
-                                                                                        let _e2337 = phi_2531_;
-                                                                                        let _e2341 = ((_e2285 - _e1077) * _e1286);
-                                                                                        let _e2342 = ((_e2290 - _e1090) * _e1296);
-                                                                                        let _e2343 = ((_e2295 - _e1103) * _e1306);
-                                                                                        let _e2347 = ((_e2327 - _e1077) * _e1286);
-                                                                                        let _e2348 = ((_e2332 - _e1090) * _e1296);
-                                                                                        let _e2349 = ((_e2337 - _e1103) * _e1306);
-                                                                                        if (_e2341 < _e2347) {
-                                                                                            phi_2548_ = _e2341;
+                                                                                        let _e2345 = phi_2539_;
+                                                                                        let _e2349 = ((_e2293 - _e1081) * _e1290);
+                                                                                        let _e2350 = ((_e2298 - _e1094) * _e1300);
+                                                                                        let _e2351 = ((_e2303 - _e1107) * _e1310);
+                                                                                        let _e2355 = ((_e2335 - _e1081) * _e1290);
+                                                                                        let _e2356 = ((_e2340 - _e1094) * _e1300);
+                                                                                        let _e2357 = ((_e2345 - _e1107) * _e1310);
+                                                                                        if (_e2349 < _e2355) {
+                                                                                            phi_2556_ = _e2349;
                                                                                         } else {
-                                                                                            phi_2548_ = _e2347;
+                                                                                            phi_2556_ = _e2355;
                                                                                         }
-                                                                                        let _e2352 = phi_2548_;
-                                                                                        if (_e2342 < _e2348) {
-                                                                                            phi_2553_ = _e2342;
+                                                                                        let _e2360 = phi_2556_;
+                                                                                        if (_e2350 < _e2356) {
+                                                                                            phi_2561_ = _e2350;
                                                                                         } else {
-                                                                                            phi_2553_ = _e2348;
+                                                                                            phi_2561_ = _e2356;
                                                                                         }
-                                                                                        let _e2355 = phi_2553_;
-                                                                                        if (_e2343 < _e2349) {
-                                                                                            phi_2558_ = _e2343;
+                                                                                        let _e2363 = phi_2561_;
+                                                                                        if (_e2351 < _e2357) {
+                                                                                            phi_2566_ = _e2351;
                                                                                         } else {
-                                                                                            phi_2558_ = _e2349;
+                                                                                            phi_2566_ = _e2357;
                                                                                         }
-                                                                                        let _e2358 = phi_2558_;
-                                                                                        if (_e2341 > _e2347) {
-                                                                                            phi_2566_ = _e2341;
+                                                                                        let _e2366 = phi_2566_;
+                                                                                        if (_e2349 > _e2355) {
+                                                                                            phi_2574_ = _e2349;
                                                                                         } else {
-                                                                                            phi_2566_ = _e2347;
+                                                                                            phi_2574_ = _e2355;
                                                                                         }
-                                                                                        let _e2364 = phi_2566_;
-                                                                                        if (_e2342 > _e2348) {
-                                                                                            phi_2571_ = _e2342;
+                                                                                        let _e2372 = phi_2574_;
+                                                                                        if (_e2350 > _e2356) {
+                                                                                            phi_2579_ = _e2350;
                                                                                         } else {
-                                                                                            phi_2571_ = _e2348;
+                                                                                            phi_2579_ = _e2356;
                                                                                         }
-                                                                                        let _e2367 = phi_2571_;
-                                                                                        if (_e2343 > _e2349) {
-                                                                                            phi_2576_ = _e2343;
+                                                                                        let _e2375 = phi_2579_;
+                                                                                        if (_e2351 > _e2357) {
+                                                                                            phi_2584_ = _e2351;
                                                                                         } else {
-                                                                                            phi_2576_ = _e2349;
+                                                                                            phi_2584_ = _e2357;
                                                                                         }
-                                                                                        let _e2370 = phi_2576_;
-                                                                                        let _e2374 = core_intrinsics_maximum_number_nsz_f32_((_e2352 - _e1341), (_e2355 - _e1342));
-                                                                                        let _e2375 = core_intrinsics_maximum_number_nsz_f32_(_e2374, (_e2358 - _e1343));
-                                                                                        let _e2376 = core_intrinsics_minimum_number_nsz_f32_((_e2364 + _e1341), (_e2367 + _e1342));
-                                                                                        let _e2377 = core_intrinsics_minimum_number_nsz_f32_(_e2376, (_e2370 + _e1343));
-                                                                                        if (_e2375 > _e1058) {
-                                                                                            phi_2588_ = _e2375;
+                                                                                        let _e2378 = phi_2584_;
+                                                                                        let _e2382 = core_intrinsics_maximum_number_nsz_f32_((_e2360 - _e1345), (_e2363 - _e1346));
+                                                                                        let _e2383 = core_intrinsics_maximum_number_nsz_f32_(_e2382, (_e2366 - _e1347));
+                                                                                        let _e2384 = core_intrinsics_minimum_number_nsz_f32_((_e2372 + _e1345), (_e2375 + _e1346));
+                                                                                        let _e2385 = core_intrinsics_minimum_number_nsz_f32_(_e2384, (_e2378 + _e1347));
+                                                                                        if (_e2383 > _e1062) {
+                                                                                            phi_2596_ = _e2383;
                                                                                         } else {
-                                                                                            phi_2588_ = _e1058;
+                                                                                            phi_2596_ = _e1062;
                                                                                         }
-                                                                                        let _e2380 = phi_2588_;
-                                                                                        if (_e2377 < _e1060) {
-                                                                                            phi_2593_ = _e2377;
+                                                                                        let _e2388 = phi_2596_;
+                                                                                        if (_e2385 < _e1064) {
+                                                                                            phi_2601_ = _e2385;
                                                                                         } else {
-                                                                                            phi_2593_ = _e1060;
+                                                                                            phi_2601_ = _e1064;
                                                                                         }
-                                                                                        let _e2383 = phi_2593_;
-                                                                                        if (_e2251 < _e2380) {
-                                                                                            phi_2598_ = _e2380;
+                                                                                        let _e2391 = phi_2601_;
+                                                                                        if (_e2259 < _e2388) {
+                                                                                            phi_2606_ = _e2388;
                                                                                         } else {
-                                                                                            phi_2598_ = _e2251;
+                                                                                            phi_2606_ = _e2259;
                                                                                         }
-                                                                                        let _e2386 = phi_2598_;
-                                                                                        if (_e2386 > _e2383) {
-                                                                                            phi_2603_ = _e2383;
+                                                                                        let _e2394 = phi_2606_;
+                                                                                        if (_e2394 > _e2391) {
+                                                                                            phi_2611_ = _e2391;
                                                                                         } else {
-                                                                                            phi_2603_ = _e2386;
+                                                                                            phi_2611_ = _e2394;
                                                                                         }
-                                                                                        let _e2389 = phi_2603_;
-                                                                                        phi_2608_ = lt_bvh_triangle_Intersection(_e2389, (_e2092 / _e2151), (_e2113 / _e2151), (_e2380 <= _e2383));
-                                                                                        phi_2609_ = false;
+                                                                                        let _e2397 = phi_2611_;
+                                                                                        phi_2616_ = lt_bvh_triangle_Intersection(_e2397, (_e2100 / _e2159), (_e2121 / _e2159), (_e2388 <= _e2391));
+                                                                                        phi_2617_ = false;
                                                                                     } else {
-                                                                                        phi_2608_ = lt_bvh_triangle_Intersection();
-                                                                                        phi_2609_ = true;
+                                                                                        phi_2616_ = lt_bvh_triangle_Intersection();
+                                                                                        phi_2617_ = true;
                                                                                     }
-                                                                                    let _e2395 = phi_2608_;
-                                                                                    let _e2397 = phi_2609_;
-                                                                                    phi_2610_ = _e2395;
-                                                                                    phi_2611_ = _e2397;
+                                                                                    let _e2403 = phi_2616_;
+                                                                                    let _e2405 = phi_2617_;
+                                                                                    phi_2618_ = _e2403;
+                                                                                    phi_2619_ = _e2405;
                                                                                 } else {
-                                                                                    phi_2610_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2611_ = true;
+                                                                                    phi_2618_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2619_ = true;
                                                                                 }
-                                                                                let _e2399 = phi_2610_;
-                                                                                let _e2401 = phi_2611_;
-                                                                                if _e2401 {
+                                                                                let _e2407 = phi_2618_;
+                                                                                let _e2409 = phi_2619_;
+                                                                                if _e2409 {
                                                                                 }
-                                                                                phi_2615_ = _e2399;
-                                                                                phi_2616_ = _e2401;
+                                                                                phi_2623_ = _e2407;
+                                                                                phi_2624_ = _e2409;
                                                                             }
-                                                                            let _e2403 = phi_2615_;
-                                                                            let _e2405 = phi_2616_;
-                                                                            phi_2617_ = _e2403;
-                                                                            phi_2618_ = _e2154;
-                                                                            phi_2619_ = _e2405;
+                                                                            let _e2411 = phi_2623_;
+                                                                            let _e2413 = phi_2624_;
+                                                                            phi_2625_ = _e2411;
+                                                                            phi_2626_ = _e2162;
+                                                                            phi_2627_ = _e2413;
                                                                         } else {
-                                                                            phi_2617_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2618_ = true;
-                                                                            phi_2619_ = false;
+                                                                            phi_2625_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2626_ = true;
+                                                                            phi_2627_ = false;
                                                                         }
-                                                                        let _e2407 = phi_2617_;
-                                                                        let _e2409 = phi_2618_;
-                                                                        let _e2411 = phi_2619_;
-                                                                        if _e2409 {
-                                                                            phi_2623_ = true;
+                                                                        let _e2415 = phi_2625_;
+                                                                        let _e2417 = phi_2626_;
+                                                                        let _e2419 = phi_2627_;
+                                                                        if _e2417 {
+                                                                            phi_2631_ = true;
                                                                         } else {
-                                                                            phi_2623_ = _e2411;
+                                                                            phi_2631_ = _e2419;
                                                                         }
-                                                                        let _e2413 = phi_2623_;
-                                                                        if _e2413 {
-                                                                            phi_2627_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        let _e2421 = phi_2631_;
+                                                                        if _e2421 {
+                                                                            phi_2635_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                         } else {
-                                                                            phi_2627_ = _e2407;
+                                                                            phi_2635_ = _e2415;
                                                                         }
-                                                                        let _e2415 = phi_2627_;
-                                                                        if _e2415.is_hit {
-                                                                            if (_e2415.t > 0f) {
-                                                                                if (_e2415.t < _e207) {
-                                                                                    let _e2422 = triangles.member[(0u + _e1967)].i0_;
-                                                                                    let _e2424 = ((_e2422 & 2147483648u) == 0u);
-                                                                                    if _e2424 {
-                                                                                        phi_2653_ = false;
-                                                                                        phi_2654_ = false;
+                                                                        let _e2423 = phi_2635_;
+                                                                        if _e2423.is_hit {
+                                                                            if (_e2423.t > 0f) {
+                                                                                if (_e2423.t < _e207) {
+                                                                                    if true {
+                                                                                        phi_2655_ = false;
                                                                                     } else {
-                                                                                        if true {
-                                                                                            phi_2652_ = false;
-                                                                                        } else {
-                                                                                            phi_2652_ = true;
-                                                                                        }
-                                                                                        let _e2426 = phi_2652_;
-                                                                                        phi_2653_ = _e2426;
-                                                                                        phi_2654_ = true;
+                                                                                        phi_2655_ = true;
                                                                                     }
-                                                                                    let _e2428 = phi_2653_;
-                                                                                    let _e2430 = phi_2654_;
-                                                                                    phi_2655_ = _e2428;
-                                                                                    phi_2656_ = _e2424;
-                                                                                    phi_2657_ = _e2430;
+                                                                                    let _e2432 = phi_2655_;
+                                                                                    phi_2656_ = true;
+                                                                                    phi_2657_ = _e2432;
                                                                                 } else {
-                                                                                    phi_2655_ = true;
-                                                                                    phi_2656_ = false;
-                                                                                    phi_2657_ = false;
+                                                                                    phi_2656_ = _e1966;
+                                                                                    phi_2657_ = true;
                                                                                 }
-                                                                                let _e2432 = phi_2655_;
                                                                                 let _e2434 = phi_2656_;
                                                                                 let _e2436 = phi_2657_;
-                                                                                phi_2658_ = _e2432;
-                                                                                phi_2659_ = _e2434;
-                                                                                phi_2660_ = _e2436;
+                                                                                phi_2658_ = _e2434;
+                                                                                phi_2659_ = _e2436;
                                                                             } else {
-                                                                                phi_2658_ = true;
-                                                                                phi_2659_ = false;
-                                                                                phi_2660_ = false;
+                                                                                phi_2658_ = _e1966;
+                                                                                phi_2659_ = true;
                                                                             }
                                                                             let _e2438 = phi_2658_;
                                                                             let _e2440 = phi_2659_;
-                                                                            let _e2442 = phi_2660_;
-                                                                            phi_2661_ = _e2438;
-                                                                            phi_2662_ = _e2440;
-                                                                            phi_2663_ = _e2442;
+                                                                            phi_2660_ = _e2438;
+                                                                            phi_2661_ = _e2440;
                                                                         } else {
+                                                                            phi_2660_ = _e1966;
                                                                             phi_2661_ = true;
-                                                                            phi_2662_ = false;
-                                                                            phi_2663_ = false;
                                                                         }
+                                                                        let _e2442 = phi_2660_;
                                                                         let _e2444 = phi_2661_;
-                                                                        let _e2446 = phi_2662_;
-                                                                        let _e2448 = phi_2663_;
                                                                         if _e2444 {
-                                                                            phi_2667_ = false;
-                                                                            phi_2668_ = false;
-                                                                        } else {
-                                                                            phi_2667_ = _e2446;
-                                                                            phi_2668_ = _e2448;
                                                                         }
-                                                                        let _e2450 = phi_2667_;
-                                                                        let _e2452 = phi_2668_;
-                                                                        phi_2059_ = (_e1958 & (_e1958 - 1u));
-                                                                        phi_2669_ = _e2444;
-                                                                        phi_2670_ = _e2450;
-                                                                        phi_2671_ = _e2452;
+                                                                        phi_2065_ = (_e1964 & (_e1964 - 1u));
+                                                                        phi_2068_ = _e2442;
+                                                                        phi_2665_ = _e2444;
                                                                     }
-                                                                    let _e2454 = phi_2059_;
-                                                                    let _e2456 = phi_2669_;
-                                                                    let _e2458 = phi_2670_;
-                                                                    let _e2460 = phi_2671_;
-                                                                    local_13 = _e2458;
-                                                                    local_14 = _e2460;
+                                                                    let _e2446 = phi_2065_;
+                                                                    let _e2448 = phi_2068_;
+                                                                    let _e2450 = phi_2665_;
                                                                     continue;
                                                                     continuing {
-                                                                        phi_2058_ = _e2454;
-                                                                        break if !(_e2456);
+                                                                        phi_2064_ = _e2446;
+                                                                        phi_2067_ = _e2448;
+                                                                        break if !(_e2450);
                                                                     }
                                                                 }
-                                                                let _e2463 = local_9;
-                                                                if _e2463 {
-                                                                    let _e2465 = local.group_mask;
-                                                                    if ((_e2465 & 4278190080u) == 0u) {
-                                                                        let _e2469 = local.len;
-                                                                        if (_e2469 == 0u) {
-                                                                            phi_2713_ = false;
+                                                                let _e2453 = local_9;
+                                                                if _e2453 {
+                                                                    let _e2455 = local.group_mask;
+                                                                    if ((_e2455 & 4278190080u) == 0u) {
+                                                                        let _e2459 = local.len;
+                                                                        if (_e2459 == 0u) {
+                                                                            phi_2707_ = false;
                                                                         } else {
-                                                                            let _e2473 = local.len;
-                                                                            local.len = (_e2473 - 1u);
-                                                                            let _e2476 = local.len;
-                                                                            if (_e2476 < 32u) {
+                                                                            let _e2463 = local.len;
+                                                                            local.len = (_e2463 - 1u);
+                                                                            let _e2466 = local.len;
+                                                                            if (_e2466 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2481 = local.first[(0u + _e2476)];
-                                                                            local.group = _e2481;
-                                                                            let _e2484 = local.len;
-                                                                            if (_e2484 < 32u) {
+                                                                            let _e2471 = local.first[(0u + _e2466)];
+                                                                            local.group = _e2471;
+                                                                            let _e2474 = local.len;
+                                                                            if (_e2474 < 32u) {
                                                                             } else {
                                                                                 return;
                                                                             }
-                                                                            let _e2489 = local.mask[(0u + _e2484)];
-                                                                            local.group_mask = _e2489;
-                                                                            phi_2713_ = true;
+                                                                            let _e2479 = local.mask[(0u + _e2474)];
+                                                                            local.group_mask = _e2479;
+                                                                            phi_2707_ = true;
                                                                         }
-                                                                        let _e2492 = phi_2713_;
-                                                                        phi_2714_ = _e2492;
+                                                                        let _e2482 = phi_2707_;
+                                                                        phi_2708_ = _e2482;
                                                                     } else {
-                                                                        phi_2714_ = true;
+                                                                        phi_2708_ = true;
                                                                     }
-                                                                    let _e2494 = phi_2714_;
-                                                                    if _e2494 {
+                                                                    let _e2484 = phi_2708_;
+                                                                    if _e2484 {
+                                                                        let _e2486 = local.group_mask;
+                                                                        let _e2492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2486)), 32u, (_e2486 == 0u)));
                                                                         let _e2496 = local.group_mask;
-                                                                        let _e2502 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2496)), 32u, (_e2496 == 0u)));
-                                                                        let _e2506 = local.group_mask;
-                                                                        let _e2520 = local.group_mask;
-                                                                        local.group_mask = (_e2520 & ~((1u << bitcast<u32>((_e2502 & 31u)))));
-                                                                        let _e2523 = local.group;
-                                                                        phi_2745_ = (_e2523 + countOneBits(((_e2506 & ~((4294967295u << bitcast<u32>((((_e2502 - 24u) ^ _e1384) & 31u))))) & 255u)));
+                                                                        let _e2510 = local.group_mask;
+                                                                        local.group_mask = (_e2510 & ~((1u << bitcast<u32>((_e2492 & 31u)))));
+                                                                        let _e2513 = local.group;
+                                                                        phi_2739_ = (_e2513 + countOneBits(((_e2496 & ~((4294967295u << bitcast<u32>((((_e2492 - 24u) ^ _e1388) & 31u))))) & 255u)));
                                                                     } else {
-                                                                        phi_2745_ = 4294967295u;
+                                                                        phi_2739_ = 4294967295u;
                                                                     }
-                                                                    let _e2526 = phi_2745_;
-                                                                    phi_2746_ = _e2526;
-                                                                    phi_2747_ = false;
-                                                                    phi_2748_ = false;
+                                                                    let _e2516 = phi_2739_;
+                                                                    phi_2740_ = _e2516;
                                                                 } else {
-                                                                    phi_2746_ = u32();
-                                                                    let _e2913 = local_13;
-                                                                    phi_2747_ = _e2913;
-                                                                    let _e2916 = local_14;
-                                                                    phi_2748_ = _e2916;
+                                                                    phi_2740_ = u32();
                                                                 }
-                                                                let _e2528 = phi_2746_;
-                                                                let _e2530 = phi_2747_;
-                                                                let _e2532 = phi_2748_;
-                                                                phi_1729_ = _e2528;
-                                                                let _e2920 = local_15;
-                                                                phi_2749_ = _e2920;
-                                                                phi_2750_ = false;
-                                                                phi_2751_ = _e2530;
-                                                                phi_2752_ = _e2532;
+                                                                let _e2518 = phi_2740_;
+                                                                phi_1733_ = _e2518;
+                                                                let _e2902 = local_13;
+                                                                phi_1736_ = _e2902;
+                                                                let _e2905 = local_14;
+                                                                phi_2741_ = _e2905;
+                                                                phi_2742_ = false;
                                                             } else {
-                                                                phi_1729_ = u32();
-                                                                phi_2749_ = false;
-                                                                phi_2750_ = true;
-                                                                phi_2751_ = false;
-                                                                phi_2752_ = false;
+                                                                phi_1733_ = u32();
+                                                                phi_1736_ = bool();
+                                                                phi_2741_ = false;
+                                                                phi_2742_ = true;
                                                             }
-                                                            let _e2534 = phi_1729_;
-                                                            let _e2536 = phi_2749_;
-                                                            let _e2538 = phi_2750_;
-                                                            let _e2540 = phi_2751_;
-                                                            let _e2542 = phi_2752_;
-                                                            local_10 = _e2538;
-                                                            local_16 = _e2540;
-                                                            local_17 = _e2542;
+                                                            let _e2520 = phi_1733_;
+                                                            let _e2522 = phi_1736_;
+                                                            let _e2524 = phi_2741_;
+                                                            let _e2526 = phi_2742_;
+                                                            local_10 = _e2526;
                                                             continue;
                                                             continuing {
-                                                                phi_1728_ = _e2534;
-                                                                break if !(_e2536);
+                                                                phi_1732_ = _e2520;
+                                                                phi_1735_ = _e2522;
+                                                                break if !(_e2524);
                                                             }
                                                         }
-                                                        let _e2545 = local_10;
-                                                        if _e2545 {
-                                                            phi_2756_ = false;
-                                                            phi_2757_ = false;
+                                                        let _e2529 = local_10;
+                                                        if _e2529 {
+                                                            phi_2746_ = false;
                                                         } else {
-                                                            let _e2927 = local_16;
-                                                            phi_2756_ = _e2927;
-                                                            let _e2930 = local_17;
-                                                            phi_2757_ = _e2930;
+                                                            phi_2746_ = true;
                                                         }
-                                                        let _e2547 = phi_2756_;
-                                                        let _e2549 = phi_2757_;
-                                                        if _e2547 {
-                                                            phi_2761_ = true;
+                                                        let _e2531 = phi_2746_;
+                                                        if _e2531 {
+                                                            phi_2750_ = true;
                                                         } else {
-                                                            phi_2761_ = _e2549;
+                                                            let _e2911 = local_15;
+                                                            phi_2750_ = _e2911;
                                                         }
-                                                        let _e2551 = phi_2761_;
-                                                        if _e2551 {
-                                                            phi_2765_ = true;
-                                                        } else {
-                                                            phi_2765_ = false;
-                                                        }
-                                                        let _e2553 = phi_2765_;
-                                                        phi_2766_ = _e2553;
+                                                        let _e2533 = phi_2750_;
+                                                        phi_2751_ = _e2533;
                                                     }
-                                                    let _e2555 = phi_2766_;
-                                                    phi_2767_ = _e2555;
-                                                    phi_2768_ = _e1210;
+                                                    let _e2535 = phi_2751_;
+                                                    phi_2752_ = _e2535;
+                                                    phi_2753_ = _e1214;
                                                 } else {
-                                                    phi_2767_ = bool();
-                                                    phi_2768_ = true;
+                                                    phi_2752_ = bool();
+                                                    phi_2753_ = true;
                                                 }
-                                                let _e2557 = phi_2767_;
-                                                let _e2559 = phi_2768_;
-                                                if _e2559 {
-                                                    phi_2772_ = false;
+                                                let _e2537 = phi_2752_;
+                                                let _e2539 = phi_2753_;
+                                                if _e2539 {
+                                                    phi_2757_ = _e1001;
                                                 } else {
-                                                    phi_2772_ = _e2557;
+                                                    phi_2757_ = _e2537;
                                                 }
-                                                let _e2561 = phi_2772_;
-                                                if _e2561 {
-                                                    phi_2776_ = false;
+                                                let _e2541 = phi_2757_;
+                                                if _e2541 {
+                                                    phi_2761_ = false;
                                                 } else {
-                                                    phi_2776_ = true;
+                                                    phi_2761_ = true;
                                                 }
-                                                let _e2563 = phi_2776_;
-                                                phi_2777_ = _e2563;
+                                                let _e2543 = phi_2761_;
+                                                phi_2762_ = _e2541;
+                                                phi_2763_ = _e2543;
                                             } else {
-                                                phi_2777_ = true;
+                                                phi_2762_ = _e1001;
+                                                phi_2763_ = true;
                                             }
-                                            let _e2565 = phi_2777_;
-                                            phi_2778_ = _e2565;
+                                            let _e2545 = phi_2762_;
+                                            let _e2547 = phi_2763_;
+                                            phi_2764_ = _e2545;
+                                            phi_2765_ = _e2547;
                                         } else {
-                                            phi_2778_ = true;
+                                            phi_2764_ = _e1001;
+                                            phi_2765_ = true;
                                         }
-                                        let _e2567 = phi_2778_;
-                                        phi_2779_ = _e2567;
+                                        let _e2549 = phi_2764_;
+                                        let _e2551 = phi_2765_;
+                                        phi_2766_ = _e2549;
+                                        phi_2767_ = _e2551;
                                     } else {
-                                        phi_2779_ = true;
+                                        phi_2766_ = _e1001;
+                                        phi_2767_ = true;
                                     }
-                                    let _e2569 = phi_2779_;
-                                    if _e2569 {
+                                    let _e2553 = phi_2766_;
+                                    let _e2555 = phi_2767_;
+                                    if _e2555 {
                                     }
-                                    phi_1123_ = (_e997 & (_e997 - 1u));
-                                    phi_2783_ = _e2569;
+                                    phi_1125_ = (_e999 & (_e999 - 1u));
+                                    phi_1128_ = _e2553;
+                                    phi_2771_ = _e2555;
                                 }
-                                let _e2571 = phi_1123_;
-                                let _e2573 = phi_2783_;
+                                let _e2557 = phi_1125_;
+                                let _e2559 = phi_1128_;
+                                let _e2561 = phi_2771_;
                                 continue;
                                 continuing {
-                                    phi_1122_ = _e2571;
-                                    break if !(_e2573);
+                                    phi_1124_ = _e2557;
+                                    phi_1127_ = _e2559;
+                                    break if !(_e2561);
                                 }
                             }
-                            let _e2576 = local_11;
-                            if _e2576 {
-                                let _e2578 = local_1.group_mask;
-                                if ((_e2578 & 4278190080u) == 0u) {
-                                    let _e2582 = local_1.len;
-                                    if (_e2582 == 0u) {
-                                        phi_2825_ = false;
+                            let _e2564 = local_11;
+                            if _e2564 {
+                                let _e2566 = local_1.group_mask;
+                                if ((_e2566 & 4278190080u) == 0u) {
+                                    let _e2570 = local_1.len;
+                                    if (_e2570 == 0u) {
+                                        phi_2813_ = false;
                                     } else {
-                                        let _e2586 = local_1.len;
-                                        local_1.len = (_e2586 - 1u);
-                                        let _e2589 = local_1.len;
-                                        if (_e2589 < 32u) {
+                                        let _e2574 = local_1.len;
+                                        local_1.len = (_e2574 - 1u);
+                                        let _e2577 = local_1.len;
+                                        if (_e2577 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2594 = local_1.first[(0u + _e2589)];
-                                        local_1.group = _e2594;
-                                        let _e2597 = local_1.len;
-                                        if (_e2597 < 32u) {
+                                        let _e2582 = local_1.first[(0u + _e2577)];
+                                        local_1.group = _e2582;
+                                        let _e2585 = local_1.len;
+                                        if (_e2585 < 32u) {
                                         } else {
                                             return;
                                         }
-                                        let _e2602 = local_1.mask[(0u + _e2597)];
-                                        local_1.group_mask = _e2602;
-                                        phi_2825_ = true;
+                                        let _e2590 = local_1.mask[(0u + _e2585)];
+                                        local_1.group_mask = _e2590;
+                                        phi_2813_ = true;
                                     }
-                                    let _e2605 = phi_2825_;
-                                    phi_2826_ = _e2605;
+                                    let _e2593 = phi_2813_;
+                                    phi_2814_ = _e2593;
                                 } else {
-                                    phi_2826_ = true;
+                                    phi_2814_ = true;
                                 }
-                                let _e2607 = phi_2826_;
-                                if _e2607 {
-                                    let _e2609 = local_1.group_mask;
-                                    let _e2615 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2609)), 32u, (_e2609 == 0u)));
-                                    let _e2619 = local_1.group_mask;
-                                    let _e2633 = local_1.group_mask;
-                                    local_1.group_mask = (_e2633 & ~((1u << bitcast<u32>((_e2615 & 31u)))));
-                                    let _e2636 = local_1.group;
-                                    phi_2857_ = (_e2636 + countOneBits(((_e2619 & ~((4294967295u << bitcast<u32>((((_e2615 - 24u) ^ _e423) & 31u))))) & 255u)));
+                                let _e2595 = phi_2814_;
+                                if _e2595 {
+                                    let _e2597 = local_1.group_mask;
+                                    let _e2603 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2597)), 32u, (_e2597 == 0u)));
+                                    let _e2607 = local_1.group_mask;
+                                    let _e2621 = local_1.group_mask;
+                                    local_1.group_mask = (_e2621 & ~((1u << bitcast<u32>((_e2603 & 31u)))));
+                                    let _e2624 = local_1.group;
+                                    phi_2845_ = (_e2624 + countOneBits(((_e2607 & ~((4294967295u << bitcast<u32>((((_e2603 - 24u) ^ _e423) & 31u))))) & 255u)));
                                 } else {
-                                    phi_2857_ = 4294967295u;
+                                    phi_2845_ = 4294967295u;
                                 }
-                                let _e2639 = phi_2857_;
-                                phi_2858_ = _e2639;
+                                let _e2627 = phi_2845_;
+                                phi_2846_ = _e2627;
                             } else {
-                                phi_2858_ = u32();
+                                phi_2846_ = u32();
                             }
-                            let _e2641 = phi_2858_;
-                            phi_793_ = _e2641;
-                            let _e2951 = local_18;
-                            phi_2859_ = _e2951;
-                            phi_2860_ = false;
+                            let _e2629 = phi_2846_;
+                            phi_793_ = _e2629;
+                            let _e2934 = local_16;
+                            phi_796_ = _e2934;
+                            let _e2937 = local_17;
+                            phi_2847_ = _e2937;
+                            phi_2848_ = false;
                         } else {
                             phi_793_ = u32();
-                            phi_2859_ = false;
-                            phi_2860_ = true;
+                            phi_796_ = bool();
+                            phi_2847_ = false;
+                            phi_2848_ = true;
                         }
-                        let _e2643 = phi_793_;
-                        let _e2645 = phi_2859_;
-                        let _e2647 = phi_2860_;
-                        local_12 = _e2647;
+                        let _e2631 = phi_793_;
+                        let _e2633 = phi_796_;
+                        let _e2635 = phi_2847_;
+                        let _e2637 = phi_2848_;
+                        local_12 = _e2637;
                         continue;
                         continuing {
-                            phi_792_ = _e2643;
-                            break if !(_e2645);
+                            phi_792_ = _e2631;
+                            phi_795_ = _e2633;
+                            break if !(_e2635);
                         }
                     }
-                    let _e2650 = local_12;
-                    if _e2650 {
-                        phi_2864_ = false;
+                    let _e2640 = local_12;
+                    if _e2640 {
+                        phi_2852_ = false;
                     } else {
-                        phi_2864_ = true;
+                        phi_2852_ = true;
                     }
-                    let _e2652 = phi_2864_;
-                    if _e2652 {
-                        phi_2868_ = true;
-                    } else {
-                        phi_2868_ = false;
+                    let _e2642 = phi_2852_;
+                    if _e2642 {
                     }
-                    let _e2654 = phi_2868_;
-                    phi_2869_ = _e2654;
+                    phi_2856_ = _e2642;
                 }
-                let _e2656 = phi_2869_;
-                phi_2870_ = _e2656;
-                phi_2871_ = _e279;
+                let _e2644 = phi_2856_;
+                phi_2857_ = _e279;
+                phi_2858_ = _e2644;
             } else {
-                phi_2870_ = bool();
-                phi_2871_ = true;
+                phi_2857_ = true;
+                phi_2858_ = false;
             }
-            let _e2658 = phi_2870_;
-            let _e2660 = phi_2871_;
-            if _e2660 {
-                phi_2875_ = false;
+            let _e2646 = phi_2857_;
+            let _e2648 = phi_2858_;
+            if _e2646 {
+                phi_2862_ = false;
+                phi_2863_ = true;
             } else {
-                phi_2875_ = _e2658;
+                phi_2862_ = true;
+                phi_2863_ = _e2648;
             }
-            let _e2662 = phi_2875_;
-            if _e2662 {
-                phi_2879_ = 0f;
+            let _e2650 = phi_2862_;
+            let _e2652 = phi_2863_;
+            if _e2652 {
+                phi_2867_ = _e2650;
             } else {
-                phi_2879_ = 1f;
+                phi_2867_ = false;
             }
-            let _e2664 = phi_2879_;
-            phi_2880_ = _e2664;
+            let _e2654 = phi_2867_;
+            if _e2654 {
+                phi_2871_ = 0f;
+            } else {
+                phi_2871_ = 1f;
+            }
+            let _e2656 = phi_2871_;
+            phi_2872_ = _e2656;
         }
-        let _e2666 = phi_2880_;
+        let _e2658 = phi_2872_;
         if (_e79.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79.first_primitive)] = _e2666;
+        visibility.member[(0u + _e79.first_primitive)] = _e2658;
     }
     return;
 }

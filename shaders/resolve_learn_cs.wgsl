@@ -24,26 +24,6 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_28 {
-    member: array<lt_bvh_Triangle>,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -52,28 +32,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_37 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -89,8 +52,45 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_43 {
+struct type_29 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_34 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_38 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 var<private> id_1: vec3<u32>;
@@ -99,11 +99,11 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_43;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_34;
 @group(0) @binding(3) 
-var<storage> triangles: type_28;
+var<storage> triangles: type_38;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
@@ -201,157 +201,144 @@ fn function_() {
     var phi_650_: bool;
     var phi_681_: u32;
     var phi_683_: u32;
-    var phi_764_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_791_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_818_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_824_: u32;
-    var phi_827_: u32;
-    var phi_841_: u32;
-    var phi_851_: u32;
-    var phi_861_: u32;
-    var phi_879_: u32;
-    var phi_889_: u32;
-    var phi_899_: u32;
-    var phi_935_: u32;
-    var phi_948_: u32;
-    var phi_953_: u32;
-    var phi_954_: u32;
+    var phi_686_: bool;
+    var phi_766_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_793_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_820_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_826_: u32;
+    var phi_829_: u32;
+    var phi_843_: u32;
+    var phi_853_: u32;
+    var phi_863_: u32;
+    var phi_881_: u32;
+    var phi_891_: u32;
+    var phi_901_: u32;
+    var phi_937_: u32;
+    var phi_950_: u32;
     var phi_955_: u32;
-    var phi_825_: u32;
-    var phi_828_: u32;
+    var phi_956_: u32;
+    var phi_957_: u32;
+    var phi_827_: u32;
+    var phi_830_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1013_: u32;
-    var phi_1058_: vec3<f32>;
-    var phi_1059_: vec3<f32>;
-    var phi_1088_: vec3<f32>;
-    var phi_1089_: vec3<f32>;
-    var phi_1118_: vec3<f32>;
-    var phi_1119_: vec3<f32>;
-    var phi_1137_: bool;
-    var phi_1138_: bool;
-    var phi_1142_: f32;
-    var phi_1143_: f32;
-    var phi_1144_: f32;
-    var phi_1145_: f32;
-    var phi_1153_: f32;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1168_: f32;
-    var phi_1169_: f32;
-    var phi_1170_: f32;
-    var phi_1171_: f32;
-    var phi_1179_: f32;
-    var phi_1189_: bool;
-    var phi_1190_: bool;
-    var phi_1194_: f32;
-    var phi_1195_: f32;
-    var phi_1196_: f32;
-    var phi_1197_: f32;
-    var phi_1205_: f32;
-    var phi_1220_: f32;
-    var phi_1221_: bool;
-    var phi_1222_: f32;
-    var phi_1223_: bool;
+    var phi_1015_: u32;
+    var phi_1018_: bool;
+    var phi_1062_: vec3<f32>;
+    var phi_1063_: vec3<f32>;
+    var phi_1092_: vec3<f32>;
+    var phi_1093_: vec3<f32>;
+    var phi_1122_: vec3<f32>;
+    var phi_1123_: vec3<f32>;
+    var phi_1141_: bool;
+    var phi_1142_: bool;
+    var phi_1146_: f32;
+    var phi_1147_: f32;
+    var phi_1148_: f32;
+    var phi_1149_: f32;
+    var phi_1157_: f32;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1172_: f32;
+    var phi_1173_: f32;
+    var phi_1174_: f32;
+    var phi_1175_: f32;
+    var phi_1183_: f32;
+    var phi_1193_: bool;
+    var phi_1194_: bool;
+    var phi_1198_: f32;
+    var phi_1199_: f32;
+    var phi_1200_: f32;
+    var phi_1201_: f32;
+    var phi_1209_: f32;
     var phi_1224_: f32;
     var phi_1225_: bool;
-    var phi_1243_: f32;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1246_: f32;
-    var phi_1247_: bool;
+    var phi_1226_: f32;
+    var phi_1227_: bool;
+    var phi_1228_: f32;
+    var phi_1229_: bool;
+    var phi_1247_: f32;
     var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: f32;
+    var phi_1251_: bool;
     var phi_1252_: bool;
-    var phi_1253_: f32;
-    var phi_1254_: bool;
-    var phi_1282_: vec3<f32>;
-    var phi_1283_: vec3<f32>;
-    var phi_1308_: vec3<f32>;
-    var phi_1309_: vec3<f32>;
-    var phi_1334_: vec3<f32>;
-    var phi_1335_: vec3<f32>;
-    var phi_1391_: f32;
-    var phi_1400_: f32;
-    var phi_1409_: f32;
-    var phi_1418_: f32;
-    var phi_1425_: f32;
-    var phi_1432_: f32;
-    var phi_1445_: f32;
-    var phi_1454_: f32;
-    var phi_1463_: f32;
-    var phi_1472_: f32;
-    var phi_1479_: f32;
-    var phi_1486_: f32;
-    var phi_1503_: f32;
-    var phi_1508_: f32;
-    var phi_1513_: f32;
-    var phi_1521_: f32;
-    var phi_1526_: f32;
-    var phi_1531_: f32;
-    var phi_1543_: f32;
-    var phi_1548_: f32;
-    var phi_1553_: f32;
-    var phi_1558_: f32;
-    var phi_1563_: lt_bvh_triangle_Intersection;
-    var phi_1564_: bool;
-    var phi_1565_: lt_bvh_triangle_Intersection;
-    var phi_1566_: bool;
-    var phi_1570_: lt_bvh_triangle_Intersection;
-    var phi_1571_: bool;
-    var phi_1572_: lt_bvh_triangle_Intersection;
-    var phi_1573_: bool;
-    var phi_1574_: bool;
+    var phi_1256_: bool;
+    var phi_1257_: f32;
+    var phi_1258_: bool;
+    var phi_1286_: vec3<f32>;
+    var phi_1287_: vec3<f32>;
+    var phi_1312_: vec3<f32>;
+    var phi_1313_: vec3<f32>;
+    var phi_1338_: vec3<f32>;
+    var phi_1339_: vec3<f32>;
+    var phi_1395_: f32;
+    var phi_1404_: f32;
+    var phi_1413_: f32;
+    var phi_1422_: f32;
+    var phi_1429_: f32;
+    var phi_1436_: f32;
+    var phi_1449_: f32;
+    var phi_1458_: f32;
+    var phi_1467_: f32;
+    var phi_1476_: f32;
+    var phi_1483_: f32;
+    var phi_1490_: f32;
+    var phi_1507_: f32;
+    var phi_1512_: f32;
+    var phi_1517_: f32;
+    var phi_1525_: f32;
+    var phi_1530_: f32;
+    var phi_1535_: f32;
+    var phi_1547_: f32;
+    var phi_1552_: f32;
+    var phi_1557_: f32;
+    var phi_1562_: f32;
+    var phi_1567_: lt_bvh_triangle_Intersection;
+    var phi_1568_: bool;
+    var phi_1569_: lt_bvh_triangle_Intersection;
+    var phi_1570_: bool;
+    var phi_1574_: lt_bvh_triangle_Intersection;
+    var phi_1575_: bool;
+    var phi_1576_: lt_bvh_triangle_Intersection;
+    var phi_1577_: bool;
     var phi_1578_: bool;
-    var phi_1582_: lt_bvh_triangle_Intersection;
+    var phi_1582_: bool;
+    var phi_1586_: lt_bvh_triangle_Intersection;
+    var phi_1606_: bool;
     var phi_1607_: bool;
     var phi_1608_: bool;
     var phi_1609_: bool;
     var phi_1610_: bool;
     var phi_1611_: bool;
     var phi_1612_: bool;
-    var phi_1613_: bool;
-    var phi_1614_: bool;
-    var phi_1615_: bool;
+    var phi_1016_: u32;
+    var phi_1019_: bool;
     var phi_1616_: bool;
-    var phi_1617_: bool;
-    var phi_1618_: bool;
-    var phi_1622_: bool;
-    var phi_1623_: bool;
-    var phi_1014_: u32;
-    var phi_1624_: bool;
-    var phi_1625_: bool;
-    var phi_1626_: bool;
     var local_4: bool;
-    var phi_1668_: bool;
-    var phi_1669_: bool;
-    var phi_1700_: u32;
-    var phi_1701_: u32;
+    var phi_1658_: bool;
+    var phi_1659_: bool;
+    var phi_1690_: u32;
+    var phi_1691_: u32;
+    var phi_684_: u32;
+    var phi_687_: bool;
+    var phi_1692_: bool;
+    var phi_1693_: bool;
+    var local_5: bool;
+    var phi_1697_: bool;
+    var phi_1701_: bool;
     var phi_1702_: bool;
     var phi_1703_: bool;
-    var phi_684_: u32;
     var phi_1704_: bool;
-    var phi_1705_: bool;
-    var phi_1706_: bool;
-    var phi_1707_: bool;
-    var local_5: bool;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: bool;
-    var phi_1720_: bool;
-    var phi_1721_: bool;
-    var phi_1722_: bool;
-    var phi_1723_: bool;
-    var phi_1727_: bool;
-    var phi_1731_: f32;
-    var phi_1752_: u32;
-    var phi_1767_: u32;
-    var phi_1772_: u32;
+    var phi_1708_: bool;
+    var phi_1712_: f32;
+    var phi_1733_: u32;
+    var phi_1748_: u32;
+    var phi_1753_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
-    var local_9: bool;
-    var local_10: bool;
 
     let _e52 = id_1;
     let _e59 = arrayLength((&nodes.member));
@@ -501,7 +488,7 @@ fn function_() {
         if _e185 {
             let _e186 = (0u >= _e59);
             if _e186 {
-                phi_1721_ = bool();
+                phi_1702_ = bool();
             } else {
                 if (0u < _e59) {
                 } else {
@@ -692,943 +679,897 @@ fn function_() {
                 }
                 let _e496 = phi_681_;
                 phi_683_ = _e496;
+                phi_686_ = false;
                 loop {
                     let _e498 = phi_683_;
+                    let _e500 = phi_686_;
+                    local_8 = _e500;
                     if (_e498 != 4294967295u) {
                         if (_e498 < _e59) {
                         } else {
                             return;
                         }
-                        let _e505 = nodes.member[(0u + _e498)].frame[3u];
-                        let _e530 = (bitcast<f32>((((_e505 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e262);
-                        let _e531 = (bitcast<f32>((((_e505 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e272);
-                        let _e532 = (bitcast<f32>((((_e505 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e282);
-                        let _e535 = nodes.member[(0u + _e498)].frame[0u];
-                        let _e539 = nodes.member[(0u + _e498)].frame[1u];
-                        let _e543 = nodes.member[(0u + _e498)].frame[2u];
-                        let _e548 = ((bitcast<f32>(_e535) - _e105) * _e262);
-                        let _e549 = ((bitcast<f32>(_e539) - _e107) * _e272);
-                        let _e550 = ((bitcast<f32>(_e543) - _e109) * _e282);
-                        let _e558 = nodes.member[(0u + _e498)].x;
+                        let _e507 = nodes.member[(0u + _e498)].frame[3u];
+                        let _e532 = (bitcast<f32>((((_e507 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e262);
+                        let _e533 = (bitcast<f32>((((_e507 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e272);
+                        let _e534 = (bitcast<f32>((((_e507 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e282);
+                        let _e537 = nodes.member[(0u + _e498)].frame[0u];
+                        let _e541 = nodes.member[(0u + _e498)].frame[1u];
+                        let _e545 = nodes.member[(0u + _e498)].frame[2u];
+                        let _e550 = ((bitcast<f32>(_e537) - _e105) * _e262);
+                        let _e551 = ((bitcast<f32>(_e541) - _e107) * _e272);
+                        let _e552 = ((bitcast<f32>(_e545) - _e109) * _e282);
+                        let _e560 = nodes.member[(0u + _e498)].x;
                         if (_e262 < 0f) {
-                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e569.unnamed.root, _e558.w), _e569.unnamed_1);
-                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_bvh_traverse_Tree(_e558.x, _e575.unnamed_1.first_primitive));
-                            phi_764_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_bvh_traverse_Tree(_e581.unnamed_1.root, _e558.y));
+                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e571.unnamed.root, _e560.w), _e571.unnamed_1);
+                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e560.x, _e577.unnamed_1.first_primitive));
+                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e583.unnamed_1.root, _e560.y));
                         } else {
-                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.unnamed.root, _e558.y), _e597.unnamed_1);
-                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e558.z, _e603.unnamed_1.first_primitive));
-                            phi_764_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_bvh_traverse_Tree(_e609.unnamed_1.root, _e558.w));
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.unnamed.root, _e560.y), _e599.unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e560.z, _e605.unnamed_1.first_primitive));
+                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e611.unnamed_1.root, _e560.w));
                         }
-                        let _e617 = phi_764_;
-                        let _e627 = nodes.member[(0u + _e498)].y;
+                        let _e619 = phi_766_;
+                        let _e629 = nodes.member[(0u + _e498)].y;
                         if (_e272 < 0f) {
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e627.w), _e638.unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e627.x, _e644.unnamed_1.first_primitive));
-                            phi_791_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e627.y));
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
+                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
                         } else {
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.unnamed.root, _e627.y), _e666.unnamed_1);
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e627.z, _e672.unnamed_1.first_primitive));
-                            phi_791_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e678.unnamed_1.root, _e627.w));
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
+                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
                         }
-                        let _e686 = phi_791_;
-                        let _e696 = nodes.member[(0u + _e498)].z;
+                        let _e688 = phi_793_;
+                        let _e698 = nodes.member[(0u + _e498)].z;
                         if (_e282 < 0f) {
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e696.w), _e707.unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e696.x, _e713.unnamed_1.first_primitive));
-                            phi_818_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e696.y));
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
+                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
                         } else {
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.unnamed.root, _e696.y), _e735.unnamed_1);
-                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e696.z, _e741.unnamed_1.first_primitive));
-                            phi_818_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e747.unnamed_1.root, _e696.w));
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
+                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
                         }
-                        let _e755 = phi_818_;
-                        phi_824_ = 0u;
-                        phi_827_ = 0u;
+                        let _e757 = phi_820_;
+                        phi_826_ = 0u;
+                        phi_829_ = 0u;
                         loop {
-                            let _e765 = phi_824_;
-                            let _e767 = phi_827_;
-                            local_1 = _e767;
-                            local_2 = _e767;
-                            local_3 = _e767;
-                            let _e768 = (_e765 < 8u);
-                            if _e768 {
-                                let _e770 = (_e765 >> bitcast<u32>(2i));
-                                let _e771 = (_e765 & 3u);
-                                if (_e770 == 0u) {
-                                    phi_841_ = _e617.unnamed.root;
+                            let _e767 = phi_826_;
+                            let _e769 = phi_829_;
+                            local_1 = _e769;
+                            local_2 = _e769;
+                            local_3 = _e769;
+                            let _e770 = (_e767 < 8u);
+                            if _e770 {
+                                let _e772 = (_e767 >> bitcast<u32>(2i));
+                                let _e773 = (_e767 & 3u);
+                                if (_e772 == 0u) {
+                                    phi_843_ = _e619.unnamed.root;
                                 } else {
-                                    phi_841_ = _e617.unnamed.first_primitive;
+                                    phi_843_ = _e619.unnamed.first_primitive;
                                 }
-                                let _e774 = phi_841_;
-                                if (_e770 == 0u) {
-                                    phi_851_ = _e686.unnamed.root;
+                                let _e776 = phi_843_;
+                                if (_e772 == 0u) {
+                                    phi_853_ = _e688.unnamed.root;
                                 } else {
-                                    phi_851_ = _e686.unnamed.first_primitive;
+                                    phi_853_ = _e688.unnamed.first_primitive;
                                 }
-                                let _e783 = phi_851_;
-                                if (_e770 == 0u) {
-                                    phi_861_ = _e755.unnamed.root;
+                                let _e785 = phi_853_;
+                                if (_e772 == 0u) {
+                                    phi_863_ = _e757.unnamed.root;
                                 } else {
-                                    phi_861_ = _e755.unnamed.first_primitive;
+                                    phi_863_ = _e757.unnamed.first_primitive;
                                 }
-                                let _e792 = phi_861_;
-                                let _e805 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e774 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e310)), ((f32(((_e783 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e311)));
-                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(_e805, ((f32(((_e792 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e312)));
-                                if (_e770 == 0u) {
-                                    phi_879_ = _e617.unnamed_1.root;
+                                let _e794 = phi_863_;
+                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e776 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e310)), ((f32(((_e785 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e311)));
+                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(_e807, ((f32(((_e794 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e312)));
+                                if (_e772 == 0u) {
+                                    phi_881_ = _e619.unnamed_1.root;
                                 } else {
-                                    phi_879_ = _e617.unnamed_1.first_primitive;
+                                    phi_881_ = _e619.unnamed_1.first_primitive;
                                 }
-                                let _e809 = phi_879_;
-                                if (_e770 == 0u) {
-                                    phi_889_ = _e686.unnamed_1.root;
+                                let _e811 = phi_881_;
+                                if (_e772 == 0u) {
+                                    phi_891_ = _e688.unnamed_1.root;
                                 } else {
-                                    phi_889_ = _e686.unnamed_1.first_primitive;
+                                    phi_891_ = _e688.unnamed_1.first_primitive;
                                 }
-                                let _e818 = phi_889_;
-                                if (_e770 == 0u) {
-                                    phi_899_ = _e755.unnamed_1.root;
+                                let _e820 = phi_891_;
+                                if (_e772 == 0u) {
+                                    phi_901_ = _e757.unnamed_1.root;
                                 } else {
-                                    phi_899_ = _e755.unnamed_1.first_primitive;
+                                    phi_901_ = _e757.unnamed_1.first_primitive;
                                 }
-                                let _e827 = phi_899_;
-                                let _e840 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e310)), ((f32(((_e818 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e311)));
-                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e312)));
-                                if (_e806 <= _e841) {
-                                    if (_e806 <= _e113) {
-                                        if (_e841 >= 0f) {
-                                            if (_e770 == 0u) {
-                                                let _e848 = nodes.member[(0u + _e498)].links[2u];
-                                                phi_935_ = _e848;
+                                let _e829 = phi_901_;
+                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e811 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e310)), ((f32(((_e820 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e311)));
+                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(_e842, ((f32(((_e829 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e312)));
+                                if (_e808 <= _e843) {
+                                    if (_e808 <= _e113) {
+                                        if (_e843 >= 0f) {
+                                            if (_e772 == 0u) {
+                                                let _e850 = nodes.member[(0u + _e498)].links[2u];
+                                                phi_937_ = _e850;
                                             } else {
-                                                let _e851 = nodes.member[(0u + _e498)].links[3u];
-                                                phi_935_ = _e851;
+                                                let _e853 = nodes.member[(0u + _e498)].links[3u];
+                                                phi_937_ = _e853;
                                             }
-                                            let _e853 = phi_935_;
-                                            let _e858 = ((_e853 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u);
-                                            let _e859 = (_e858 & 31u);
-                                            if (_e859 >= 24u) {
-                                                phi_948_ = (24u + ((_e859 - 24u) ^ _e360));
+                                            let _e855 = phi_937_;
+                                            let _e860 = ((_e855 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u);
+                                            let _e861 = (_e860 & 31u);
+                                            if (_e861 >= 24u) {
+                                                phi_950_ = (24u + ((_e861 - 24u) ^ _e360));
                                             } else {
-                                                phi_948_ = _e859;
+                                                phi_950_ = _e861;
                                             }
-                                            let _e865 = phi_948_;
-                                            phi_953_ = (_e767 | ((_e858 >> bitcast<u32>(5i)) << bitcast<u32>((_e865 & 31u))));
+                                            let _e867 = phi_950_;
+                                            phi_955_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
                                         } else {
-                                            phi_953_ = _e767;
+                                            phi_955_ = _e769;
                                         }
-                                        let _e873 = phi_953_;
-                                        phi_954_ = _e873;
+                                        let _e875 = phi_955_;
+                                        phi_956_ = _e875;
                                     } else {
-                                        phi_954_ = _e767;
+                                        phi_956_ = _e769;
                                     }
-                                    let _e875 = phi_954_;
-                                    phi_955_ = _e875;
+                                    let _e877 = phi_956_;
+                                    phi_957_ = _e877;
                                 } else {
-                                    phi_955_ = _e767;
+                                    phi_957_ = _e769;
                                 }
-                                let _e877 = phi_955_;
-                                phi_825_ = (_e765 + 1u);
-                                phi_828_ = _e877;
+                                let _e879 = phi_957_;
+                                phi_827_ = (_e767 + 1u);
+                                phi_830_ = _e879;
                             } else {
-                                phi_825_ = u32();
-                                phi_828_ = u32();
+                                phi_827_ = u32();
+                                phi_830_ = u32();
                             }
-                            let _e880 = phi_825_;
-                            let _e882 = phi_828_;
+                            let _e882 = phi_827_;
+                            let _e884 = phi_830_;
                             continue;
                             continuing {
-                                phi_824_ = _e880;
-                                phi_827_ = _e882;
-                                break if !(_e768);
+                                phi_826_ = _e882;
+                                phi_829_ = _e884;
+                                break if !(_e770);
                             }
                         }
-                        let _e886 = nodes.member[(0u + _e498)].links[0u];
-                        let _e890 = nodes.member[(0u + _e498)].frame[3u];
-                        let _e894 = local_1;
-                        if ((_e894 & 4278190080u) == 0u) {
+                        let _e888 = nodes.member[(0u + _e498)].links[0u];
+                        let _e892 = nodes.member[(0u + _e498)].frame[3u];
+                        let _e896 = local_1;
+                        if ((_e896 & 4278190080u) == 0u) {
                         } else {
-                            let _e898 = local.group_mask;
-                            if ((_e898 & 4278190080u) == 0u) {
+                            let _e900 = local.group_mask;
+                            if ((_e900 & 4278190080u) == 0u) {
                             } else {
-                                let _e902 = local.len;
-                                if (_e902 < 32u) {
-                                    let _e905 = local.group;
-                                    let _e907 = local.len;
-                                    if (_e907 < 32u) {
+                                let _e904 = local.len;
+                                if (_e904 < 32u) {
+                                    let _e907 = local.group;
+                                    let _e909 = local.len;
+                                    if (_e909 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e907)] = _e905;
-                                    let _e913 = local.group_mask;
-                                    let _e915 = local.len;
-                                    if (_e915 < 32u) {
+                                    local.first[(0u + _e909)] = _e907;
+                                    let _e915 = local.group_mask;
+                                    let _e917 = local.len;
+                                    if (_e917 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e915)] = _e913;
-                                    let _e922 = local.len;
-                                    local.len = (_e922 + 1u);
+                                    local.mask[(0u + _e917)] = _e915;
+                                    let _e924 = local.len;
+                                    local.len = (_e924 + 1u);
                                 }
                             }
-                            local.group = (0u + _e886);
-                            let _e926 = local_2;
-                            local.group_mask = ((_e926 & 4278190080u) | (_e890 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e888);
+                            let _e928 = local_2;
+                            local.group_mask = ((_e928 & 4278190080u) | (_e892 >> bitcast<u32>(24i)));
                         }
-                        let _e931 = local_3;
-                        phi_1013_ = (_e931 & 16777215u);
+                        let _e933 = local_3;
+                        phi_1015_ = (_e933 & 16777215u);
+                        phi_1018_ = _e500;
                         loop {
-                            let _e934 = phi_1013_;
-                            let _e935 = (_e934 == 0u);
-                            local_4 = _e935;
-                            local_8 = _e935;
-                            if _e935 {
-                                phi_1014_ = u32();
-                                phi_1624_ = false;
-                                phi_1625_ = false;
-                                phi_1626_ = false;
+                            let _e936 = phi_1015_;
+                            let _e938 = phi_1018_;
+                            local_6 = _e938;
+                            let _e939 = (_e936 == 0u);
+                            local_4 = _e939;
+                            local_7 = _e939;
+                            if _e939 {
+                                phi_1016_ = u32();
+                                phi_1019_ = bool();
+                                phi_1616_ = false;
                             } else {
-                                let _e938 = nodes.member[(0u + _e498)].links[1u];
-                                let _e943 = ((0u + _e938) + select(firstTrailingBit(_e934), 32u, (_e934 == 0u)));
-                                if (_e943 < arrayLength((&triangles.member))) {
+                                let _e942 = nodes.member[(0u + _e498)].links[1u];
+                                let _e947 = ((0u + _e942) + select(firstTrailingBit(_e936), 32u, (_e936 == 0u)));
+                                if (_e947 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e950 = triangles.member[(0u + _e943)].v0_;
-                                let _e952 = (_e950.x - _e105);
-                                let _e954 = (_e950.y - _e107);
-                                let _e956 = (_e950.z - _e109);
+                                let _e954 = triangles.member[(0u + _e947)].v0_;
+                                let _e956 = (_e954.x - _e105);
+                                let _e958 = (_e954.y - _e107);
+                                let _e960 = (_e954.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1059_ = vec3<f32>(_e954, _e956, _e952);
+                                    phi_1063_ = vec3<f32>(_e958, _e960, _e956);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1058_ = vec3<f32>(_e956, _e952, _e954);
+                                        phi_1062_ = vec3<f32>(_e960, _e956, _e958);
                                     } else {
-                                        phi_1058_ = (_e950 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1062_ = (_e954 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e964 = phi_1058_;
-                                    phi_1059_ = _e964;
+                                    let _e968 = phi_1062_;
+                                    phi_1063_ = _e968;
                                 }
-                                let _e966 = phi_1059_;
-                                let _e970 = (_e966.x - (_e344 * _e966.z));
-                                let _e974 = (_e966.y - (_e347 * _e966.z));
-                                let _e976 = triangles.member[(0u + _e943)].v1_;
-                                let _e978 = (_e976.x - _e105);
-                                let _e980 = (_e976.y - _e107);
-                                let _e982 = (_e976.z - _e109);
+                                let _e970 = phi_1063_;
+                                let _e974 = (_e970.x - (_e344 * _e970.z));
+                                let _e978 = (_e970.y - (_e347 * _e970.z));
+                                let _e980 = triangles.member[(0u + _e947)].v1_;
+                                let _e982 = (_e980.x - _e105);
+                                let _e984 = (_e980.y - _e107);
+                                let _e986 = (_e980.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1089_ = vec3<f32>(_e980, _e982, _e978);
+                                    phi_1093_ = vec3<f32>(_e984, _e986, _e982);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1088_ = vec3<f32>(_e982, _e978, _e980);
+                                        phi_1092_ = vec3<f32>(_e986, _e982, _e984);
                                     } else {
-                                        phi_1088_ = (_e976 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1092_ = (_e980 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e990 = phi_1088_;
-                                    phi_1089_ = _e990;
+                                    let _e994 = phi_1092_;
+                                    phi_1093_ = _e994;
                                 }
-                                let _e992 = phi_1089_;
-                                let _e996 = (_e992.x - (_e344 * _e992.z));
-                                let _e1000 = (_e992.y - (_e347 * _e992.z));
-                                let _e1002 = triangles.member[(0u + _e943)].v2_;
-                                let _e1004 = (_e1002.x - _e105);
-                                let _e1006 = (_e1002.y - _e107);
-                                let _e1008 = (_e1002.z - _e109);
+                                let _e996 = phi_1093_;
+                                let _e1000 = (_e996.x - (_e344 * _e996.z));
+                                let _e1004 = (_e996.y - (_e347 * _e996.z));
+                                let _e1006 = triangles.member[(0u + _e947)].v2_;
+                                let _e1008 = (_e1006.x - _e105);
+                                let _e1010 = (_e1006.y - _e107);
+                                let _e1012 = (_e1006.z - _e109);
                                 if (_e333 == 0u) {
-                                    phi_1119_ = vec3<f32>(_e1006, _e1008, _e1004);
+                                    phi_1123_ = vec3<f32>(_e1010, _e1012, _e1008);
                                 } else {
                                     if (_e333 == 1u) {
-                                        phi_1118_ = vec3<f32>(_e1008, _e1004, _e1006);
+                                        phi_1122_ = vec3<f32>(_e1012, _e1008, _e1010);
                                     } else {
-                                        phi_1118_ = (_e1002 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1122_ = (_e1006 - vec3<f32>(_e105, _e107, _e109));
                                     }
-                                    let _e1016 = phi_1118_;
-                                    phi_1119_ = _e1016;
+                                    let _e1020 = phi_1122_;
+                                    phi_1123_ = _e1020;
                                 }
-                                let _e1018 = phi_1119_;
-                                let _e1022 = (_e1018.x - (_e344 * _e1018.z));
-                                let _e1026 = (_e1018.y - (_e347 * _e1018.z));
-                                if (_e996 < _e1022) {
-                                    phi_1138_ = true;
+                                let _e1022 = phi_1123_;
+                                let _e1026 = (_e1022.x - (_e344 * _e1022.z));
+                                let _e1030 = (_e1022.y - (_e347 * _e1022.z));
+                                if (_e1000 < _e1026) {
+                                    phi_1142_ = true;
                                 } else {
-                                    if (_e996 == _e1022) {
-                                        phi_1137_ = (_e1000 < _e1026);
+                                    if (_e1000 == _e1026) {
+                                        phi_1141_ = (_e1004 < _e1030);
                                     } else {
-                                        phi_1137_ = false;
+                                        phi_1141_ = false;
                                     }
-                                    let _e1031 = phi_1137_;
-                                    phi_1138_ = _e1031;
+                                    let _e1035 = phi_1141_;
+                                    phi_1142_ = _e1035;
                                 }
-                                let _e1033 = phi_1138_;
-                                if _e1033 {
-                                    phi_1142_ = _e1026;
-                                    phi_1143_ = _e1022;
-                                    phi_1144_ = _e1000;
-                                    phi_1145_ = _e996;
+                                let _e1037 = phi_1142_;
+                                if _e1037 {
+                                    phi_1146_ = _e1030;
+                                    phi_1147_ = _e1026;
+                                    phi_1148_ = _e1004;
+                                    phi_1149_ = _e1000;
                                 } else {
-                                    phi_1142_ = _e1000;
-                                    phi_1143_ = _e996;
-                                    phi_1144_ = _e1026;
-                                    phi_1145_ = _e1022;
+                                    phi_1146_ = _e1004;
+                                    phi_1147_ = _e1000;
+                                    phi_1148_ = _e1030;
+                                    phi_1149_ = _e1026;
                                 }
-                                let _e1035 = phi_1142_;
-                                let _e1037 = phi_1143_;
-                                let _e1039 = phi_1144_;
-                                let _e1041 = phi_1145_;
-                                let _e1044 = ((_e1041 * _e1035) - (_e1039 * _e1037));
-                                if _e1033 {
-                                    phi_1153_ = -(_e1044);
+                                let _e1039 = phi_1146_;
+                                let _e1041 = phi_1147_;
+                                let _e1043 = phi_1148_;
+                                let _e1045 = phi_1149_;
+                                let _e1048 = ((_e1045 * _e1039) - (_e1043 * _e1041));
+                                if _e1037 {
+                                    phi_1157_ = -(_e1048);
                                 } else {
-                                    phi_1153_ = _e1044;
+                                    phi_1157_ = _e1048;
                                 }
-                                let _e1047 = phi_1153_;
-                                if (_e1022 < _e970) {
-                                    phi_1164_ = true;
+                                let _e1051 = phi_1157_;
+                                if (_e1026 < _e974) {
+                                    phi_1168_ = true;
                                 } else {
-                                    if (_e1022 == _e970) {
-                                        phi_1163_ = (_e1026 < _e974);
+                                    if (_e1026 == _e974) {
+                                        phi_1167_ = (_e1030 < _e978);
                                     } else {
-                                        phi_1163_ = false;
+                                        phi_1167_ = false;
                                     }
-                                    let _e1052 = phi_1163_;
-                                    phi_1164_ = _e1052;
+                                    let _e1056 = phi_1167_;
+                                    phi_1168_ = _e1056;
                                 }
-                                let _e1054 = phi_1164_;
-                                if _e1054 {
-                                    phi_1168_ = _e974;
-                                    phi_1169_ = _e970;
-                                    phi_1170_ = _e1026;
-                                    phi_1171_ = _e1022;
+                                let _e1058 = phi_1168_;
+                                if _e1058 {
+                                    phi_1172_ = _e978;
+                                    phi_1173_ = _e974;
+                                    phi_1174_ = _e1030;
+                                    phi_1175_ = _e1026;
                                 } else {
-                                    phi_1168_ = _e1026;
-                                    phi_1169_ = _e1022;
-                                    phi_1170_ = _e974;
-                                    phi_1171_ = _e970;
+                                    phi_1172_ = _e1030;
+                                    phi_1173_ = _e1026;
+                                    phi_1174_ = _e978;
+                                    phi_1175_ = _e974;
                                 }
-                                let _e1056 = phi_1168_;
-                                let _e1058 = phi_1169_;
-                                let _e1060 = phi_1170_;
-                                let _e1062 = phi_1171_;
-                                let _e1065 = ((_e1062 * _e1056) - (_e1060 * _e1058));
-                                if _e1054 {
-                                    phi_1179_ = -(_e1065);
+                                let _e1060 = phi_1172_;
+                                let _e1062 = phi_1173_;
+                                let _e1064 = phi_1174_;
+                                let _e1066 = phi_1175_;
+                                let _e1069 = ((_e1066 * _e1060) - (_e1064 * _e1062));
+                                if _e1058 {
+                                    phi_1183_ = -(_e1069);
                                 } else {
-                                    phi_1179_ = _e1065;
+                                    phi_1183_ = _e1069;
                                 }
-                                let _e1068 = phi_1179_;
-                                if (_e970 < _e996) {
-                                    phi_1190_ = true;
+                                let _e1072 = phi_1183_;
+                                if (_e974 < _e1000) {
+                                    phi_1194_ = true;
                                 } else {
-                                    if (_e970 == _e996) {
-                                        phi_1189_ = (_e974 < _e1000);
+                                    if (_e974 == _e1000) {
+                                        phi_1193_ = (_e978 < _e1004);
                                     } else {
-                                        phi_1189_ = false;
+                                        phi_1193_ = false;
                                     }
-                                    let _e1073 = phi_1189_;
-                                    phi_1190_ = _e1073;
+                                    let _e1077 = phi_1193_;
+                                    phi_1194_ = _e1077;
                                 }
-                                let _e1075 = phi_1190_;
-                                if _e1075 {
-                                    phi_1194_ = _e1000;
-                                    phi_1195_ = _e996;
-                                    phi_1196_ = _e974;
-                                    phi_1197_ = _e970;
+                                let _e1079 = phi_1194_;
+                                if _e1079 {
+                                    phi_1198_ = _e1004;
+                                    phi_1199_ = _e1000;
+                                    phi_1200_ = _e978;
+                                    phi_1201_ = _e974;
                                 } else {
-                                    phi_1194_ = _e974;
-                                    phi_1195_ = _e970;
-                                    phi_1196_ = _e1000;
-                                    phi_1197_ = _e996;
+                                    phi_1198_ = _e978;
+                                    phi_1199_ = _e974;
+                                    phi_1200_ = _e1004;
+                                    phi_1201_ = _e1000;
                                 }
-                                let _e1077 = phi_1194_;
-                                let _e1079 = phi_1195_;
-                                let _e1081 = phi_1196_;
-                                let _e1083 = phi_1197_;
-                                let _e1086 = ((_e1083 * _e1077) - (_e1081 * _e1079));
-                                if _e1075 {
-                                    phi_1205_ = -(_e1086);
+                                let _e1081 = phi_1198_;
+                                let _e1083 = phi_1199_;
+                                let _e1085 = phi_1200_;
+                                let _e1087 = phi_1201_;
+                                let _e1090 = ((_e1087 * _e1081) - (_e1085 * _e1083));
+                                if _e1079 {
+                                    phi_1209_ = -(_e1090);
                                 } else {
-                                    phi_1205_ = _e1086;
+                                    phi_1209_ = _e1090;
                                 }
-                                let _e1089 = phi_1205_;
-                                if (_e1047 >= 0f) {
-                                    if (_e1068 >= 0f) {
-                                        if (_e1089 >= 0f) {
-                                            phi_1220_ = ((_e1047 + _e1068) + _e1089);
-                                            phi_1221_ = false;
+                                let _e1093 = phi_1209_;
+                                if (_e1051 >= 0f) {
+                                    if (_e1072 >= 0f) {
+                                        if (_e1093 >= 0f) {
+                                            phi_1224_ = ((_e1051 + _e1072) + _e1093);
+                                            phi_1225_ = false;
                                         } else {
-                                            phi_1220_ = f32();
-                                            phi_1221_ = true;
+                                            phi_1224_ = f32();
+                                            phi_1225_ = true;
                                         }
-                                        let _e1096 = phi_1220_;
-                                        let _e1098 = phi_1221_;
-                                        phi_1222_ = _e1096;
-                                        phi_1223_ = _e1098;
+                                        let _e1100 = phi_1224_;
+                                        let _e1102 = phi_1225_;
+                                        phi_1226_ = _e1100;
+                                        phi_1227_ = _e1102;
                                     } else {
-                                        phi_1222_ = f32();
-                                        phi_1223_ = true;
+                                        phi_1226_ = f32();
+                                        phi_1227_ = true;
                                     }
-                                    let _e1100 = phi_1222_;
-                                    let _e1102 = phi_1223_;
-                                    phi_1224_ = _e1100;
-                                    phi_1225_ = _e1102;
+                                    let _e1104 = phi_1226_;
+                                    let _e1106 = phi_1227_;
+                                    phi_1228_ = _e1104;
+                                    phi_1229_ = _e1106;
                                 } else {
-                                    phi_1224_ = f32();
-                                    phi_1225_ = true;
+                                    phi_1228_ = f32();
+                                    phi_1229_ = true;
                                 }
-                                let _e1104 = phi_1224_;
-                                let _e1106 = phi_1225_;
-                                if _e1106 {
-                                    if (_e1047 <= 0f) {
-                                        if (_e1068 <= 0f) {
-                                            let _e1109 = (_e1089 <= 0f);
-                                            if _e1109 {
+                                let _e1108 = phi_1228_;
+                                let _e1110 = phi_1229_;
+                                if _e1110 {
+                                    if (_e1051 <= 0f) {
+                                        if (_e1072 <= 0f) {
+                                            let _e1113 = (_e1093 <= 0f);
+                                            if _e1113 {
                                             }
-                                            phi_1243_ = ((_e1047 + _e1068) + _e1089);
-                                            phi_1244_ = false;
-                                            phi_1245_ = _e1109;
+                                            phi_1247_ = ((_e1051 + _e1072) + _e1093);
+                                            phi_1248_ = false;
+                                            phi_1249_ = _e1113;
                                         } else {
-                                            phi_1243_ = f32();
-                                            phi_1244_ = true;
-                                            phi_1245_ = false;
+                                            phi_1247_ = f32();
+                                            phi_1248_ = true;
+                                            phi_1249_ = false;
                                         }
-                                        let _e1113 = phi_1243_;
-                                        let _e1115 = phi_1244_;
-                                        let _e1117 = phi_1245_;
-                                        phi_1246_ = _e1113;
-                                        phi_1247_ = _e1115;
-                                        phi_1248_ = _e1117;
+                                        let _e1117 = phi_1247_;
+                                        let _e1119 = phi_1248_;
+                                        let _e1121 = phi_1249_;
+                                        phi_1250_ = _e1117;
+                                        phi_1251_ = _e1119;
+                                        phi_1252_ = _e1121;
                                     } else {
-                                        phi_1246_ = f32();
-                                        phi_1247_ = true;
-                                        phi_1248_ = false;
-                                    }
-                                    let _e1119 = phi_1246_;
-                                    let _e1121 = phi_1247_;
-                                    let _e1123 = phi_1248_;
-                                    if _e1121 {
+                                        phi_1250_ = f32();
+                                        phi_1251_ = true;
                                         phi_1252_ = false;
-                                    } else {
-                                        phi_1252_ = _e1123;
                                     }
-                                    let _e1125 = phi_1252_;
-                                    phi_1253_ = _e1119;
-                                    phi_1254_ = _e1125;
-                                } else {
-                                    phi_1253_ = _e1104;
-                                    phi_1254_ = true;
-                                }
-                                let _e1127 = phi_1253_;
-                                let _e1129 = phi_1254_;
-                                if _e1129 {
-                                    let _e1130 = (_e1127 == 0f);
-                                    if _e1130 {
-                                        phi_1570_ = lt_bvh_triangle_Intersection();
-                                        phi_1571_ = false;
+                                    let _e1123 = phi_1250_;
+                                    let _e1125 = phi_1251_;
+                                    let _e1127 = phi_1252_;
+                                    if _e1125 {
+                                        phi_1256_ = false;
                                     } else {
-                                        let _e1132 = triangles.member[(0u + _e943)].v0_;
-                                        let _e1134 = (_e1132.x - _e105);
-                                        let _e1136 = (_e1132.y - _e107);
-                                        let _e1138 = (_e1132.z - _e109);
-                                        if (_e333 == 0u) {
-                                            phi_1283_ = vec3<f32>(_e1136, _e1138, _e1134);
-                                        } else {
-                                            if (_e333 == 1u) {
-                                                phi_1282_ = vec3<f32>(_e1138, _e1134, _e1136);
-                                            } else {
-                                                phi_1282_ = (_e1132 - vec3<f32>(_e105, _e107, _e109));
-                                            }
-                                            let _e1146 = phi_1282_;
-                                            phi_1283_ = _e1146;
-                                        }
-                                        let _e1148 = phi_1283_;
-                                        let _e1150 = triangles.member[(0u + _e943)].v1_;
-                                        let _e1152 = triangles.member[(0u + _e943)].v0_;
-                                        let _e1155 = (_e1150.x - _e1152.x);
-                                        let _e1158 = (_e1150.y - _e1152.y);
-                                        let _e1161 = (_e1150.z - _e1152.z);
-                                        if (_e333 == 0u) {
-                                            phi_1309_ = vec3<f32>(_e1158, _e1161, _e1155);
-                                        } else {
-                                            if (_e333 == 1u) {
-                                                phi_1308_ = vec3<f32>(_e1161, _e1155, _e1158);
-                                            } else {
-                                                phi_1308_ = (_e1150 - _e1152);
-                                            }
-                                            let _e1168 = phi_1308_;
-                                            phi_1309_ = _e1168;
-                                        }
-                                        let _e1170 = phi_1309_;
-                                        let _e1172 = triangles.member[(0u + _e943)].v2_;
-                                        let _e1174 = triangles.member[(0u + _e943)].v0_;
-                                        let _e1177 = (_e1172.x - _e1174.x);
-                                        let _e1180 = (_e1172.y - _e1174.y);
-                                        let _e1183 = (_e1172.z - _e1174.z);
-                                        if (_e333 == 0u) {
-                                            phi_1335_ = vec3<f32>(_e1180, _e1183, _e1177);
-                                        } else {
-                                            if (_e333 == 1u) {
-                                                phi_1334_ = vec3<f32>(_e1183, _e1177, _e1180);
-                                            } else {
-                                                phi_1334_ = (_e1172 - _e1174);
-                                            }
-                                            let _e1190 = phi_1334_;
-                                            phi_1335_ = _e1190;
-                                        }
-                                        let _e1192 = phi_1335_;
-                                        let _e1199 = ((_e1170.y * _e1192.z) - (_e1170.z * _e1192.y));
-                                        let _e1206 = ((_e1170.z * _e1192.x) - (_e1170.x * _e1192.z));
-                                        let _e1213 = ((_e1170.x * _e1192.y) - (_e1170.y * _e1192.x));
-                                        let _e1227 = (((1f / _e341.z) * (((_e1199 * _e1148.x) + (_e1206 * _e1148.y)) + (_e1213 * _e1148.z))) / (((_e1199 * _e344) + (_e1206 * _e347)) + _e1213));
-                                        if (_e1227 > 0f) {
-                                            if (_e1227 < _e113) {
-                                                let _e1231 = triangles.member[(0u + _e943)].v0_;
-                                                let _e1233 = triangles.member[(0u + _e943)].v1_;
-                                                if (_e1231.x < _e1233.x) {
-                                                    phi_1391_ = _e1231.x;
-                                                } else {
-                                                    phi_1391_ = _e1233.x;
-                                                }
-                                                let _e1240 = phi_1391_;
-                                                if (_e1231.y < _e1233.y) {
-                                                    phi_1400_ = _e1231.y;
-                                                } else {
-                                                    phi_1400_ = _e1233.y;
-                                                }
-                                                let _e1247 = phi_1400_;
-                                                if (_e1231.z < _e1233.z) {
-                                                    phi_1409_ = _e1231.z;
-                                                } else {
-                                                    phi_1409_ = _e1233.z;
-                                                }
-                                                let _e1254 = phi_1409_;
-                                                let _e1256 = triangles.member[(0u + _e943)].v2_;
-                                                if (_e1240 < _e1256.x) {
-                                                    phi_1418_ = _e1240;
-                                                } else {
-                                                    phi_1418_ = _e1256.x;
-                                                }
-                                                let _e1261 = phi_1418_;
-                                                if (_e1247 < _e1256.y) {
-                                                    phi_1425_ = _e1247;
-                                                } else {
-                                                    phi_1425_ = _e1256.y;
-                                                }
-                                                let _e1266 = phi_1425_;
-                                                if (_e1254 < _e1256.z) {
-                                                    phi_1432_ = _e1254;
-                                                } else {
-                                                    phi_1432_ = _e1256.z;
-                                                }
-                                                let _e1271 = phi_1432_;
-                                                let _e1273 = triangles.member[(0u + _e943)].v0_;
-                                                let _e1275 = triangles.member[(0u + _e943)].v1_;
-                                                if (_e1273.x > _e1275.x) {
-                                                    phi_1445_ = _e1273.x;
-                                                } else {
-                                                    phi_1445_ = _e1275.x;
-                                                }
-                                                let _e1282 = phi_1445_;
-                                                if (_e1273.y > _e1275.y) {
-                                                    phi_1454_ = _e1273.y;
-                                                } else {
-                                                    phi_1454_ = _e1275.y;
-                                                }
-                                                let _e1289 = phi_1454_;
-                                                if (_e1273.z > _e1275.z) {
-                                                    phi_1463_ = _e1273.z;
-                                                } else {
-                                                    phi_1463_ = _e1275.z;
-                                                }
-                                                let _e1296 = phi_1463_;
-                                                let _e1298 = triangles.member[(0u + _e943)].v2_;
-                                                if (_e1282 > _e1298.x) {
-                                                    phi_1472_ = _e1282;
-                                                } else {
-                                                    phi_1472_ = _e1298.x;
-                                                }
-                                                let _e1303 = phi_1472_;
-                                                if (_e1289 > _e1298.y) {
-                                                    phi_1479_ = _e1289;
-                                                } else {
-                                                    phi_1479_ = _e1298.y;
-                                                }
-                                                let _e1308 = phi_1479_;
-                                                if (_e1296 > _e1298.z) {
-                                                    phi_1486_ = _e1296;
-                                                } else {
-                                                    phi_1486_ = _e1298.z;
-                                                }
-                                                let _e1313 = phi_1486_;
-                                                let _e1317 = ((_e1261 - _e105) * _e262);
-                                                let _e1318 = ((_e1266 - _e107) * _e272);
-                                                let _e1319 = ((_e1271 - _e109) * _e282);
-                                                let _e1323 = ((_e1303 - _e105) * _e262);
-                                                let _e1324 = ((_e1308 - _e107) * _e272);
-                                                let _e1325 = ((_e1313 - _e109) * _e282);
-                                                if (_e1317 < _e1323) {
-                                                    phi_1503_ = _e1317;
-                                                } else {
-                                                    phi_1503_ = _e1323;
-                                                }
-                                                let _e1328 = phi_1503_;
-                                                if (_e1318 < _e1324) {
-                                                    phi_1508_ = _e1318;
-                                                } else {
-                                                    phi_1508_ = _e1324;
-                                                }
-                                                let _e1331 = phi_1508_;
-                                                if (_e1319 < _e1325) {
-                                                    phi_1513_ = _e1319;
-                                                } else {
-                                                    phi_1513_ = _e1325;
-                                                }
-                                                let _e1334 = phi_1513_;
-                                                if (_e1317 > _e1323) {
-                                                    phi_1521_ = _e1317;
-                                                } else {
-                                                    phi_1521_ = _e1323;
-                                                }
-                                                let _e1340 = phi_1521_;
-                                                if (_e1318 > _e1324) {
-                                                    phi_1526_ = _e1318;
-                                                } else {
-                                                    phi_1526_ = _e1324;
-                                                }
-                                                let _e1343 = phi_1526_;
-                                                if (_e1319 > _e1325) {
-                                                    phi_1531_ = _e1319;
-                                                } else {
-                                                    phi_1531_ = _e1325;
-                                                }
-                                                let _e1346 = phi_1531_;
-                                                let _e1350 = core_intrinsics_maximum_number_nsz_f32_((_e1328 - _e317), (_e1331 - _e318));
-                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_(_e1350, (_e1334 - _e319));
-                                                let _e1352 = core_intrinsics_minimum_number_nsz_f32_((_e1340 + _e317), (_e1343 + _e318));
-                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_(_e1352, (_e1346 + _e319));
-                                                if (_e1351 > -300000000000000000000000000000000000000f) {
-                                                    phi_1543_ = _e1351;
-                                                } else {
-                                                    phi_1543_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1356 = phi_1543_;
-                                                if (_e1353 < 300000000000000000000000000000000000000f) {
-                                                    phi_1548_ = _e1353;
-                                                } else {
-                                                    phi_1548_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1359 = phi_1548_;
-                                                if (_e1227 < _e1356) {
-                                                    phi_1553_ = _e1356;
-                                                } else {
-                                                    phi_1553_ = _e1227;
-                                                }
-                                                let _e1362 = phi_1553_;
-                                                if (_e1362 > _e1359) {
-                                                    phi_1558_ = _e1359;
-                                                } else {
-                                                    phi_1558_ = _e1362;
-                                                }
-                                                let _e1365 = phi_1558_;
-                                                phi_1563_ = lt_bvh_triangle_Intersection(_e1365, (_e1068 / _e1127), (_e1089 / _e1127), (_e1356 <= _e1359));
-                                                phi_1564_ = false;
-                                            } else {
-                                                phi_1563_ = lt_bvh_triangle_Intersection();
-                                                phi_1564_ = true;
-                                            }
-                                            let _e1371 = phi_1563_;
-                                            let _e1373 = phi_1564_;
-                                            phi_1565_ = _e1371;
-                                            phi_1566_ = _e1373;
-                                        } else {
-                                            phi_1565_ = lt_bvh_triangle_Intersection();
-                                            phi_1566_ = true;
-                                        }
-                                        let _e1375 = phi_1565_;
-                                        let _e1377 = phi_1566_;
-                                        if _e1377 {
-                                        }
-                                        phi_1570_ = _e1375;
-                                        phi_1571_ = _e1377;
+                                        phi_1256_ = _e1127;
                                     }
-                                    let _e1379 = phi_1570_;
-                                    let _e1381 = phi_1571_;
-                                    phi_1572_ = _e1379;
-                                    phi_1573_ = _e1130;
-                                    phi_1574_ = _e1381;
+                                    let _e1129 = phi_1256_;
+                                    phi_1257_ = _e1123;
+                                    phi_1258_ = _e1129;
                                 } else {
-                                    phi_1572_ = lt_bvh_triangle_Intersection();
-                                    phi_1573_ = true;
-                                    phi_1574_ = false;
+                                    phi_1257_ = _e1108;
+                                    phi_1258_ = true;
                                 }
-                                let _e1383 = phi_1572_;
-                                let _e1385 = phi_1573_;
-                                let _e1387 = phi_1574_;
-                                if _e1385 {
-                                    phi_1578_ = true;
+                                let _e1131 = phi_1257_;
+                                let _e1133 = phi_1258_;
+                                if _e1133 {
+                                    let _e1134 = (_e1131 == 0f);
+                                    if _e1134 {
+                                        phi_1574_ = lt_bvh_triangle_Intersection();
+                                        phi_1575_ = false;
+                                    } else {
+                                        let _e1136 = triangles.member[(0u + _e947)].v0_;
+                                        let _e1138 = (_e1136.x - _e105);
+                                        let _e1140 = (_e1136.y - _e107);
+                                        let _e1142 = (_e1136.z - _e109);
+                                        if (_e333 == 0u) {
+                                            phi_1287_ = vec3<f32>(_e1140, _e1142, _e1138);
+                                        } else {
+                                            if (_e333 == 1u) {
+                                                phi_1286_ = vec3<f32>(_e1142, _e1138, _e1140);
+                                            } else {
+                                                phi_1286_ = (_e1136 - vec3<f32>(_e105, _e107, _e109));
+                                            }
+                                            let _e1150 = phi_1286_;
+                                            phi_1287_ = _e1150;
+                                        }
+                                        let _e1152 = phi_1287_;
+                                        let _e1154 = triangles.member[(0u + _e947)].v1_;
+                                        let _e1156 = triangles.member[(0u + _e947)].v0_;
+                                        let _e1159 = (_e1154.x - _e1156.x);
+                                        let _e1162 = (_e1154.y - _e1156.y);
+                                        let _e1165 = (_e1154.z - _e1156.z);
+                                        if (_e333 == 0u) {
+                                            phi_1313_ = vec3<f32>(_e1162, _e1165, _e1159);
+                                        } else {
+                                            if (_e333 == 1u) {
+                                                phi_1312_ = vec3<f32>(_e1165, _e1159, _e1162);
+                                            } else {
+                                                phi_1312_ = (_e1154 - _e1156);
+                                            }
+                                            let _e1172 = phi_1312_;
+                                            phi_1313_ = _e1172;
+                                        }
+                                        let _e1174 = phi_1313_;
+                                        let _e1176 = triangles.member[(0u + _e947)].v2_;
+                                        let _e1178 = triangles.member[(0u + _e947)].v0_;
+                                        let _e1181 = (_e1176.x - _e1178.x);
+                                        let _e1184 = (_e1176.y - _e1178.y);
+                                        let _e1187 = (_e1176.z - _e1178.z);
+                                        if (_e333 == 0u) {
+                                            phi_1339_ = vec3<f32>(_e1184, _e1187, _e1181);
+                                        } else {
+                                            if (_e333 == 1u) {
+                                                phi_1338_ = vec3<f32>(_e1187, _e1181, _e1184);
+                                            } else {
+                                                phi_1338_ = (_e1176 - _e1178);
+                                            }
+                                            let _e1194 = phi_1338_;
+                                            phi_1339_ = _e1194;
+                                        }
+                                        let _e1196 = phi_1339_;
+                                        let _e1203 = ((_e1174.y * _e1196.z) - (_e1174.z * _e1196.y));
+                                        let _e1210 = ((_e1174.z * _e1196.x) - (_e1174.x * _e1196.z));
+                                        let _e1217 = ((_e1174.x * _e1196.y) - (_e1174.y * _e1196.x));
+                                        let _e1231 = (((1f / _e341.z) * (((_e1203 * _e1152.x) + (_e1210 * _e1152.y)) + (_e1217 * _e1152.z))) / (((_e1203 * _e344) + (_e1210 * _e347)) + _e1217));
+                                        if (_e1231 > 0f) {
+                                            if (_e1231 < _e113) {
+                                                let _e1235 = triangles.member[(0u + _e947)].v0_;
+                                                let _e1237 = triangles.member[(0u + _e947)].v1_;
+                                                if (_e1235.x < _e1237.x) {
+                                                    phi_1395_ = _e1235.x;
+                                                } else {
+                                                    phi_1395_ = _e1237.x;
+                                                }
+                                                let _e1244 = phi_1395_;
+                                                if (_e1235.y < _e1237.y) {
+                                                    phi_1404_ = _e1235.y;
+                                                } else {
+                                                    phi_1404_ = _e1237.y;
+                                                }
+                                                let _e1251 = phi_1404_;
+                                                if (_e1235.z < _e1237.z) {
+                                                    phi_1413_ = _e1235.z;
+                                                } else {
+                                                    phi_1413_ = _e1237.z;
+                                                }
+                                                let _e1258 = phi_1413_;
+                                                let _e1260 = triangles.member[(0u + _e947)].v2_;
+                                                if (_e1244 < _e1260.x) {
+                                                    phi_1422_ = _e1244;
+                                                } else {
+                                                    phi_1422_ = _e1260.x;
+                                                }
+                                                let _e1265 = phi_1422_;
+                                                if (_e1251 < _e1260.y) {
+                                                    phi_1429_ = _e1251;
+                                                } else {
+                                                    phi_1429_ = _e1260.y;
+                                                }
+                                                let _e1270 = phi_1429_;
+                                                if (_e1258 < _e1260.z) {
+                                                    phi_1436_ = _e1258;
+                                                } else {
+                                                    phi_1436_ = _e1260.z;
+                                                }
+                                                let _e1275 = phi_1436_;
+                                                let _e1277 = triangles.member[(0u + _e947)].v0_;
+                                                let _e1279 = triangles.member[(0u + _e947)].v1_;
+                                                if (_e1277.x > _e1279.x) {
+                                                    phi_1449_ = _e1277.x;
+                                                } else {
+                                                    phi_1449_ = _e1279.x;
+                                                }
+                                                let _e1286 = phi_1449_;
+                                                if (_e1277.y > _e1279.y) {
+                                                    phi_1458_ = _e1277.y;
+                                                } else {
+                                                    phi_1458_ = _e1279.y;
+                                                }
+                                                let _e1293 = phi_1458_;
+                                                if (_e1277.z > _e1279.z) {
+                                                    phi_1467_ = _e1277.z;
+                                                } else {
+                                                    phi_1467_ = _e1279.z;
+                                                }
+                                                let _e1300 = phi_1467_;
+                                                let _e1302 = triangles.member[(0u + _e947)].v2_;
+                                                if (_e1286 > _e1302.x) {
+                                                    phi_1476_ = _e1286;
+                                                } else {
+                                                    phi_1476_ = _e1302.x;
+                                                }
+                                                let _e1307 = phi_1476_;
+                                                if (_e1293 > _e1302.y) {
+                                                    phi_1483_ = _e1293;
+                                                } else {
+                                                    phi_1483_ = _e1302.y;
+                                                }
+                                                let _e1312 = phi_1483_;
+                                                if (_e1300 > _e1302.z) {
+                                                    phi_1490_ = _e1300;
+                                                } else {
+                                                    phi_1490_ = _e1302.z;
+                                                }
+                                                let _e1317 = phi_1490_;
+                                                let _e1321 = ((_e1265 - _e105) * _e262);
+                                                let _e1322 = ((_e1270 - _e107) * _e272);
+                                                let _e1323 = ((_e1275 - _e109) * _e282);
+                                                let _e1327 = ((_e1307 - _e105) * _e262);
+                                                let _e1328 = ((_e1312 - _e107) * _e272);
+                                                let _e1329 = ((_e1317 - _e109) * _e282);
+                                                if (_e1321 < _e1327) {
+                                                    phi_1507_ = _e1321;
+                                                } else {
+                                                    phi_1507_ = _e1327;
+                                                }
+                                                let _e1332 = phi_1507_;
+                                                if (_e1322 < _e1328) {
+                                                    phi_1512_ = _e1322;
+                                                } else {
+                                                    phi_1512_ = _e1328;
+                                                }
+                                                let _e1335 = phi_1512_;
+                                                if (_e1323 < _e1329) {
+                                                    phi_1517_ = _e1323;
+                                                } else {
+                                                    phi_1517_ = _e1329;
+                                                }
+                                                let _e1338 = phi_1517_;
+                                                if (_e1321 > _e1327) {
+                                                    phi_1525_ = _e1321;
+                                                } else {
+                                                    phi_1525_ = _e1327;
+                                                }
+                                                let _e1344 = phi_1525_;
+                                                if (_e1322 > _e1328) {
+                                                    phi_1530_ = _e1322;
+                                                } else {
+                                                    phi_1530_ = _e1328;
+                                                }
+                                                let _e1347 = phi_1530_;
+                                                if (_e1323 > _e1329) {
+                                                    phi_1535_ = _e1323;
+                                                } else {
+                                                    phi_1535_ = _e1329;
+                                                }
+                                                let _e1350 = phi_1535_;
+                                                let _e1354 = core_intrinsics_maximum_number_nsz_f32_((_e1332 - _e317), (_e1335 - _e318));
+                                                let _e1355 = core_intrinsics_maximum_number_nsz_f32_(_e1354, (_e1338 - _e319));
+                                                let _e1356 = core_intrinsics_minimum_number_nsz_f32_((_e1344 + _e317), (_e1347 + _e318));
+                                                let _e1357 = core_intrinsics_minimum_number_nsz_f32_(_e1356, (_e1350 + _e319));
+                                                if (_e1355 > -300000000000000000000000000000000000000f) {
+                                                    phi_1547_ = _e1355;
+                                                } else {
+                                                    phi_1547_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1360 = phi_1547_;
+                                                if (_e1357 < 300000000000000000000000000000000000000f) {
+                                                    phi_1552_ = _e1357;
+                                                } else {
+                                                    phi_1552_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1363 = phi_1552_;
+                                                if (_e1231 < _e1360) {
+                                                    phi_1557_ = _e1360;
+                                                } else {
+                                                    phi_1557_ = _e1231;
+                                                }
+                                                let _e1366 = phi_1557_;
+                                                if (_e1366 > _e1363) {
+                                                    phi_1562_ = _e1363;
+                                                } else {
+                                                    phi_1562_ = _e1366;
+                                                }
+                                                let _e1369 = phi_1562_;
+                                                phi_1567_ = lt_bvh_triangle_Intersection(_e1369, (_e1072 / _e1131), (_e1093 / _e1131), (_e1360 <= _e1363));
+                                                phi_1568_ = false;
+                                            } else {
+                                                phi_1567_ = lt_bvh_triangle_Intersection();
+                                                phi_1568_ = true;
+                                            }
+                                            let _e1375 = phi_1567_;
+                                            let _e1377 = phi_1568_;
+                                            phi_1569_ = _e1375;
+                                            phi_1570_ = _e1377;
+                                        } else {
+                                            phi_1569_ = lt_bvh_triangle_Intersection();
+                                            phi_1570_ = true;
+                                        }
+                                        let _e1379 = phi_1569_;
+                                        let _e1381 = phi_1570_;
+                                        if _e1381 {
+                                        }
+                                        phi_1574_ = _e1379;
+                                        phi_1575_ = _e1381;
+                                    }
+                                    let _e1383 = phi_1574_;
+                                    let _e1385 = phi_1575_;
+                                    phi_1576_ = _e1383;
+                                    phi_1577_ = _e1134;
+                                    phi_1578_ = _e1385;
                                 } else {
-                                    phi_1578_ = _e1387;
+                                    phi_1576_ = lt_bvh_triangle_Intersection();
+                                    phi_1577_ = true;
+                                    phi_1578_ = false;
                                 }
-                                let _e1389 = phi_1578_;
+                                let _e1387 = phi_1576_;
+                                let _e1389 = phi_1577_;
+                                let _e1391 = phi_1578_;
                                 if _e1389 {
-                                    phi_1582_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_1582_ = true;
                                 } else {
-                                    phi_1582_ = _e1383;
+                                    phi_1582_ = _e1391;
                                 }
-                                let _e1391 = phi_1582_;
-                                if _e1391.is_hit {
-                                    if (_e1391.t > 0f) {
-                                        if (_e1391.t < _e113) {
-                                            let _e1398 = triangles.member[(0u + _e943)].i0_;
-                                            let _e1400 = ((_e1398 & 2147483648u) == 0u);
-                                            if _e1400 {
-                                                phi_1608_ = false;
-                                                phi_1609_ = false;
+                                let _e1393 = phi_1582_;
+                                if _e1393 {
+                                    phi_1586_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1586_ = _e1387;
+                                }
+                                let _e1395 = phi_1586_;
+                                if _e1395.is_hit {
+                                    if (_e1395.t > 0f) {
+                                        if (_e1395.t < _e113) {
+                                            if true {
+                                                phi_1606_ = false;
                                             } else {
-                                                if true {
-                                                    phi_1607_ = false;
-                                                } else {
-                                                    phi_1607_ = true;
-                                                }
-                                                let _e1402 = phi_1607_;
-                                                phi_1608_ = _e1402;
-                                                phi_1609_ = true;
+                                                phi_1606_ = true;
                                             }
-                                            let _e1404 = phi_1608_;
-                                            let _e1406 = phi_1609_;
-                                            phi_1610_ = _e1404;
-                                            phi_1611_ = _e1400;
-                                            phi_1612_ = _e1406;
+                                            let _e1404 = phi_1606_;
+                                            phi_1607_ = true;
+                                            phi_1608_ = _e1404;
                                         } else {
-                                            phi_1610_ = true;
-                                            phi_1611_ = false;
-                                            phi_1612_ = false;
+                                            phi_1607_ = _e938;
+                                            phi_1608_ = true;
                                         }
-                                        let _e1408 = phi_1610_;
-                                        let _e1410 = phi_1611_;
-                                        let _e1412 = phi_1612_;
-                                        phi_1613_ = _e1408;
-                                        phi_1614_ = _e1410;
-                                        phi_1615_ = _e1412;
+                                        let _e1406 = phi_1607_;
+                                        let _e1408 = phi_1608_;
+                                        phi_1609_ = _e1406;
+                                        phi_1610_ = _e1408;
                                     } else {
-                                        phi_1613_ = true;
-                                        phi_1614_ = false;
-                                        phi_1615_ = false;
+                                        phi_1609_ = _e938;
+                                        phi_1610_ = true;
                                     }
-                                    let _e1414 = phi_1613_;
-                                    let _e1416 = phi_1614_;
-                                    let _e1418 = phi_1615_;
-                                    phi_1616_ = _e1414;
-                                    phi_1617_ = _e1416;
-                                    phi_1618_ = _e1418;
+                                    let _e1410 = phi_1609_;
+                                    let _e1412 = phi_1610_;
+                                    phi_1611_ = _e1410;
+                                    phi_1612_ = _e1412;
                                 } else {
-                                    phi_1616_ = true;
-                                    phi_1617_ = false;
-                                    phi_1618_ = false;
+                                    phi_1611_ = _e938;
+                                    phi_1612_ = true;
                                 }
-                                let _e1420 = phi_1616_;
-                                let _e1422 = phi_1617_;
-                                let _e1424 = phi_1618_;
-                                if _e1420 {
-                                    phi_1622_ = false;
-                                    phi_1623_ = false;
-                                } else {
-                                    phi_1622_ = _e1422;
-                                    phi_1623_ = _e1424;
+                                let _e1414 = phi_1611_;
+                                let _e1416 = phi_1612_;
+                                if _e1416 {
                                 }
-                                let _e1426 = phi_1622_;
-                                let _e1428 = phi_1623_;
-                                phi_1014_ = (_e934 & (_e934 - 1u));
-                                phi_1624_ = _e1420;
-                                phi_1625_ = _e1426;
-                                phi_1626_ = _e1428;
+                                phi_1016_ = (_e936 & (_e936 - 1u));
+                                phi_1019_ = _e1414;
+                                phi_1616_ = _e1416;
                             }
-                            let _e1430 = phi_1014_;
-                            let _e1432 = phi_1624_;
-                            let _e1434 = phi_1625_;
-                            let _e1436 = phi_1626_;
-                            local_6 = _e1434;
-                            local_7 = _e1436;
+                            let _e1418 = phi_1016_;
+                            let _e1420 = phi_1019_;
+                            let _e1422 = phi_1616_;
                             continue;
                             continuing {
-                                phi_1013_ = _e1430;
-                                break if !(_e1432);
+                                phi_1015_ = _e1418;
+                                phi_1018_ = _e1420;
+                                break if !(_e1422);
                             }
                         }
-                        let _e1439 = local_4;
-                        if _e1439 {
-                            let _e1441 = local.group_mask;
-                            if ((_e1441 & 4278190080u) == 0u) {
-                                let _e1445 = local.len;
-                                if (_e1445 == 0u) {
-                                    phi_1668_ = false;
+                        let _e1425 = local_4;
+                        if _e1425 {
+                            let _e1427 = local.group_mask;
+                            if ((_e1427 & 4278190080u) == 0u) {
+                                let _e1431 = local.len;
+                                if (_e1431 == 0u) {
+                                    phi_1658_ = false;
                                 } else {
-                                    let _e1449 = local.len;
-                                    local.len = (_e1449 - 1u);
-                                    let _e1452 = local.len;
-                                    if (_e1452 < 32u) {
+                                    let _e1435 = local.len;
+                                    local.len = (_e1435 - 1u);
+                                    let _e1438 = local.len;
+                                    if (_e1438 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1457 = local.first[(0u + _e1452)];
-                                    local.group = _e1457;
-                                    let _e1460 = local.len;
-                                    if (_e1460 < 32u) {
+                                    let _e1443 = local.first[(0u + _e1438)];
+                                    local.group = _e1443;
+                                    let _e1446 = local.len;
+                                    if (_e1446 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1465 = local.mask[(0u + _e1460)];
-                                    local.group_mask = _e1465;
-                                    phi_1668_ = true;
+                                    let _e1451 = local.mask[(0u + _e1446)];
+                                    local.group_mask = _e1451;
+                                    phi_1658_ = true;
                                 }
-                                let _e1468 = phi_1668_;
-                                phi_1669_ = _e1468;
+                                let _e1454 = phi_1658_;
+                                phi_1659_ = _e1454;
                             } else {
-                                phi_1669_ = true;
+                                phi_1659_ = true;
                             }
-                            let _e1470 = phi_1669_;
-                            if _e1470 {
-                                let _e1472 = local.group_mask;
-                                let _e1478 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1472)), 32u, (_e1472 == 0u)));
+                            let _e1456 = phi_1659_;
+                            if _e1456 {
+                                let _e1458 = local.group_mask;
+                                let _e1464 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1458)), 32u, (_e1458 == 0u)));
+                                let _e1468 = local.group_mask;
                                 let _e1482 = local.group_mask;
-                                let _e1496 = local.group_mask;
-                                local.group_mask = (_e1496 & ~((1u << bitcast<u32>((_e1478 & 31u)))));
-                                let _e1499 = local.group;
-                                phi_1700_ = (_e1499 + countOneBits(((_e1482 & ~((4294967295u << bitcast<u32>((((_e1478 - 24u) ^ _e360) & 31u))))) & 255u)));
+                                local.group_mask = (_e1482 & ~((1u << bitcast<u32>((_e1464 & 31u)))));
+                                let _e1485 = local.group;
+                                phi_1690_ = (_e1485 + countOneBits(((_e1468 & ~((4294967295u << bitcast<u32>((((_e1464 - 24u) ^ _e360) & 31u))))) & 255u)));
                             } else {
-                                phi_1700_ = 4294967295u;
+                                phi_1690_ = 4294967295u;
                             }
-                            let _e1502 = phi_1700_;
-                            phi_1701_ = _e1502;
-                            phi_1702_ = false;
-                            phi_1703_ = false;
+                            let _e1488 = phi_1690_;
+                            phi_1691_ = _e1488;
                         } else {
-                            phi_1701_ = u32();
-                            let _e1743 = local_6;
-                            phi_1702_ = _e1743;
-                            let _e1746 = local_7;
-                            phi_1703_ = _e1746;
+                            phi_1691_ = u32();
                         }
-                        let _e1504 = phi_1701_;
-                        let _e1506 = phi_1702_;
-                        let _e1508 = phi_1703_;
-                        phi_684_ = _e1504;
-                        let _e1750 = local_8;
-                        phi_1704_ = _e1750;
-                        phi_1705_ = false;
-                        phi_1706_ = _e1506;
-                        phi_1707_ = _e1508;
+                        let _e1490 = phi_1691_;
+                        phi_684_ = _e1490;
+                        let _e1714 = local_6;
+                        phi_687_ = _e1714;
+                        let _e1717 = local_7;
+                        phi_1692_ = _e1717;
+                        phi_1693_ = false;
                     } else {
                         phi_684_ = u32();
-                        phi_1704_ = false;
-                        phi_1705_ = true;
-                        phi_1706_ = false;
-                        phi_1707_ = false;
+                        phi_687_ = bool();
+                        phi_1692_ = false;
+                        phi_1693_ = true;
                     }
-                    let _e1510 = phi_684_;
-                    let _e1512 = phi_1704_;
-                    let _e1514 = phi_1705_;
-                    let _e1516 = phi_1706_;
-                    let _e1518 = phi_1707_;
-                    local_5 = _e1514;
-                    local_9 = _e1516;
-                    local_10 = _e1518;
+                    let _e1492 = phi_684_;
+                    let _e1494 = phi_687_;
+                    let _e1496 = phi_1692_;
+                    let _e1498 = phi_1693_;
+                    local_5 = _e1498;
                     continue;
                     continuing {
-                        phi_683_ = _e1510;
-                        break if !(_e1512);
+                        phi_683_ = _e1492;
+                        phi_686_ = _e1494;
+                        break if !(_e1496);
                     }
                 }
-                let _e1521 = local_5;
-                if _e1521 {
-                    phi_1711_ = false;
-                    phi_1712_ = false;
+                let _e1501 = local_5;
+                if _e1501 {
+                    phi_1697_ = false;
                 } else {
-                    let _e1757 = local_9;
-                    phi_1711_ = _e1757;
-                    let _e1760 = local_10;
-                    phi_1712_ = _e1760;
+                    phi_1697_ = true;
                 }
-                let _e1523 = phi_1711_;
-                let _e1525 = phi_1712_;
-                if _e1523 {
-                    phi_1716_ = true;
+                let _e1503 = phi_1697_;
+                if _e1503 {
+                    phi_1701_ = true;
                 } else {
-                    phi_1716_ = _e1525;
+                    let _e1723 = local_8;
+                    phi_1701_ = _e1723;
                 }
-                let _e1527 = phi_1716_;
-                if _e1527 {
-                    phi_1720_ = true;
-                } else {
-                    phi_1720_ = false;
-                }
-                let _e1529 = phi_1720_;
-                phi_1721_ = _e1529;
+                let _e1505 = phi_1701_;
+                phi_1702_ = _e1505;
             }
-            let _e1531 = phi_1721_;
-            phi_1722_ = _e1531;
-            phi_1723_ = _e186;
+            let _e1507 = phi_1702_;
+            phi_1703_ = _e1507;
+            phi_1704_ = _e186;
         } else {
-            phi_1722_ = bool();
-            phi_1723_ = true;
+            phi_1703_ = bool();
+            phi_1704_ = true;
         }
-        let _e1533 = phi_1722_;
-        let _e1535 = phi_1723_;
-        if _e1535 {
-            phi_1727_ = false;
+        let _e1509 = phi_1703_;
+        let _e1511 = phi_1704_;
+        if _e1511 {
+            phi_1708_ = false;
         } else {
-            phi_1727_ = _e1533;
+            phi_1708_ = _e1509;
         }
-        let _e1537 = phi_1727_;
-        if _e1537 {
-            phi_1731_ = 0f;
+        let _e1513 = phi_1708_;
+        if _e1513 {
+            phi_1712_ = 0f;
         } else {
-            phi_1731_ = 1f;
+            phi_1712_ = 1f;
         }
-        let _e1539 = phi_1731_;
+        let _e1515 = phi_1712_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        visibility.member[(0u + _e84)] = _e1539;
+        visibility.member[(0u + _e84)] = _e1515;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        let _e1546 = bits.member[(0u + _e84)];
-        if ((_e1546 & 2u) == 0u) {
-            phi_1752_ = (_e1546 & 1u);
+        let _e1522 = bits.member[(0u + _e84)];
+        if ((_e1522 & 2u) == 0u) {
+            phi_1733_ = (_e1522 & 1u);
         } else {
-            phi_1752_ = (_e1546 & 7u);
+            phi_1733_ = (_e1522 & 7u);
         }
-        let _e1552 = phi_1752_;
+        let _e1528 = phi_1733_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        let _e1556 = visibility.member[(0u + _e84)];
-        if ((_e1552 & 1u) != 0u) {
-            phi_1767_ = (2u | 1u);
+        let _e1532 = visibility.member[(0u + _e84)];
+        if ((_e1528 & 1u) != 0u) {
+            phi_1748_ = (2u | 1u);
         } else {
-            phi_1767_ = 2u;
+            phi_1748_ = 2u;
         }
-        let _e1562 = phi_1767_;
-        if (_e1556 < 0.5f) {
-            phi_1772_ = (_e1562 | 4u);
+        let _e1538 = phi_1748_;
+        if (_e1532 < 0.5f) {
+            phi_1753_ = (_e1538 | 4u);
         } else {
-            phi_1772_ = _e1562;
+            phi_1753_ = _e1538;
         }
-        let _e1565 = phi_1772_;
+        let _e1541 = phi_1753_;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        bits.member[(0u + _e84)] = _e1565;
+        bits.member[(0u + _e84)] = _e1541;
     }
     return;
 }

@@ -24,41 +24,6 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_30 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct lt_bvh_Instance {
-    world_to_object: array<vec4<f32>, 3>,
-    object_to_world: array<vec4<f32>, 3>,
-    low_world: vec3<f32>,
-    root: u32,
-    high_world: vec3<f32>,
-    first_triangle: u32,
-    source: u32,
-    padding: array<u32, 3>,
-}
-
-struct type_37 {
-    member: array<lt_bvh_Instance>,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -67,28 +32,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_46 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -104,8 +52,60 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_52 {
+struct type_31 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_36 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_40 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+struct lt_bvh_Instance {
+    world_to_object: array<vec4<f32>, 3>,
+    object_to_world: array<vec4<f32>, 3>,
+    low_world: vec3<f32>,
+    root: u32,
+    high_world: vec3<f32>,
+    first_triangle: u32,
+    source: u32,
+    padding: array<u32, 3>,
+}
+
+struct type_50 {
+    member: array<lt_bvh_Instance>,
 }
 
 var<private> id_1: vec3<u32>;
@@ -114,17 +114,17 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_52;
+var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> nodes: type_46;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_30;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> instances: type_37;
+var<storage> instances: type_50;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_164_: bool;
@@ -213,41 +213,39 @@ fn function_() {
     var phi_633_: bool;
     var phi_664_: u32;
     var phi_666_: u32;
-    var phi_747_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_774_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_801_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_807_: u32;
-    var phi_810_: u32;
-    var phi_824_: u32;
-    var phi_834_: u32;
-    var phi_844_: u32;
-    var phi_862_: u32;
-    var phi_872_: u32;
-    var phi_882_: u32;
-    var phi_918_: u32;
-    var phi_931_: u32;
-    var phi_936_: u32;
-    var phi_937_: u32;
+    var phi_669_: bool;
+    var phi_749_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_776_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_803_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_809_: u32;
+    var phi_812_: u32;
+    var phi_826_: u32;
+    var phi_836_: u32;
+    var phi_846_: u32;
+    var phi_864_: u32;
+    var phi_874_: u32;
+    var phi_884_: u32;
+    var phi_920_: u32;
+    var phi_933_: u32;
     var phi_938_: u32;
-    var phi_808_: u32;
-    var phi_811_: u32;
+    var phi_939_: u32;
+    var phi_940_: u32;
+    var phi_810_: u32;
+    var phi_813_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_996_: u32;
-    var phi_1046_: f32;
-    var phi_1051_: f32;
-    var phi_1056_: f32;
-    var phi_1064_: f32;
-    var phi_1069_: f32;
-    var phi_1074_: f32;
-    var phi_1218_: bool;
-    var phi_1219_: bool;
-    var phi_1220_: bool;
+    var phi_998_: u32;
+    var phi_1001_: bool;
+    var phi_1050_: f32;
+    var phi_1055_: f32;
+    var phi_1060_: f32;
+    var phi_1068_: f32;
+    var phi_1073_: f32;
+    var phi_1078_: f32;
+    var phi_1222_: bool;
+    var phi_1223_: bool;
     var phi_1224_: bool;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: bool;
     var phi_1228_: bool;
     var phi_1229_: bool;
     var phi_1230_: bool;
@@ -262,136 +260,139 @@ fn function_() {
     var phi_1239_: bool;
     var phi_1240_: bool;
     var phi_1241_: bool;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
     var phi_1245_: bool;
     var phi_1249_: bool;
-    var phi_1319_: f32;
-    var phi_1326_: f32;
-    var phi_1333_: f32;
-    var phi_1340_: f32;
-    var phi_1347_: f32;
-    var phi_1354_: f32;
-    var phi_1371_: f32;
-    var phi_1376_: f32;
-    var phi_1381_: f32;
-    var phi_1409_: bool;
-    var phi_1410_: bool;
-    var phi_1418_: u32;
-    var phi_1419_: u32;
-    var phi_1430_: vec3<f32>;
-    var phi_1431_: vec3<f32>;
-    var phi_1444_: u32;
-    var phi_1449_: u32;
-    var phi_1454_: u32;
-    var phi_1568_: bool;
-    var phi_1569_: bool;
-    var phi_1600_: u32;
-    var phi_1602_: u32;
-    var phi_1683_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1710_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1737_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1743_: u32;
-    var phi_1746_: u32;
-    var phi_1760_: u32;
-    var phi_1770_: u32;
-    var phi_1780_: u32;
-    var phi_1798_: u32;
-    var phi_1808_: u32;
-    var phi_1818_: u32;
-    var phi_1854_: u32;
-    var phi_1867_: u32;
-    var phi_1872_: u32;
+    var phi_1253_: bool;
+    var phi_1323_: f32;
+    var phi_1330_: f32;
+    var phi_1337_: f32;
+    var phi_1344_: f32;
+    var phi_1351_: f32;
+    var phi_1358_: f32;
+    var phi_1375_: f32;
+    var phi_1380_: f32;
+    var phi_1385_: f32;
+    var phi_1413_: bool;
+    var phi_1414_: bool;
+    var phi_1422_: u32;
+    var phi_1423_: u32;
+    var phi_1434_: vec3<f32>;
+    var phi_1435_: vec3<f32>;
+    var phi_1448_: u32;
+    var phi_1453_: u32;
+    var phi_1458_: u32;
+    var phi_1572_: bool;
+    var phi_1573_: bool;
+    var phi_1604_: u32;
+    var phi_1606_: u32;
+    var phi_1609_: bool;
+    var phi_1689_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1716_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1743_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1749_: u32;
+    var phi_1752_: u32;
+    var phi_1766_: u32;
+    var phi_1776_: u32;
+    var phi_1786_: u32;
+    var phi_1804_: u32;
+    var phi_1814_: u32;
+    var phi_1824_: u32;
+    var phi_1860_: u32;
     var phi_1873_: u32;
-    var phi_1874_: u32;
-    var phi_1744_: u32;
-    var phi_1747_: u32;
+    var phi_1878_: u32;
+    var phi_1879_: u32;
+    var phi_1880_: u32;
+    var phi_1750_: u32;
+    var phi_1753_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1932_: u32;
-    var phi_1977_: vec3<f32>;
-    var phi_1978_: vec3<f32>;
-    var phi_2007_: vec3<f32>;
-    var phi_2008_: vec3<f32>;
-    var phi_2037_: vec3<f32>;
-    var phi_2038_: vec3<f32>;
-    var phi_2056_: bool;
-    var phi_2057_: bool;
-    var phi_2061_: f32;
-    var phi_2062_: f32;
-    var phi_2063_: f32;
-    var phi_2064_: f32;
+    var phi_1938_: u32;
+    var phi_1941_: bool;
+    var phi_1985_: vec3<f32>;
+    var phi_1986_: vec3<f32>;
+    var phi_2015_: vec3<f32>;
+    var phi_2016_: vec3<f32>;
+    var phi_2045_: vec3<f32>;
+    var phi_2046_: vec3<f32>;
+    var phi_2064_: bool;
+    var phi_2065_: bool;
+    var phi_2069_: f32;
+    var phi_2070_: f32;
+    var phi_2071_: f32;
     var phi_2072_: f32;
-    var phi_2082_: bool;
-    var phi_2083_: bool;
-    var phi_2087_: f32;
-    var phi_2088_: f32;
-    var phi_2089_: f32;
-    var phi_2090_: f32;
+    var phi_2080_: f32;
+    var phi_2090_: bool;
+    var phi_2091_: bool;
+    var phi_2095_: f32;
+    var phi_2096_: f32;
+    var phi_2097_: f32;
     var phi_2098_: f32;
-    var phi_2108_: bool;
-    var phi_2109_: bool;
-    var phi_2113_: f32;
-    var phi_2114_: f32;
-    var phi_2115_: f32;
-    var phi_2116_: f32;
+    var phi_2106_: f32;
+    var phi_2116_: bool;
+    var phi_2117_: bool;
+    var phi_2121_: f32;
+    var phi_2122_: f32;
+    var phi_2123_: f32;
     var phi_2124_: f32;
-    var phi_2139_: f32;
-    var phi_2140_: bool;
-    var phi_2141_: f32;
-    var phi_2142_: bool;
-    var phi_2143_: f32;
-    var phi_2144_: bool;
-    var phi_2162_: f32;
-    var phi_2163_: bool;
-    var phi_2164_: bool;
-    var phi_2165_: f32;
-    var phi_2166_: bool;
-    var phi_2167_: bool;
+    var phi_2132_: f32;
+    var phi_2147_: f32;
+    var phi_2148_: bool;
+    var phi_2149_: f32;
+    var phi_2150_: bool;
+    var phi_2151_: f32;
+    var phi_2152_: bool;
+    var phi_2170_: f32;
     var phi_2171_: bool;
-    var phi_2172_: f32;
-    var phi_2173_: bool;
-    var phi_2201_: vec3<f32>;
-    var phi_2202_: vec3<f32>;
-    var phi_2227_: vec3<f32>;
-    var phi_2228_: vec3<f32>;
-    var phi_2253_: vec3<f32>;
-    var phi_2254_: vec3<f32>;
-    var phi_2310_: f32;
-    var phi_2319_: f32;
-    var phi_2328_: f32;
-    var phi_2337_: f32;
-    var phi_2344_: f32;
-    var phi_2351_: f32;
-    var phi_2364_: f32;
-    var phi_2373_: f32;
-    var phi_2382_: f32;
-    var phi_2391_: f32;
-    var phi_2398_: f32;
-    var phi_2405_: f32;
-    var phi_2422_: f32;
-    var phi_2427_: f32;
-    var phi_2432_: f32;
+    var phi_2172_: bool;
+    var phi_2173_: f32;
+    var phi_2174_: bool;
+    var phi_2175_: bool;
+    var phi_2179_: bool;
+    var phi_2180_: f32;
+    var phi_2181_: bool;
+    var phi_2209_: vec3<f32>;
+    var phi_2210_: vec3<f32>;
+    var phi_2235_: vec3<f32>;
+    var phi_2236_: vec3<f32>;
+    var phi_2261_: vec3<f32>;
+    var phi_2262_: vec3<f32>;
+    var phi_2318_: f32;
+    var phi_2327_: f32;
+    var phi_2336_: f32;
+    var phi_2345_: f32;
+    var phi_2352_: f32;
+    var phi_2359_: f32;
+    var phi_2372_: f32;
+    var phi_2381_: f32;
+    var phi_2390_: f32;
+    var phi_2399_: f32;
+    var phi_2406_: f32;
+    var phi_2413_: f32;
+    var phi_2430_: f32;
+    var phi_2435_: f32;
     var phi_2440_: f32;
-    var phi_2445_: f32;
-    var phi_2450_: f32;
-    var phi_2462_: f32;
-    var phi_2467_: f32;
-    var phi_2472_: f32;
-    var phi_2477_: f32;
-    var phi_2482_: lt_bvh_triangle_Intersection;
-    var phi_2483_: bool;
-    var phi_2484_: lt_bvh_triangle_Intersection;
-    var phi_2485_: bool;
-    var phi_2489_: lt_bvh_triangle_Intersection;
-    var phi_2490_: bool;
-    var phi_2491_: lt_bvh_triangle_Intersection;
-    var phi_2492_: bool;
+    var phi_2448_: f32;
+    var phi_2453_: f32;
+    var phi_2458_: f32;
+    var phi_2470_: f32;
+    var phi_2475_: f32;
+    var phi_2480_: f32;
+    var phi_2485_: f32;
+    var phi_2490_: lt_bvh_triangle_Intersection;
+    var phi_2491_: bool;
+    var phi_2492_: lt_bvh_triangle_Intersection;
     var phi_2493_: bool;
-    var phi_2497_: bool;
-    var phi_2501_: lt_bvh_triangle_Intersection;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
-    var phi_2528_: bool;
+    var phi_2497_: lt_bvh_triangle_Intersection;
+    var phi_2498_: bool;
+    var phi_2499_: lt_bvh_triangle_Intersection;
+    var phi_2500_: bool;
+    var phi_2501_: bool;
+    var phi_2505_: bool;
+    var phi_2509_: lt_bvh_triangle_Intersection;
     var phi_2529_: bool;
     var phi_2530_: bool;
     var phi_2531_: bool;
@@ -399,66 +400,61 @@ fn function_() {
     var phi_2533_: bool;
     var phi_2534_: bool;
     var phi_2535_: bool;
-    var phi_2536_: bool;
-    var phi_2537_: bool;
-    var phi_2541_: bool;
-    var phi_2542_: bool;
-    var phi_1933_: u32;
-    var phi_2543_: bool;
-    var phi_2544_: bool;
-    var phi_2545_: bool;
+    var phi_1939_: u32;
+    var phi_1942_: bool;
+    var phi_2539_: bool;
     var local_8: bool;
-    var phi_2587_: bool;
-    var phi_2588_: bool;
-    var phi_2619_: u32;
-    var phi_2620_: u32;
-    var phi_2621_: bool;
-    var phi_2622_: bool;
-    var phi_1603_: u32;
-    var phi_2623_: bool;
+    var phi_2581_: bool;
+    var phi_2582_: bool;
+    var phi_2613_: u32;
+    var phi_2614_: u32;
+    var phi_1607_: u32;
+    var phi_1610_: bool;
+    var phi_2615_: bool;
+    var phi_2616_: bool;
+    var local_9: bool;
+    var phi_2620_: bool;
     var phi_2624_: bool;
     var phi_2625_: bool;
     var phi_2626_: bool;
-    var local_9: bool;
-    var phi_2630_: bool;
+    var phi_2627_: bool;
     var phi_2631_: bool;
     var phi_2635_: bool;
+    var phi_2636_: bool;
+    var phi_2637_: bool;
+    var phi_2638_: bool;
     var phi_2639_: bool;
     var phi_2640_: bool;
     var phi_2641_: bool;
-    var phi_2642_: bool;
-    var phi_2646_: bool;
-    var phi_2650_: bool;
-    var phi_2651_: bool;
-    var phi_2652_: bool;
-    var phi_2653_: bool;
-    var phi_997_: u32;
-    var phi_2657_: bool;
+    var phi_999_: u32;
+    var phi_1002_: bool;
+    var phi_2645_: bool;
     var local_10: bool;
-    var phi_2699_: bool;
-    var phi_2700_: bool;
-    var phi_2731_: u32;
-    var phi_2732_: u32;
+    var phi_2687_: bool;
+    var phi_2688_: bool;
+    var phi_2719_: u32;
+    var phi_2720_: u32;
     var phi_667_: u32;
-    var phi_2733_: bool;
-    var phi_2734_: bool;
+    var phi_670_: bool;
+    var phi_2721_: bool;
+    var phi_2722_: bool;
     var local_11: bool;
-    var phi_2738_: bool;
-    var phi_2742_: bool;
-    var phi_2743_: bool;
-    var phi_2744_: bool;
-    var phi_2745_: bool;
-    var phi_2749_: bool;
-    var phi_2753_: f32;
-    var phi_2774_: u32;
-    var phi_2789_: u32;
-    var phi_2794_: u32;
+    var phi_2726_: bool;
+    var phi_2730_: bool;
+    var phi_2731_: bool;
+    var phi_2732_: bool;
+    var phi_2736_: bool;
+    var phi_2737_: bool;
+    var phi_2741_: bool;
+    var phi_2745_: f32;
+    var phi_2766_: u32;
+    var phi_2781_: u32;
+    var phi_2786_: u32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
-    var local_17: bool;
 
     let _e55 = id_1;
     let _e62 = arrayLength((&nodes.member));
@@ -609,7 +605,7 @@ fn function_() {
         if _e192 {
             let _e193 = (_e92 >= _e62);
             if _e193 {
-                phi_2743_ = bool();
+                phi_2730_ = false;
             } else {
                 if (_e92 < _e62) {
                 } else {
@@ -759,1646 +755,1628 @@ fn function_() {
                 }
                 let _e473 = phi_664_;
                 phi_666_ = _e473;
+                phi_669_ = false;
                 loop {
                     let _e475 = phi_666_;
+                    let _e477 = phi_669_;
                     if (_e475 != 4294967295u) {
                         if (_e475 < _e62) {
                         } else {
                             return;
                         }
-                        let _e482 = nodes.member[(0u + _e475)].frame[3u];
-                        let _e507 = (bitcast<f32>((((_e482 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e269);
-                        let _e508 = (bitcast<f32>((((_e482 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e279);
-                        let _e509 = (bitcast<f32>((((_e482 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
-                        let _e512 = nodes.member[(0u + _e475)].frame[0u];
-                        let _e516 = nodes.member[(0u + _e475)].frame[1u];
-                        let _e520 = nodes.member[(0u + _e475)].frame[2u];
-                        let _e525 = ((bitcast<f32>(_e512) - _e113) * _e269);
-                        let _e526 = ((bitcast<f32>(_e516) - _e115) * _e279);
-                        let _e527 = ((bitcast<f32>(_e520) - _e117) * _e289);
-                        let _e535 = nodes.member[(0u + _e475)].x;
+                        let _e484 = nodes.member[(0u + _e475)].frame[3u];
+                        let _e509 = (bitcast<f32>((((_e484 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e269);
+                        let _e510 = (bitcast<f32>((((_e484 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e279);
+                        let _e511 = (bitcast<f32>((((_e484 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
+                        let _e514 = nodes.member[(0u + _e475)].frame[0u];
+                        let _e518 = nodes.member[(0u + _e475)].frame[1u];
+                        let _e522 = nodes.member[(0u + _e475)].frame[2u];
+                        let _e527 = ((bitcast<f32>(_e514) - _e113) * _e269);
+                        let _e528 = ((bitcast<f32>(_e518) - _e115) * _e279);
+                        let _e529 = ((bitcast<f32>(_e522) - _e117) * _e289);
+                        let _e537 = nodes.member[(0u + _e475)].x;
                         if (_e269 < 0f) {
-                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e535.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e546.unnamed.root, _e535.w), _e546.unnamed_1);
-                            let _e558 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_bvh_traverse_Tree(_e535.x, _e552.unnamed_1.first_primitive));
-                            phi_747_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e558.unnamed, lt_bvh_traverse_Tree(_e558.unnamed_1.root, _e535.y));
+                            let _e548 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e537.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e548.unnamed.root, _e537.w), _e548.unnamed_1);
+                            let _e560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e554.unnamed, lt_bvh_traverse_Tree(_e537.x, _e554.unnamed_1.first_primitive));
+                            phi_749_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e560.unnamed, lt_bvh_traverse_Tree(_e560.unnamed_1.root, _e537.y));
                         } else {
-                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e535.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e574.unnamed.root, _e535.y), _e574.unnamed_1);
-                            let _e586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_bvh_traverse_Tree(_e535.z, _e580.unnamed_1.first_primitive));
-                            phi_747_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e586.unnamed, lt_bvh_traverse_Tree(_e586.unnamed_1.root, _e535.w));
+                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e537.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e576.unnamed.root, _e537.y), _e576.unnamed_1);
+                            let _e588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e537.z, _e582.unnamed_1.first_primitive));
+                            phi_749_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e588.unnamed, lt_bvh_traverse_Tree(_e588.unnamed_1.root, _e537.w));
                         }
-                        let _e594 = phi_747_;
-                        let _e604 = nodes.member[(0u + _e475)].y;
+                        let _e596 = phi_749_;
+                        let _e606 = nodes.member[(0u + _e475)].y;
                         if (_e279 < 0f) {
-                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e615.unnamed.root, _e604.w), _e615.unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_bvh_traverse_Tree(_e604.x, _e621.unnamed_1.first_primitive));
-                            phi_774_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e627.unnamed_1.root, _e604.y));
+                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e606.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e617.unnamed.root, _e606.w), _e617.unnamed_1);
+                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e623.unnamed, lt_bvh_traverse_Tree(_e606.x, _e623.unnamed_1.first_primitive));
+                            phi_776_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e629.unnamed, lt_bvh_traverse_Tree(_e629.unnamed_1.root, _e606.y));
                         } else {
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.unnamed.root, _e604.y), _e643.unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e604.z, _e649.unnamed_1.first_primitive));
-                            phi_774_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e655.unnamed_1.root, _e604.w));
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e606.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e645.unnamed.root, _e606.y), _e645.unnamed_1);
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e606.z, _e651.unnamed_1.first_primitive));
+                            phi_776_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_bvh_traverse_Tree(_e657.unnamed_1.root, _e606.w));
                         }
-                        let _e663 = phi_774_;
-                        let _e673 = nodes.member[(0u + _e475)].z;
+                        let _e665 = phi_776_;
+                        let _e675 = nodes.member[(0u + _e475)].z;
                         if (_e289 < 0f) {
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e684.unnamed.root, _e673.w), _e684.unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e673.x, _e690.unnamed_1.first_primitive));
-                            phi_801_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e696.unnamed_1.root, _e673.y));
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e675.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e686.unnamed.root, _e675.w), _e686.unnamed_1);
+                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_bvh_traverse_Tree(_e675.x, _e692.unnamed_1.first_primitive));
+                            phi_803_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_bvh_traverse_Tree(_e698.unnamed_1.root, _e675.y));
                         } else {
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.unnamed.root, _e673.y), _e712.unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e673.z, _e718.unnamed_1.first_primitive));
-                            phi_801_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e724.unnamed_1.root, _e673.w));
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e675.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e714.unnamed.root, _e675.y), _e714.unnamed_1);
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e675.z, _e720.unnamed_1.first_primitive));
+                            phi_803_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_bvh_traverse_Tree(_e726.unnamed_1.root, _e675.w));
                         }
-                        let _e732 = phi_801_;
-                        phi_807_ = 0u;
-                        phi_810_ = 0u;
+                        let _e734 = phi_803_;
+                        phi_809_ = 0u;
+                        phi_812_ = 0u;
                         loop {
-                            let _e742 = phi_807_;
-                            let _e744 = phi_810_;
-                            local_2 = _e744;
-                            local_3 = _e744;
-                            local_4 = _e744;
-                            let _e745 = (_e742 < 8u);
-                            if _e745 {
-                                let _e747 = (_e742 >> bitcast<u32>(2i));
-                                let _e748 = (_e742 & 3u);
-                                if (_e747 == 0u) {
-                                    phi_824_ = _e594.unnamed.root;
+                            let _e744 = phi_809_;
+                            let _e746 = phi_812_;
+                            local_2 = _e746;
+                            local_3 = _e746;
+                            local_4 = _e746;
+                            let _e747 = (_e744 < 8u);
+                            if _e747 {
+                                let _e749 = (_e744 >> bitcast<u32>(2i));
+                                let _e750 = (_e744 & 3u);
+                                if (_e749 == 0u) {
+                                    phi_826_ = _e596.unnamed.root;
                                 } else {
-                                    phi_824_ = _e594.unnamed.first_primitive;
+                                    phi_826_ = _e596.unnamed.first_primitive;
                                 }
-                                let _e751 = phi_824_;
-                                if (_e747 == 0u) {
-                                    phi_834_ = _e663.unnamed.root;
+                                let _e753 = phi_826_;
+                                if (_e749 == 0u) {
+                                    phi_836_ = _e665.unnamed.root;
                                 } else {
-                                    phi_834_ = _e663.unnamed.first_primitive;
+                                    phi_836_ = _e665.unnamed.first_primitive;
                                 }
-                                let _e760 = phi_834_;
-                                if (_e747 == 0u) {
-                                    phi_844_ = _e732.unnamed.root;
+                                let _e762 = phi_836_;
+                                if (_e749 == 0u) {
+                                    phi_846_ = _e734.unnamed.root;
                                 } else {
-                                    phi_844_ = _e732.unnamed.first_primitive;
+                                    phi_846_ = _e734.unnamed.first_primitive;
                                 }
-                                let _e769 = phi_844_;
-                                let _e782 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e751 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e317)), ((f32(((_e760 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 - _e318)));
-                                let _e783 = core_intrinsics_maximum_number_nsz_f32_(_e782, ((f32(((_e769 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e509) + (_e527 - _e319)));
-                                if (_e747 == 0u) {
-                                    phi_862_ = _e594.unnamed_1.root;
+                                let _e771 = phi_846_;
+                                let _e784 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e753 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e509) + (_e527 - _e317)), ((f32(((_e762 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e510) + (_e528 - _e318)));
+                                let _e785 = core_intrinsics_maximum_number_nsz_f32_(_e784, ((f32(((_e771 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e511) + (_e529 - _e319)));
+                                if (_e749 == 0u) {
+                                    phi_864_ = _e596.unnamed_1.root;
                                 } else {
-                                    phi_862_ = _e594.unnamed_1.first_primitive;
+                                    phi_864_ = _e596.unnamed_1.first_primitive;
                                 }
-                                let _e786 = phi_862_;
-                                if (_e747 == 0u) {
-                                    phi_872_ = _e663.unnamed_1.root;
+                                let _e788 = phi_864_;
+                                if (_e749 == 0u) {
+                                    phi_874_ = _e665.unnamed_1.root;
                                 } else {
-                                    phi_872_ = _e663.unnamed_1.first_primitive;
+                                    phi_874_ = _e665.unnamed_1.first_primitive;
                                 }
-                                let _e795 = phi_872_;
-                                if (_e747 == 0u) {
-                                    phi_882_ = _e732.unnamed_1.root;
+                                let _e797 = phi_874_;
+                                if (_e749 == 0u) {
+                                    phi_884_ = _e734.unnamed_1.root;
                                 } else {
-                                    phi_882_ = _e732.unnamed_1.first_primitive;
+                                    phi_884_ = _e734.unnamed_1.first_primitive;
                                 }
-                                let _e804 = phi_882_;
-                                let _e817 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e786 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 + _e317)), ((f32(((_e795 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 + _e318)));
-                                let _e818 = core_intrinsics_minimum_number_nsz_f32_(_e817, ((f32(((_e804 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e509) + (_e527 + _e319)));
-                                if (_e783 <= _e818) {
-                                    if (_e783 <= _e121) {
-                                        if (_e818 >= 0f) {
-                                            if (_e747 == 0u) {
-                                                let _e825 = nodes.member[(0u + _e475)].links[2u];
-                                                phi_918_ = _e825;
+                                let _e806 = phi_884_;
+                                let _e819 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e788 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e509) + (_e527 + _e317)), ((f32(((_e797 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e510) + (_e528 + _e318)));
+                                let _e820 = core_intrinsics_minimum_number_nsz_f32_(_e819, ((f32(((_e806 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e511) + (_e529 + _e319)));
+                                if (_e785 <= _e820) {
+                                    if (_e785 <= _e121) {
+                                        if (_e820 >= 0f) {
+                                            if (_e749 == 0u) {
+                                                let _e827 = nodes.member[(0u + _e475)].links[2u];
+                                                phi_920_ = _e827;
                                             } else {
-                                                let _e828 = nodes.member[(0u + _e475)].links[3u];
-                                                phi_918_ = _e828;
+                                                let _e830 = nodes.member[(0u + _e475)].links[3u];
+                                                phi_920_ = _e830;
                                             }
-                                            let _e830 = phi_918_;
-                                            let _e835 = ((_e830 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u);
-                                            let _e836 = (_e835 & 31u);
-                                            if (_e836 >= 24u) {
-                                                phi_931_ = (24u + ((_e836 - 24u) ^ _e337));
+                                            let _e832 = phi_920_;
+                                            let _e837 = ((_e832 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u);
+                                            let _e838 = (_e837 & 31u);
+                                            if (_e838 >= 24u) {
+                                                phi_933_ = (24u + ((_e838 - 24u) ^ _e337));
                                             } else {
-                                                phi_931_ = _e836;
+                                                phi_933_ = _e838;
                                             }
-                                            let _e842 = phi_931_;
-                                            phi_936_ = (_e744 | ((_e835 >> bitcast<u32>(5i)) << bitcast<u32>((_e842 & 31u))));
+                                            let _e844 = phi_933_;
+                                            phi_938_ = (_e746 | ((_e837 >> bitcast<u32>(5i)) << bitcast<u32>((_e844 & 31u))));
                                         } else {
-                                            phi_936_ = _e744;
+                                            phi_938_ = _e746;
                                         }
-                                        let _e850 = phi_936_;
-                                        phi_937_ = _e850;
+                                        let _e852 = phi_938_;
+                                        phi_939_ = _e852;
                                     } else {
-                                        phi_937_ = _e744;
+                                        phi_939_ = _e746;
                                     }
-                                    let _e852 = phi_937_;
-                                    phi_938_ = _e852;
+                                    let _e854 = phi_939_;
+                                    phi_940_ = _e854;
                                 } else {
-                                    phi_938_ = _e744;
+                                    phi_940_ = _e746;
                                 }
-                                let _e854 = phi_938_;
-                                phi_808_ = (_e742 + 1u);
-                                phi_811_ = _e854;
+                                let _e856 = phi_940_;
+                                phi_810_ = (_e744 + 1u);
+                                phi_813_ = _e856;
                             } else {
-                                phi_808_ = u32();
-                                phi_811_ = u32();
+                                phi_810_ = u32();
+                                phi_813_ = u32();
                             }
-                            let _e857 = phi_808_;
-                            let _e859 = phi_811_;
+                            let _e859 = phi_810_;
+                            let _e861 = phi_813_;
                             continue;
                             continuing {
-                                phi_807_ = _e857;
-                                phi_810_ = _e859;
-                                break if !(_e745);
+                                phi_809_ = _e859;
+                                phi_812_ = _e861;
+                                break if !(_e747);
                             }
                         }
-                        let _e863 = nodes.member[(0u + _e475)].links[0u];
-                        let _e867 = nodes.member[(0u + _e475)].frame[3u];
-                        let _e871 = local_2;
-                        if ((_e871 & 4278190080u) == 0u) {
+                        let _e865 = nodes.member[(0u + _e475)].links[0u];
+                        let _e869 = nodes.member[(0u + _e475)].frame[3u];
+                        let _e873 = local_2;
+                        if ((_e873 & 4278190080u) == 0u) {
                         } else {
-                            let _e875 = local_1.group_mask;
-                            if ((_e875 & 4278190080u) == 0u) {
+                            let _e877 = local_1.group_mask;
+                            if ((_e877 & 4278190080u) == 0u) {
                             } else {
-                                let _e879 = local_1.len;
-                                if (_e879 < 32u) {
-                                    let _e882 = local_1.group;
-                                    let _e884 = local_1.len;
-                                    if (_e884 < 32u) {
+                                let _e881 = local_1.len;
+                                if (_e881 < 32u) {
+                                    let _e884 = local_1.group;
+                                    let _e886 = local_1.len;
+                                    if (_e886 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e884)] = _e882;
-                                    let _e890 = local_1.group_mask;
-                                    let _e892 = local_1.len;
-                                    if (_e892 < 32u) {
+                                    local_1.first[(0u + _e886)] = _e884;
+                                    let _e892 = local_1.group_mask;
+                                    let _e894 = local_1.len;
+                                    if (_e894 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e892)] = _e890;
-                                    let _e899 = local_1.len;
-                                    local_1.len = (_e899 + 1u);
+                                    local_1.mask[(0u + _e894)] = _e892;
+                                    let _e901 = local_1.len;
+                                    local_1.len = (_e901 + 1u);
                                 }
                             }
-                            local_1.group = (_e92 + _e863);
-                            let _e903 = local_3;
-                            local_1.group_mask = ((_e903 & 4278190080u) | (_e867 >> bitcast<u32>(24i)));
+                            local_1.group = (_e92 + _e865);
+                            let _e905 = local_3;
+                            local_1.group_mask = ((_e905 & 4278190080u) | (_e869 >> bitcast<u32>(24i)));
                         }
-                        let _e908 = local_4;
-                        phi_996_ = (_e908 & 16777215u);
+                        let _e910 = local_4;
+                        phi_998_ = (_e910 & 16777215u);
+                        phi_1001_ = _e477;
                         loop {
-                            let _e911 = phi_996_;
-                            let _e912 = (_e911 == 0u);
-                            local_10 = _e912;
-                            local_17 = _e912;
-                            if _e912 {
-                                phi_997_ = u32();
-                                phi_2657_ = false;
+                            let _e913 = phi_998_;
+                            let _e915 = phi_1001_;
+                            local_15 = _e915;
+                            let _e916 = (_e913 == 0u);
+                            local_10 = _e916;
+                            local_16 = _e916;
+                            if _e916 {
+                                phi_999_ = u32();
+                                phi_1002_ = bool();
+                                phi_2645_ = false;
                             } else {
-                                let _e915 = nodes.member[(0u + _e475)].links[1u];
-                                let _e919 = (_e915 + select(firstTrailingBit(_e911), 32u, (_e911 == 0u)));
-                                if (_e919 < arrayLength((&instances.member))) {
+                                let _e919 = nodes.member[(0u + _e475)].links[1u];
+                                let _e923 = (_e919 + select(firstTrailingBit(_e913), 32u, (_e913 == 0u)));
+                                if (_e923 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e926 = instances.member[(0u + _e919)].low_world;
-                                let _e928 = instances.member[(0u + _e919)].high_world;
-                                let _e935 = ((_e926.x - _e113) * _e269);
-                                let _e936 = ((_e926.y - _e115) * _e279);
-                                let _e937 = ((_e926.z - _e117) * _e289);
-                                let _e944 = ((_e928.x - _e113) * _e269);
-                                let _e945 = ((_e928.y - _e115) * _e279);
-                                let _e946 = ((_e928.z - _e117) * _e289);
-                                if (_e935 < _e944) {
-                                    phi_1046_ = _e935;
+                                let _e930 = instances.member[(0u + _e923)].low_world;
+                                let _e932 = instances.member[(0u + _e923)].high_world;
+                                let _e939 = ((_e930.x - _e113) * _e269);
+                                let _e940 = ((_e930.y - _e115) * _e279);
+                                let _e941 = ((_e930.z - _e117) * _e289);
+                                let _e948 = ((_e932.x - _e113) * _e269);
+                                let _e949 = ((_e932.y - _e115) * _e279);
+                                let _e950 = ((_e932.z - _e117) * _e289);
+                                if (_e939 < _e948) {
+                                    phi_1050_ = _e939;
                                 } else {
-                                    phi_1046_ = _e944;
+                                    phi_1050_ = _e948;
                                 }
-                                let _e949 = phi_1046_;
-                                if (_e936 < _e945) {
-                                    phi_1051_ = _e936;
+                                let _e953 = phi_1050_;
+                                if (_e940 < _e949) {
+                                    phi_1055_ = _e940;
                                 } else {
-                                    phi_1051_ = _e945;
+                                    phi_1055_ = _e949;
                                 }
-                                let _e952 = phi_1051_;
-                                if (_e937 < _e946) {
-                                    phi_1056_ = _e937;
+                                let _e956 = phi_1055_;
+                                if (_e941 < _e950) {
+                                    phi_1060_ = _e941;
                                 } else {
-                                    phi_1056_ = _e946;
+                                    phi_1060_ = _e950;
                                 }
-                                let _e955 = phi_1056_;
-                                if (_e935 > _e944) {
-                                    phi_1064_ = _e935;
+                                let _e959 = phi_1060_;
+                                if (_e939 > _e948) {
+                                    phi_1068_ = _e939;
                                 } else {
-                                    phi_1064_ = _e944;
+                                    phi_1068_ = _e948;
                                 }
-                                let _e961 = phi_1064_;
-                                if (_e936 > _e945) {
-                                    phi_1069_ = _e936;
+                                let _e965 = phi_1068_;
+                                if (_e940 > _e949) {
+                                    phi_1073_ = _e940;
                                 } else {
-                                    phi_1069_ = _e945;
+                                    phi_1073_ = _e949;
                                 }
-                                let _e964 = phi_1069_;
-                                if (_e937 > _e946) {
-                                    phi_1074_ = _e937;
+                                let _e968 = phi_1073_;
+                                if (_e941 > _e950) {
+                                    phi_1078_ = _e941;
                                 } else {
-                                    phi_1074_ = _e946;
+                                    phi_1078_ = _e950;
                                 }
-                                let _e967 = phi_1074_;
-                                let _e971 = core_intrinsics_maximum_number_nsz_f32_((_e949 - _e324), (_e952 - _e325));
-                                let _e972 = core_intrinsics_maximum_number_nsz_f32_(_e971, (_e955 - _e326));
-                                let _e973 = core_intrinsics_minimum_number_nsz_f32_((_e961 + _e324), (_e964 + _e325));
-                                let _e974 = core_intrinsics_minimum_number_nsz_f32_(_e973, (_e967 + _e326));
-                                if (_e972 <= _e974) {
-                                    if (_e972 <= _e121) {
-                                        if (_e974 >= 0f) {
-                                            let _e980 = instances.member[(0u + _e919)].world_to_object[0u];
-                                            let _e991 = ((((_e980.x * _e113) + (_e980.y * _e115)) + (_e980.z * _e117)) + (_e980.w * 1f));
-                                            let _e993 = instances.member[(0u + _e919)].world_to_object[1u];
-                                            let _e1004 = ((((_e993.x * _e113) + (_e993.y * _e115)) + (_e993.z * _e117)) + (_e993.w * 1f));
-                                            let _e1006 = instances.member[(0u + _e919)].world_to_object[2u];
-                                            let _e1017 = ((((_e1006.x * _e113) + (_e1006.y * _e115)) + (_e1006.z * _e117)) + (_e1006.w * 1f));
-                                            let _e1020 = instances.member[(0u + _e919)].world_to_object[0u];
-                                            let _e1031 = ((((_e1020.x * _e129) + (_e1020.y * _e130)) + (_e1020.z * _e131)) + (_e1020.w * 0f));
-                                            let _e1033 = instances.member[(0u + _e919)].world_to_object[1u];
-                                            let _e1044 = ((((_e1033.x * _e129) + (_e1033.y * _e130)) + (_e1033.z * _e131)) + (_e1033.w * 0f));
-                                            let _e1046 = instances.member[(0u + _e919)].world_to_object[2u];
-                                            let _e1057 = ((((_e1046.x * _e129) + (_e1046.y * _e130)) + (_e1046.z * _e131)) + (_e1046.w * 0f));
-                                            let _e1060 = instances.member[(0u + _e919)].root;
-                                            let _e1062 = instances.member[(0u + _e919)].first_triangle;
-                                            let _e1066 = abs(_e1031);
-                                            let _e1067 = abs(_e1044);
-                                            let _e1068 = abs(_e1057);
-                                            if (abs(_e991) < 1000000000000000f) {
-                                                if (abs(_e1004) < 1000000000000000f) {
-                                                    if (abs(_e1017) < 1000000000000000f) {
-                                                        if (_e1066 < 1000000000000000f) {
-                                                            if (_e1067 < 1000000000000000f) {
-                                                                if (_e1068 < 1000000000000000f) {
-                                                                    if (_e1066 > 0f) {
-                                                                        phi_1219_ = bool();
-                                                                        phi_1220_ = true;
-                                                                    } else {
-                                                                        let _e1076 = (_e1067 > 0f);
-                                                                        if _e1076 {
-                                                                            phi_1218_ = bool();
-                                                                        } else {
-                                                                            phi_1218_ = (_e1068 > 0f);
-                                                                        }
-                                                                        let _e1079 = phi_1218_;
-                                                                        phi_1219_ = _e1079;
-                                                                        phi_1220_ = _e1076;
-                                                                    }
-                                                                    let _e1081 = phi_1219_;
-                                                                    let _e1083 = phi_1220_;
-                                                                    if _e1083 {
+                                let _e971 = phi_1078_;
+                                let _e975 = core_intrinsics_maximum_number_nsz_f32_((_e953 - _e324), (_e956 - _e325));
+                                let _e976 = core_intrinsics_maximum_number_nsz_f32_(_e975, (_e959 - _e326));
+                                let _e977 = core_intrinsics_minimum_number_nsz_f32_((_e965 + _e324), (_e968 + _e325));
+                                let _e978 = core_intrinsics_minimum_number_nsz_f32_(_e977, (_e971 + _e326));
+                                if (_e976 <= _e978) {
+                                    if (_e976 <= _e121) {
+                                        if (_e978 >= 0f) {
+                                            let _e984 = instances.member[(0u + _e923)].world_to_object[0u];
+                                            let _e995 = ((((_e984.x * _e113) + (_e984.y * _e115)) + (_e984.z * _e117)) + (_e984.w * 1f));
+                                            let _e997 = instances.member[(0u + _e923)].world_to_object[1u];
+                                            let _e1008 = ((((_e997.x * _e113) + (_e997.y * _e115)) + (_e997.z * _e117)) + (_e997.w * 1f));
+                                            let _e1010 = instances.member[(0u + _e923)].world_to_object[2u];
+                                            let _e1021 = ((((_e1010.x * _e113) + (_e1010.y * _e115)) + (_e1010.z * _e117)) + (_e1010.w * 1f));
+                                            let _e1024 = instances.member[(0u + _e923)].world_to_object[0u];
+                                            let _e1035 = ((((_e1024.x * _e129) + (_e1024.y * _e130)) + (_e1024.z * _e131)) + (_e1024.w * 0f));
+                                            let _e1037 = instances.member[(0u + _e923)].world_to_object[1u];
+                                            let _e1048 = ((((_e1037.x * _e129) + (_e1037.y * _e130)) + (_e1037.z * _e131)) + (_e1037.w * 0f));
+                                            let _e1050 = instances.member[(0u + _e923)].world_to_object[2u];
+                                            let _e1061 = ((((_e1050.x * _e129) + (_e1050.y * _e130)) + (_e1050.z * _e131)) + (_e1050.w * 0f));
+                                            let _e1064 = instances.member[(0u + _e923)].root;
+                                            let _e1066 = instances.member[(0u + _e923)].first_triangle;
+                                            let _e1070 = abs(_e1035);
+                                            let _e1071 = abs(_e1048);
+                                            let _e1072 = abs(_e1061);
+                                            if (abs(_e995) < 1000000000000000f) {
+                                                if (abs(_e1008) < 1000000000000000f) {
+                                                    if (abs(_e1021) < 1000000000000000f) {
+                                                        if (_e1070 < 1000000000000000f) {
+                                                            if (_e1071 < 1000000000000000f) {
+                                                                if (_e1072 < 1000000000000000f) {
+                                                                    if (_e1070 > 0f) {
+                                                                        phi_1223_ = bool();
                                                                         phi_1224_ = true;
                                                                     } else {
-                                                                        phi_1224_ = _e1081;
+                                                                        let _e1080 = (_e1071 > 0f);
+                                                                        if _e1080 {
+                                                                            phi_1222_ = bool();
+                                                                        } else {
+                                                                            phi_1222_ = (_e1072 > 0f);
+                                                                        }
+                                                                        let _e1083 = phi_1222_;
+                                                                        phi_1223_ = _e1083;
+                                                                        phi_1224_ = _e1080;
                                                                     }
-                                                                    let _e1085 = phi_1224_;
-                                                                    phi_1225_ = _e1085;
-                                                                    phi_1226_ = false;
+                                                                    let _e1085 = phi_1223_;
+                                                                    let _e1087 = phi_1224_;
+                                                                    if _e1087 {
+                                                                        phi_1228_ = true;
+                                                                    } else {
+                                                                        phi_1228_ = _e1085;
+                                                                    }
+                                                                    let _e1089 = phi_1228_;
+                                                                    phi_1229_ = _e1089;
+                                                                    phi_1230_ = false;
                                                                 } else {
-                                                                    phi_1225_ = bool();
-                                                                    phi_1226_ = true;
+                                                                    phi_1229_ = bool();
+                                                                    phi_1230_ = true;
                                                                 }
-                                                                let _e1087 = phi_1225_;
-                                                                let _e1089 = phi_1226_;
-                                                                phi_1227_ = _e1087;
-                                                                phi_1228_ = false;
-                                                                phi_1229_ = _e1089;
+                                                                let _e1091 = phi_1229_;
+                                                                let _e1093 = phi_1230_;
+                                                                phi_1231_ = _e1091;
+                                                                phi_1232_ = false;
+                                                                phi_1233_ = _e1093;
                                                             } else {
-                                                                phi_1227_ = bool();
-                                                                phi_1228_ = true;
-                                                                phi_1229_ = false;
+                                                                phi_1231_ = bool();
+                                                                phi_1232_ = true;
+                                                                phi_1233_ = false;
                                                             }
-                                                            let _e1091 = phi_1227_;
-                                                            let _e1093 = phi_1228_;
-                                                            let _e1095 = phi_1229_;
-                                                            phi_1230_ = _e1091;
-                                                            phi_1231_ = _e1093;
-                                                            phi_1232_ = _e1095;
+                                                            let _e1095 = phi_1231_;
+                                                            let _e1097 = phi_1232_;
+                                                            let _e1099 = phi_1233_;
+                                                            phi_1234_ = _e1095;
+                                                            phi_1235_ = _e1097;
+                                                            phi_1236_ = _e1099;
                                                         } else {
-                                                            phi_1230_ = bool();
-                                                            phi_1231_ = true;
-                                                            phi_1232_ = false;
+                                                            phi_1234_ = bool();
+                                                            phi_1235_ = true;
+                                                            phi_1236_ = false;
                                                         }
-                                                        let _e1097 = phi_1230_;
-                                                        let _e1099 = phi_1231_;
-                                                        let _e1101 = phi_1232_;
-                                                        phi_1233_ = _e1097;
-                                                        phi_1234_ = _e1099;
-                                                        phi_1235_ = _e1101;
+                                                        let _e1101 = phi_1234_;
+                                                        let _e1103 = phi_1235_;
+                                                        let _e1105 = phi_1236_;
+                                                        phi_1237_ = _e1101;
+                                                        phi_1238_ = _e1103;
+                                                        phi_1239_ = _e1105;
                                                     } else {
-                                                        phi_1233_ = bool();
-                                                        phi_1234_ = true;
-                                                        phi_1235_ = false;
+                                                        phi_1237_ = bool();
+                                                        phi_1238_ = true;
+                                                        phi_1239_ = false;
                                                     }
-                                                    let _e1103 = phi_1233_;
-                                                    let _e1105 = phi_1234_;
-                                                    let _e1107 = phi_1235_;
-                                                    phi_1236_ = _e1103;
-                                                    phi_1237_ = _e1105;
-                                                    phi_1238_ = _e1107;
+                                                    let _e1107 = phi_1237_;
+                                                    let _e1109 = phi_1238_;
+                                                    let _e1111 = phi_1239_;
+                                                    phi_1240_ = _e1107;
+                                                    phi_1241_ = _e1109;
+                                                    phi_1242_ = _e1111;
                                                 } else {
-                                                    phi_1236_ = bool();
-                                                    phi_1237_ = true;
-                                                    phi_1238_ = false;
+                                                    phi_1240_ = bool();
+                                                    phi_1241_ = true;
+                                                    phi_1242_ = false;
                                                 }
-                                                let _e1109 = phi_1236_;
-                                                let _e1111 = phi_1237_;
-                                                let _e1113 = phi_1238_;
-                                                phi_1239_ = _e1109;
-                                                phi_1240_ = _e1111;
-                                                phi_1241_ = _e1113;
+                                                let _e1113 = phi_1240_;
+                                                let _e1115 = phi_1241_;
+                                                let _e1117 = phi_1242_;
+                                                phi_1243_ = _e1113;
+                                                phi_1244_ = _e1115;
+                                                phi_1245_ = _e1117;
                                             } else {
-                                                phi_1239_ = bool();
-                                                phi_1240_ = true;
-                                                phi_1241_ = false;
+                                                phi_1243_ = bool();
+                                                phi_1244_ = true;
+                                                phi_1245_ = false;
                                             }
-                                            let _e1115 = phi_1239_;
-                                            let _e1117 = phi_1240_;
-                                            let _e1119 = phi_1241_;
-                                            if _e1117 {
-                                                phi_1245_ = true;
-                                            } else {
-                                                phi_1245_ = _e1119;
-                                            }
-                                            let _e1121 = phi_1245_;
+                                            let _e1119 = phi_1243_;
+                                            let _e1121 = phi_1244_;
+                                            let _e1123 = phi_1245_;
                                             if _e1121 {
-                                                phi_1249_ = false;
+                                                phi_1249_ = true;
                                             } else {
-                                                phi_1249_ = _e1115;
+                                                phi_1249_ = _e1123;
                                             }
-                                            let _e1123 = phi_1249_;
-                                            if _e1123 {
-                                                let _e1124 = (_e1060 >= _e62);
-                                                if _e1124 {
-                                                    phi_2640_ = bool();
+                                            let _e1125 = phi_1249_;
+                                            if _e1125 {
+                                                phi_1253_ = false;
+                                            } else {
+                                                phi_1253_ = _e1119;
+                                            }
+                                            let _e1127 = phi_1253_;
+                                            if _e1127 {
+                                                let _e1128 = (_e1064 >= _e62);
+                                                if _e1128 {
+                                                    phi_2625_ = bool();
                                                 } else {
-                                                    if (_e1060 < _e62) {
+                                                    if (_e1064 < _e62) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1130 = nodes.member[(0u + _e1060)].frame[0u];
-                                                    let _e1134 = nodes.member[(0u + _e1060)].frame[1u];
-                                                    let _e1138 = nodes.member[(0u + _e1060)].frame[2u];
-                                                    let _e1142 = nodes.member[(0u + _e1060)].frame[0u];
-                                                    let _e1146 = nodes.member[(0u + _e1060)].frame[1u];
-                                                    let _e1150 = nodes.member[(0u + _e1060)].frame[2u];
-                                                    let _e1154 = nodes.member[(0u + _e1060)].frame[3u];
-                                                    let _e1188 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1031), abs(_e1044));
-                                                    let _e1189 = core_intrinsics_maximum_number_nsz_f32_(_e1188, abs(_e1057));
-                                                    let _e1190 = (_e1189 * 0.0000000000009094947f);
-                                                    if (abs(_e1031) < _e1190) {
-                                                        phi_1319_ = _e1190;
+                                                    let _e1134 = nodes.member[(0u + _e1064)].frame[0u];
+                                                    let _e1138 = nodes.member[(0u + _e1064)].frame[1u];
+                                                    let _e1142 = nodes.member[(0u + _e1064)].frame[2u];
+                                                    let _e1146 = nodes.member[(0u + _e1064)].frame[0u];
+                                                    let _e1150 = nodes.member[(0u + _e1064)].frame[1u];
+                                                    let _e1154 = nodes.member[(0u + _e1064)].frame[2u];
+                                                    let _e1158 = nodes.member[(0u + _e1064)].frame[3u];
+                                                    let _e1192 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1035), abs(_e1048));
+                                                    let _e1193 = core_intrinsics_maximum_number_nsz_f32_(_e1192, abs(_e1061));
+                                                    let _e1194 = (_e1193 * 0.0000000000009094947f);
+                                                    if (abs(_e1035) < _e1194) {
+                                                        phi_1323_ = _e1194;
                                                     } else {
-                                                        phi_1319_ = abs(_e1031);
+                                                        phi_1323_ = abs(_e1035);
                                                     }
-                                                    let _e1195 = phi_1319_;
-                                                    if (_e1031 < 0f) {
-                                                        phi_1326_ = (-1f / _e1195);
+                                                    let _e1199 = phi_1323_;
+                                                    if (_e1035 < 0f) {
+                                                        phi_1330_ = (-1f / _e1199);
                                                     } else {
-                                                        phi_1326_ = (1f / _e1195);
+                                                        phi_1330_ = (1f / _e1199);
                                                     }
-                                                    let _e1200 = phi_1326_;
-                                                    if (abs(_e1044) < _e1190) {
-                                                        phi_1333_ = _e1190;
+                                                    let _e1204 = phi_1330_;
+                                                    if (abs(_e1048) < _e1194) {
+                                                        phi_1337_ = _e1194;
                                                     } else {
-                                                        phi_1333_ = abs(_e1044);
+                                                        phi_1337_ = abs(_e1048);
                                                     }
-                                                    let _e1205 = phi_1333_;
-                                                    if (_e1044 < 0f) {
-                                                        phi_1340_ = (-1f / _e1205);
+                                                    let _e1209 = phi_1337_;
+                                                    if (_e1048 < 0f) {
+                                                        phi_1344_ = (-1f / _e1209);
                                                     } else {
-                                                        phi_1340_ = (1f / _e1205);
+                                                        phi_1344_ = (1f / _e1209);
                                                     }
-                                                    let _e1210 = phi_1340_;
-                                                    if (abs(_e1057) < _e1190) {
-                                                        phi_1347_ = _e1190;
+                                                    let _e1214 = phi_1344_;
+                                                    if (abs(_e1061) < _e1194) {
+                                                        phi_1351_ = _e1194;
                                                     } else {
-                                                        phi_1347_ = abs(_e1057);
+                                                        phi_1351_ = abs(_e1061);
                                                     }
-                                                    let _e1215 = phi_1347_;
-                                                    if (_e1057 < 0f) {
-                                                        phi_1354_ = (-1f / _e1215);
+                                                    let _e1219 = phi_1351_;
+                                                    if (_e1061 < 0f) {
+                                                        phi_1358_ = (-1f / _e1219);
                                                     } else {
-                                                        phi_1354_ = (1f / _e1215);
+                                                        phi_1358_ = (1f / _e1219);
                                                     }
-                                                    let _e1220 = phi_1354_;
-                                                    let _e1224 = abs((bitcast<f32>(_e1130) - _e991));
-                                                    let _e1225 = abs((bitcast<f32>(_e1134) - _e1004));
-                                                    let _e1226 = abs((bitcast<f32>(_e1138) - _e1017));
-                                                    let _e1230 = abs(((bitcast<f32>(_e1142) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e991));
-                                                    let _e1231 = abs(((bitcast<f32>(_e1146) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1004));
-                                                    let _e1232 = abs(((bitcast<f32>(_e1150) + (bitcast<f32>((((_e1154 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1017));
-                                                    if (_e1224 > _e1230) {
-                                                        phi_1371_ = _e1224;
+                                                    let _e1224 = phi_1358_;
+                                                    let _e1228 = abs((bitcast<f32>(_e1134) - _e995));
+                                                    let _e1229 = abs((bitcast<f32>(_e1138) - _e1008));
+                                                    let _e1230 = abs((bitcast<f32>(_e1142) - _e1021));
+                                                    let _e1234 = abs(((bitcast<f32>(_e1146) + (bitcast<f32>((((_e1158 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e995));
+                                                    let _e1235 = abs(((bitcast<f32>(_e1150) + (bitcast<f32>((((_e1158 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1008));
+                                                    let _e1236 = abs(((bitcast<f32>(_e1154) + (bitcast<f32>((((_e1158 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1021));
+                                                    if (_e1228 > _e1234) {
+                                                        phi_1375_ = _e1228;
                                                     } else {
-                                                        phi_1371_ = _e1230;
+                                                        phi_1375_ = _e1234;
                                                     }
-                                                    let _e1235 = phi_1371_;
-                                                    if (_e1225 > _e1231) {
-                                                        phi_1376_ = _e1225;
+                                                    let _e1239 = phi_1375_;
+                                                    if (_e1229 > _e1235) {
+                                                        phi_1380_ = _e1229;
                                                     } else {
-                                                        phi_1376_ = _e1231;
+                                                        phi_1380_ = _e1235;
                                                     }
-                                                    let _e1238 = phi_1376_;
-                                                    if (_e1226 > _e1232) {
-                                                        phi_1381_ = _e1226;
+                                                    let _e1242 = phi_1380_;
+                                                    if (_e1230 > _e1236) {
+                                                        phi_1385_ = _e1230;
                                                     } else {
-                                                        phi_1381_ = _e1232;
+                                                        phi_1385_ = _e1236;
                                                     }
-                                                    let _e1241 = phi_1381_;
-                                                    let _e1242 = core_intrinsics_maximum_number_nsz_f32_(_e1235, _e1238);
-                                                    let _e1243 = core_intrinsics_maximum_number_nsz_f32_(_e1242, _e1241);
-                                                    let _e1247 = (_e1243 * 0.0000019073486f);
-                                                    let _e1248 = (abs(_e1200) * _e1247);
-                                                    let _e1249 = (abs(_e1210) * _e1247);
-                                                    let _e1250 = (abs(_e1220) * _e1247);
-                                                    let _e1254 = (_e1243 * 0.0000009536743f);
-                                                    let _e1255 = (abs(_e1200) * _e1254);
-                                                    let _e1256 = (abs(_e1210) * _e1254);
-                                                    let _e1257 = (abs(_e1220) * _e1254);
-                                                    let _e1258 = abs(_e1031);
-                                                    let _e1259 = abs(_e1044);
-                                                    let _e1260 = abs(_e1057);
-                                                    if (_e1258 >= _e1259) {
-                                                        if (_e1258 >= _e1260) {
-                                                            phi_1409_ = false;
+                                                    let _e1245 = phi_1385_;
+                                                    let _e1246 = core_intrinsics_maximum_number_nsz_f32_(_e1239, _e1242);
+                                                    let _e1247 = core_intrinsics_maximum_number_nsz_f32_(_e1246, _e1245);
+                                                    let _e1251 = (_e1247 * 0.0000019073486f);
+                                                    let _e1252 = (abs(_e1204) * _e1251);
+                                                    let _e1253 = (abs(_e1214) * _e1251);
+                                                    let _e1254 = (abs(_e1224) * _e1251);
+                                                    let _e1258 = (_e1247 * 0.0000009536743f);
+                                                    let _e1259 = (abs(_e1204) * _e1258);
+                                                    let _e1260 = (abs(_e1214) * _e1258);
+                                                    let _e1261 = (abs(_e1224) * _e1258);
+                                                    let _e1262 = abs(_e1035);
+                                                    let _e1263 = abs(_e1048);
+                                                    let _e1264 = abs(_e1061);
+                                                    if (_e1262 >= _e1263) {
+                                                        if (_e1262 >= _e1264) {
+                                                            phi_1413_ = false;
                                                         } else {
-                                                            phi_1409_ = true;
+                                                            phi_1413_ = true;
                                                         }
-                                                        let _e1264 = phi_1409_;
-                                                        phi_1410_ = _e1264;
+                                                        let _e1268 = phi_1413_;
+                                                        phi_1414_ = _e1268;
                                                     } else {
-                                                        phi_1410_ = true;
+                                                        phi_1414_ = true;
                                                     }
-                                                    let _e1266 = phi_1410_;
-                                                    if _e1266 {
-                                                        if (_e1259 >= _e1260) {
-                                                            phi_1418_ = 1u;
+                                                    let _e1270 = phi_1414_;
+                                                    if _e1270 {
+                                                        if (_e1263 >= _e1264) {
+                                                            phi_1422_ = 1u;
                                                         } else {
-                                                            phi_1418_ = 2u;
+                                                            phi_1422_ = 2u;
                                                         }
-                                                        let _e1269 = phi_1418_;
-                                                        phi_1419_ = _e1269;
+                                                        let _e1273 = phi_1422_;
+                                                        phi_1423_ = _e1273;
                                                     } else {
-                                                        phi_1419_ = 0u;
+                                                        phi_1423_ = 0u;
                                                     }
-                                                    let _e1271 = phi_1419_;
-                                                    if (_e1271 == 0u) {
-                                                        phi_1431_ = vec3<f32>(_e1044, _e1057, _e1031);
+                                                    let _e1275 = phi_1423_;
+                                                    if (_e1275 == 0u) {
+                                                        phi_1435_ = vec3<f32>(_e1048, _e1061, _e1035);
                                                     } else {
-                                                        if (_e1271 == 1u) {
-                                                            phi_1430_ = vec3<f32>(_e1057, _e1031, _e1044);
+                                                        if (_e1275 == 1u) {
+                                                            phi_1434_ = vec3<f32>(_e1061, _e1035, _e1048);
                                                         } else {
-                                                            phi_1430_ = vec3<f32>(_e1031, _e1044, _e1057);
+                                                            phi_1434_ = vec3<f32>(_e1035, _e1048, _e1061);
                                                         }
-                                                        let _e1277 = phi_1430_;
-                                                        phi_1431_ = _e1277;
+                                                        let _e1281 = phi_1434_;
+                                                        phi_1435_ = _e1281;
                                                     }
-                                                    let _e1279 = phi_1431_;
-                                                    let _e1282 = (_e1279.x / _e1279.z);
-                                                    let _e1285 = (_e1279.y / _e1279.z);
-                                                    if (_e1200 < 0f) {
-                                                        phi_1444_ = 0u;
+                                                    let _e1283 = phi_1435_;
+                                                    let _e1286 = (_e1283.x / _e1283.z);
+                                                    let _e1289 = (_e1283.y / _e1283.z);
+                                                    if (_e1204 < 0f) {
+                                                        phi_1448_ = 0u;
                                                     } else {
-                                                        phi_1444_ = 1u;
+                                                        phi_1448_ = 1u;
                                                     }
-                                                    let _e1290 = phi_1444_;
-                                                    if (_e1210 < 0f) {
-                                                        phi_1449_ = 0u;
+                                                    let _e1294 = phi_1448_;
+                                                    if (_e1214 < 0f) {
+                                                        phi_1453_ = 0u;
                                                     } else {
-                                                        phi_1449_ = 2u;
+                                                        phi_1453_ = 2u;
                                                     }
-                                                    let _e1293 = phi_1449_;
-                                                    if (_e1220 < 0f) {
-                                                        phi_1454_ = 0u;
+                                                    let _e1297 = phi_1453_;
+                                                    if (_e1224 < 0f) {
+                                                        phi_1458_ = 0u;
                                                     } else {
-                                                        phi_1454_ = 4u;
+                                                        phi_1458_ = 4u;
                                                     }
-                                                    let _e1296 = phi_1454_;
-                                                    let _e1298 = ((_e1290 | _e1293) | _e1296);
-                                                    let _e1299 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1060, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1299.first[0], _e1299.first[1], _e1299.first[2], _e1299.first[3], _e1299.first[4], _e1299.first[5], _e1299.first[6], _e1299.first[7], _e1299.first[8], _e1299.first[9], _e1299.first[10], _e1299.first[11], _e1299.first[12], _e1299.first[13], _e1299.first[14], _e1299.first[15], _e1299.first[16], _e1299.first[17], _e1299.first[18], _e1299.first[19], _e1299.first[20], _e1299.first[21], _e1299.first[22], _e1299.first[23], _e1299.first[24], _e1299.first[25], _e1299.first[26], _e1299.first[27], _e1299.first[28], _e1299.first[29], _e1299.first[30], _e1299.first[31]), array<u32, 32>(_e1299.mask[0], _e1299.mask[1], _e1299.mask[2], _e1299.mask[3], _e1299.mask[4], _e1299.mask[5], _e1299.mask[6], _e1299.mask[7], _e1299.mask[8], _e1299.mask[9], _e1299.mask[10], _e1299.mask[11], _e1299.mask[12], _e1299.mask[13], _e1299.mask[14], _e1299.mask[15], _e1299.mask[16], _e1299.mask[17], _e1299.mask[18], _e1299.mask[19], _e1299.mask[20], _e1299.mask[21], _e1299.mask[22], _e1299.mask[23], _e1299.mask[24], _e1299.mask[25], _e1299.mask[26], _e1299.mask[27], _e1299.mask[28], _e1299.mask[29], _e1299.mask[30], _e1299.mask[31]), _e1299.len, _e1299.group, _e1299.group_mask);
-                                                    let _e1373 = local.group_mask;
-                                                    if ((_e1373 & 4278190080u) == 0u) {
-                                                        let _e1377 = local.len;
-                                                        if (_e1377 == 0u) {
-                                                            phi_1568_ = false;
+                                                    let _e1300 = phi_1458_;
+                                                    let _e1302 = ((_e1294 | _e1297) | _e1300);
+                                                    let _e1303 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1064, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1303.first[0], _e1303.first[1], _e1303.first[2], _e1303.first[3], _e1303.first[4], _e1303.first[5], _e1303.first[6], _e1303.first[7], _e1303.first[8], _e1303.first[9], _e1303.first[10], _e1303.first[11], _e1303.first[12], _e1303.first[13], _e1303.first[14], _e1303.first[15], _e1303.first[16], _e1303.first[17], _e1303.first[18], _e1303.first[19], _e1303.first[20], _e1303.first[21], _e1303.first[22], _e1303.first[23], _e1303.first[24], _e1303.first[25], _e1303.first[26], _e1303.first[27], _e1303.first[28], _e1303.first[29], _e1303.first[30], _e1303.first[31]), array<u32, 32>(_e1303.mask[0], _e1303.mask[1], _e1303.mask[2], _e1303.mask[3], _e1303.mask[4], _e1303.mask[5], _e1303.mask[6], _e1303.mask[7], _e1303.mask[8], _e1303.mask[9], _e1303.mask[10], _e1303.mask[11], _e1303.mask[12], _e1303.mask[13], _e1303.mask[14], _e1303.mask[15], _e1303.mask[16], _e1303.mask[17], _e1303.mask[18], _e1303.mask[19], _e1303.mask[20], _e1303.mask[21], _e1303.mask[22], _e1303.mask[23], _e1303.mask[24], _e1303.mask[25], _e1303.mask[26], _e1303.mask[27], _e1303.mask[28], _e1303.mask[29], _e1303.mask[30], _e1303.mask[31]), _e1303.len, _e1303.group, _e1303.group_mask);
+                                                    let _e1377 = local.group_mask;
+                                                    if ((_e1377 & 4278190080u) == 0u) {
+                                                        let _e1381 = local.len;
+                                                        if (_e1381 == 0u) {
+                                                            phi_1572_ = false;
                                                         } else {
-                                                            let _e1381 = local.len;
-                                                            local.len = (_e1381 - 1u);
-                                                            let _e1384 = local.len;
-                                                            if (_e1384 < 32u) {
+                                                            let _e1385 = local.len;
+                                                            local.len = (_e1385 - 1u);
+                                                            let _e1388 = local.len;
+                                                            if (_e1388 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1389 = local.first[(0u + _e1384)];
-                                                            local.group = _e1389;
-                                                            let _e1392 = local.len;
-                                                            if (_e1392 < 32u) {
+                                                            let _e1393 = local.first[(0u + _e1388)];
+                                                            local.group = _e1393;
+                                                            let _e1396 = local.len;
+                                                            if (_e1396 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1397 = local.mask[(0u + _e1392)];
-                                                            local.group_mask = _e1397;
-                                                            phi_1568_ = true;
+                                                            let _e1401 = local.mask[(0u + _e1396)];
+                                                            local.group_mask = _e1401;
+                                                            phi_1572_ = true;
                                                         }
-                                                        let _e1400 = phi_1568_;
-                                                        phi_1569_ = _e1400;
+                                                        let _e1404 = phi_1572_;
+                                                        phi_1573_ = _e1404;
                                                     } else {
-                                                        phi_1569_ = true;
+                                                        phi_1573_ = true;
                                                     }
-                                                    let _e1402 = phi_1569_;
-                                                    if _e1402 {
-                                                        let _e1404 = local.group_mask;
-                                                        let _e1410 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1404)), 32u, (_e1404 == 0u)));
-                                                        let _e1414 = local.group_mask;
-                                                        let _e1428 = local.group_mask;
-                                                        local.group_mask = (_e1428 & ~((1u << bitcast<u32>((_e1410 & 31u)))));
-                                                        let _e1431 = local.group;
-                                                        phi_1600_ = (_e1431 + countOneBits(((_e1414 & ~((4294967295u << bitcast<u32>((((_e1410 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1406 = phi_1573_;
+                                                    if _e1406 {
+                                                        let _e1408 = local.group_mask;
+                                                        let _e1414 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1408)), 32u, (_e1408 == 0u)));
+                                                        let _e1418 = local.group_mask;
+                                                        let _e1432 = local.group_mask;
+                                                        local.group_mask = (_e1432 & ~((1u << bitcast<u32>((_e1414 & 31u)))));
+                                                        let _e1435 = local.group;
+                                                        phi_1604_ = (_e1435 + countOneBits(((_e1418 & ~((4294967295u << bitcast<u32>((((_e1414 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1600_ = 4294967295u;
+                                                        phi_1604_ = 4294967295u;
                                                     }
-                                                    let _e1434 = phi_1600_;
-                                                    phi_1602_ = _e1434;
+                                                    let _e1438 = phi_1604_;
+                                                    phi_1606_ = _e1438;
+                                                    phi_1609_ = _e915;
                                                     loop {
-                                                        let _e1436 = phi_1602_;
-                                                        if (_e1436 != 4294967295u) {
-                                                            if (_e1436 < _e62) {
+                                                        let _e1440 = phi_1606_;
+                                                        let _e1442 = phi_1609_;
+                                                        local_14 = _e1442;
+                                                        if (_e1440 != 4294967295u) {
+                                                            if (_e1440 < _e62) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1443 = nodes.member[(0u + _e1436)].frame[3u];
-                                                            let _e1468 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1200);
-                                                            let _e1469 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1210);
-                                                            let _e1470 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1220);
-                                                            let _e1473 = nodes.member[(0u + _e1436)].frame[0u];
-                                                            let _e1477 = nodes.member[(0u + _e1436)].frame[1u];
-                                                            let _e1481 = nodes.member[(0u + _e1436)].frame[2u];
-                                                            let _e1486 = ((bitcast<f32>(_e1473) - _e991) * _e1200);
-                                                            let _e1487 = ((bitcast<f32>(_e1477) - _e1004) * _e1210);
-                                                            let _e1488 = ((bitcast<f32>(_e1481) - _e1017) * _e1220);
-                                                            let _e1496 = nodes.member[(0u + _e1436)].x;
-                                                            if (_e1200 < 0f) {
-                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1496.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1507.unnamed.root, _e1496.w), _e1507.unnamed_1);
-                                                                let _e1519 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_bvh_traverse_Tree(_e1496.x, _e1513.unnamed_1.first_primitive));
-                                                                phi_1683_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1519.unnamed, lt_bvh_traverse_Tree(_e1519.unnamed_1.root, _e1496.y));
+                                                            let _e1449 = nodes.member[(0u + _e1440)].frame[3u];
+                                                            let _e1474 = (bitcast<f32>((((_e1449 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1204);
+                                                            let _e1475 = (bitcast<f32>((((_e1449 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1214);
+                                                            let _e1476 = (bitcast<f32>((((_e1449 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1224);
+                                                            let _e1479 = nodes.member[(0u + _e1440)].frame[0u];
+                                                            let _e1483 = nodes.member[(0u + _e1440)].frame[1u];
+                                                            let _e1487 = nodes.member[(0u + _e1440)].frame[2u];
+                                                            let _e1492 = ((bitcast<f32>(_e1479) - _e995) * _e1204);
+                                                            let _e1493 = ((bitcast<f32>(_e1483) - _e1008) * _e1214);
+                                                            let _e1494 = ((bitcast<f32>(_e1487) - _e1021) * _e1224);
+                                                            let _e1502 = nodes.member[(0u + _e1440)].x;
+                                                            if (_e1204 < 0f) {
+                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1502.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1519 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1513.unnamed.root, _e1502.w), _e1513.unnamed_1);
+                                                                let _e1525 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1519.unnamed, lt_bvh_traverse_Tree(_e1502.x, _e1519.unnamed_1.first_primitive));
+                                                                phi_1689_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1525.unnamed, lt_bvh_traverse_Tree(_e1525.unnamed_1.root, _e1502.y));
                                                             } else {
-                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1496.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1535.unnamed.root, _e1496.y), _e1535.unnamed_1);
-                                                                let _e1547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_bvh_traverse_Tree(_e1496.z, _e1541.unnamed_1.first_primitive));
-                                                                phi_1683_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1547.unnamed, lt_bvh_traverse_Tree(_e1547.unnamed_1.root, _e1496.w));
+                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1502.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1541.unnamed.root, _e1502.y), _e1541.unnamed_1);
+                                                                let _e1553 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1547.unnamed, lt_bvh_traverse_Tree(_e1502.z, _e1547.unnamed_1.first_primitive));
+                                                                phi_1689_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1553.unnamed, lt_bvh_traverse_Tree(_e1553.unnamed_1.root, _e1502.w));
                                                             }
-                                                            let _e1555 = phi_1683_;
-                                                            let _e1565 = nodes.member[(0u + _e1436)].y;
-                                                            if (_e1210 < 0f) {
-                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1565.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1576.unnamed.root, _e1565.w), _e1576.unnamed_1);
-                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_bvh_traverse_Tree(_e1565.x, _e1582.unnamed_1.first_primitive));
-                                                                phi_1710_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1588.unnamed, lt_bvh_traverse_Tree(_e1588.unnamed_1.root, _e1565.y));
+                                                            let _e1561 = phi_1689_;
+                                                            let _e1571 = nodes.member[(0u + _e1440)].y;
+                                                            if (_e1214 < 0f) {
+                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1571.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1582.unnamed.root, _e1571.w), _e1582.unnamed_1);
+                                                                let _e1594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1588.unnamed, lt_bvh_traverse_Tree(_e1571.x, _e1588.unnamed_1.first_primitive));
+                                                                phi_1716_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1594.unnamed, lt_bvh_traverse_Tree(_e1594.unnamed_1.root, _e1571.y));
                                                             } else {
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1565.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1604.unnamed.root, _e1565.y), _e1604.unnamed_1);
-                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_bvh_traverse_Tree(_e1565.z, _e1610.unnamed_1.first_primitive));
-                                                                phi_1710_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_bvh_traverse_Tree(_e1616.unnamed_1.root, _e1565.w));
+                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1571.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1610.unnamed.root, _e1571.y), _e1610.unnamed_1);
+                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_bvh_traverse_Tree(_e1571.z, _e1616.unnamed_1.first_primitive));
+                                                                phi_1716_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_bvh_traverse_Tree(_e1622.unnamed_1.root, _e1571.w));
                                                             }
-                                                            let _e1624 = phi_1710_;
-                                                            let _e1634 = nodes.member[(0u + _e1436)].z;
-                                                            if (_e1220 < 0f) {
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1634.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1645.unnamed.root, _e1634.w), _e1645.unnamed_1);
-                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_bvh_traverse_Tree(_e1634.x, _e1651.unnamed_1.first_primitive));
-                                                                phi_1737_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_bvh_traverse_Tree(_e1657.unnamed_1.root, _e1634.y));
+                                                            let _e1630 = phi_1716_;
+                                                            let _e1640 = nodes.member[(0u + _e1440)].z;
+                                                            if (_e1224 < 0f) {
+                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1651.unnamed.root, _e1640.w), _e1651.unnamed_1);
+                                                                let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_bvh_traverse_Tree(_e1640.x, _e1657.unnamed_1.first_primitive));
+                                                                phi_1743_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1663.unnamed, lt_bvh_traverse_Tree(_e1663.unnamed_1.root, _e1640.y));
                                                             } else {
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1634.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1673.unnamed.root, _e1634.y), _e1673.unnamed_1);
-                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1634.z, _e1679.unnamed_1.first_primitive));
-                                                                phi_1737_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_bvh_traverse_Tree(_e1685.unnamed_1.root, _e1634.w));
+                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1679.unnamed.root, _e1640.y), _e1679.unnamed_1);
+                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_bvh_traverse_Tree(_e1640.z, _e1685.unnamed_1.first_primitive));
+                                                                phi_1743_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_bvh_traverse_Tree(_e1691.unnamed_1.root, _e1640.w));
                                                             }
-                                                            let _e1693 = phi_1737_;
-                                                            phi_1743_ = 0u;
-                                                            phi_1746_ = 0u;
+                                                            let _e1699 = phi_1743_;
+                                                            phi_1749_ = 0u;
+                                                            phi_1752_ = 0u;
                                                             loop {
-                                                                let _e1703 = phi_1743_;
-                                                                let _e1705 = phi_1746_;
-                                                                local_5 = _e1705;
-                                                                local_6 = _e1705;
-                                                                local_7 = _e1705;
-                                                                let _e1706 = (_e1703 < 8u);
-                                                                if _e1706 {
-                                                                    let _e1708 = (_e1703 >> bitcast<u32>(2i));
-                                                                    let _e1709 = (_e1703 & 3u);
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1760_ = _e1555.unnamed.root;
+                                                                let _e1709 = phi_1749_;
+                                                                let _e1711 = phi_1752_;
+                                                                local_5 = _e1711;
+                                                                local_6 = _e1711;
+                                                                local_7 = _e1711;
+                                                                let _e1712 = (_e1709 < 8u);
+                                                                if _e1712 {
+                                                                    let _e1714 = (_e1709 >> bitcast<u32>(2i));
+                                                                    let _e1715 = (_e1709 & 3u);
+                                                                    if (_e1714 == 0u) {
+                                                                        phi_1766_ = _e1561.unnamed.root;
                                                                     } else {
-                                                                        phi_1760_ = _e1555.unnamed.first_primitive;
+                                                                        phi_1766_ = _e1561.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1712 = phi_1760_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1770_ = _e1624.unnamed.root;
+                                                                    let _e1718 = phi_1766_;
+                                                                    if (_e1714 == 0u) {
+                                                                        phi_1776_ = _e1630.unnamed.root;
                                                                     } else {
-                                                                        phi_1770_ = _e1624.unnamed.first_primitive;
+                                                                        phi_1776_ = _e1630.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1721 = phi_1770_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1780_ = _e1693.unnamed.root;
+                                                                    let _e1727 = phi_1776_;
+                                                                    if (_e1714 == 0u) {
+                                                                        phi_1786_ = _e1699.unnamed.root;
                                                                     } else {
-                                                                        phi_1780_ = _e1693.unnamed.first_primitive;
+                                                                        phi_1786_ = _e1699.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1730 = phi_1780_;
-                                                                    let _e1743 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1712 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 - _e1248)), ((f32(((_e1721 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 - _e1249)));
-                                                                    let _e1744 = core_intrinsics_maximum_number_nsz_f32_(_e1743, ((f32(((_e1730 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1250)));
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1798_ = _e1555.unnamed_1.root;
+                                                                    let _e1736 = phi_1786_;
+                                                                    let _e1749 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1718 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1474) + (_e1492 - _e1252)), ((f32(((_e1727 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 - _e1253)));
+                                                                    let _e1750 = core_intrinsics_maximum_number_nsz_f32_(_e1749, ((f32(((_e1736 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 - _e1254)));
+                                                                    if (_e1714 == 0u) {
+                                                                        phi_1804_ = _e1561.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1798_ = _e1555.unnamed_1.first_primitive;
+                                                                        phi_1804_ = _e1561.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1747 = phi_1798_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1808_ = _e1624.unnamed_1.root;
+                                                                    let _e1753 = phi_1804_;
+                                                                    if (_e1714 == 0u) {
+                                                                        phi_1814_ = _e1630.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1808_ = _e1624.unnamed_1.first_primitive;
+                                                                        phi_1814_ = _e1630.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1756 = phi_1808_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1818_ = _e1693.unnamed_1.root;
+                                                                    let _e1762 = phi_1814_;
+                                                                    if (_e1714 == 0u) {
+                                                                        phi_1824_ = _e1699.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1818_ = _e1693.unnamed_1.first_primitive;
+                                                                        phi_1824_ = _e1699.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1765 = phi_1818_;
-                                                                    let _e1778 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1747 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 + _e1248)), ((f32(((_e1756 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 + _e1249)));
-                                                                    let _e1779 = core_intrinsics_minimum_number_nsz_f32_(_e1778, ((f32(((_e1765 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1250)));
-                                                                    if (_e1744 <= _e1779) {
-                                                                        if (_e1744 <= _e121) {
-                                                                            if (_e1779 >= 0f) {
-                                                                                if (_e1708 == 0u) {
-                                                                                    let _e1786 = nodes.member[(0u + _e1436)].links[2u];
-                                                                                    phi_1854_ = _e1786;
+                                                                    let _e1771 = phi_1824_;
+                                                                    let _e1784 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1753 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1474) + (_e1492 + _e1252)), ((f32(((_e1762 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1475) + (_e1493 + _e1253)));
+                                                                    let _e1785 = core_intrinsics_minimum_number_nsz_f32_(_e1784, ((f32(((_e1771 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u)) * _e1476) + (_e1494 + _e1254)));
+                                                                    if (_e1750 <= _e1785) {
+                                                                        if (_e1750 <= _e121) {
+                                                                            if (_e1785 >= 0f) {
+                                                                                if (_e1714 == 0u) {
+                                                                                    let _e1792 = nodes.member[(0u + _e1440)].links[2u];
+                                                                                    phi_1860_ = _e1792;
                                                                                 } else {
-                                                                                    let _e1789 = nodes.member[(0u + _e1436)].links[3u];
-                                                                                    phi_1854_ = _e1789;
+                                                                                    let _e1795 = nodes.member[(0u + _e1440)].links[3u];
+                                                                                    phi_1860_ = _e1795;
                                                                                 }
-                                                                                let _e1791 = phi_1854_;
-                                                                                let _e1796 = ((_e1791 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u);
-                                                                                let _e1797 = (_e1796 & 31u);
-                                                                                if (_e1797 >= 24u) {
-                                                                                    phi_1867_ = (24u + ((_e1797 - 24u) ^ _e1298));
+                                                                                let _e1797 = phi_1860_;
+                                                                                let _e1802 = ((_e1797 >> bitcast<u32>(((_e1715 * 8u) & 31u))) & 255u);
+                                                                                let _e1803 = (_e1802 & 31u);
+                                                                                if (_e1803 >= 24u) {
+                                                                                    phi_1873_ = (24u + ((_e1803 - 24u) ^ _e1302));
                                                                                 } else {
-                                                                                    phi_1867_ = _e1797;
+                                                                                    phi_1873_ = _e1803;
                                                                                 }
-                                                                                let _e1803 = phi_1867_;
-                                                                                phi_1872_ = (_e1705 | ((_e1796 >> bitcast<u32>(5i)) << bitcast<u32>((_e1803 & 31u))));
+                                                                                let _e1809 = phi_1873_;
+                                                                                phi_1878_ = (_e1711 | ((_e1802 >> bitcast<u32>(5i)) << bitcast<u32>((_e1809 & 31u))));
                                                                             } else {
-                                                                                phi_1872_ = _e1705;
+                                                                                phi_1878_ = _e1711;
                                                                             }
-                                                                            let _e1811 = phi_1872_;
-                                                                            phi_1873_ = _e1811;
+                                                                            let _e1817 = phi_1878_;
+                                                                            phi_1879_ = _e1817;
                                                                         } else {
-                                                                            phi_1873_ = _e1705;
+                                                                            phi_1879_ = _e1711;
                                                                         }
-                                                                        let _e1813 = phi_1873_;
-                                                                        phi_1874_ = _e1813;
+                                                                        let _e1819 = phi_1879_;
+                                                                        phi_1880_ = _e1819;
                                                                     } else {
-                                                                        phi_1874_ = _e1705;
+                                                                        phi_1880_ = _e1711;
                                                                     }
-                                                                    let _e1815 = phi_1874_;
-                                                                    phi_1744_ = (_e1703 + 1u);
-                                                                    phi_1747_ = _e1815;
+                                                                    let _e1821 = phi_1880_;
+                                                                    phi_1750_ = (_e1709 + 1u);
+                                                                    phi_1753_ = _e1821;
                                                                 } else {
-                                                                    phi_1744_ = u32();
-                                                                    phi_1747_ = u32();
+                                                                    phi_1750_ = u32();
+                                                                    phi_1753_ = u32();
                                                                 }
-                                                                let _e1818 = phi_1744_;
-                                                                let _e1820 = phi_1747_;
+                                                                let _e1824 = phi_1750_;
+                                                                let _e1826 = phi_1753_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1743_ = _e1818;
-                                                                    phi_1746_ = _e1820;
-                                                                    break if !(_e1706);
+                                                                    phi_1749_ = _e1824;
+                                                                    phi_1752_ = _e1826;
+                                                                    break if !(_e1712);
                                                                 }
                                                             }
-                                                            let _e1824 = nodes.member[(0u + _e1436)].links[0u];
-                                                            let _e1828 = nodes.member[(0u + _e1436)].frame[3u];
-                                                            let _e1832 = local_5;
-                                                            if ((_e1832 & 4278190080u) == 0u) {
+                                                            let _e1830 = nodes.member[(0u + _e1440)].links[0u];
+                                                            let _e1834 = nodes.member[(0u + _e1440)].frame[3u];
+                                                            let _e1838 = local_5;
+                                                            if ((_e1838 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1836 = local.group_mask;
-                                                                if ((_e1836 & 4278190080u) == 0u) {
+                                                                let _e1842 = local.group_mask;
+                                                                if ((_e1842 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1840 = local.len;
-                                                                    if (_e1840 < 32u) {
-                                                                        let _e1843 = local.group;
-                                                                        let _e1845 = local.len;
-                                                                        if (_e1845 < 32u) {
+                                                                    let _e1846 = local.len;
+                                                                    if (_e1846 < 32u) {
+                                                                        let _e1849 = local.group;
+                                                                        let _e1851 = local.len;
+                                                                        if (_e1851 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1845)] = _e1843;
-                                                                        let _e1851 = local.group_mask;
-                                                                        let _e1853 = local.len;
-                                                                        if (_e1853 < 32u) {
+                                                                        local.first[(0u + _e1851)] = _e1849;
+                                                                        let _e1857 = local.group_mask;
+                                                                        let _e1859 = local.len;
+                                                                        if (_e1859 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1853)] = _e1851;
-                                                                        let _e1860 = local.len;
-                                                                        local.len = (_e1860 + 1u);
+                                                                        local.mask[(0u + _e1859)] = _e1857;
+                                                                        let _e1866 = local.len;
+                                                                        local.len = (_e1866 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1060 + _e1824);
-                                                                let _e1864 = local_6;
-                                                                local.group_mask = ((_e1864 & 4278190080u) | (_e1828 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1064 + _e1830);
+                                                                let _e1870 = local_6;
+                                                                local.group_mask = ((_e1870 & 4278190080u) | (_e1834 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1869 = local_7;
-                                                            phi_1932_ = (_e1869 & 16777215u);
+                                                            let _e1875 = local_7;
+                                                            phi_1938_ = (_e1875 & 16777215u);
+                                                            phi_1941_ = _e1442;
                                                             loop {
-                                                                let _e1872 = phi_1932_;
-                                                                let _e1873 = (_e1872 == 0u);
-                                                                local_8 = _e1873;
-                                                                local_14 = _e1873;
-                                                                if _e1873 {
-                                                                    phi_1933_ = u32();
-                                                                    phi_2543_ = false;
-                                                                    phi_2544_ = false;
-                                                                    phi_2545_ = false;
+                                                                let _e1878 = phi_1938_;
+                                                                let _e1880 = phi_1941_;
+                                                                local_12 = _e1880;
+                                                                let _e1881 = (_e1878 == 0u);
+                                                                local_8 = _e1881;
+                                                                local_13 = _e1881;
+                                                                if _e1881 {
+                                                                    phi_1939_ = u32();
+                                                                    phi_1942_ = bool();
+                                                                    phi_2539_ = false;
                                                                 } else {
-                                                                    let _e1876 = nodes.member[(0u + _e1436)].links[1u];
-                                                                    let _e1881 = ((_e1062 + _e1876) + select(firstTrailingBit(_e1872), 32u, (_e1872 == 0u)));
-                                                                    if (_e1881 < arrayLength((&triangles.member))) {
+                                                                    let _e1884 = nodes.member[(0u + _e1440)].links[1u];
+                                                                    let _e1889 = ((_e1066 + _e1884) + select(firstTrailingBit(_e1878), 32u, (_e1878 == 0u)));
+                                                                    if (_e1889 < arrayLength((&triangles.member))) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1888 = triangles.member[(0u + _e1881)].v0_;
-                                                                    let _e1890 = (_e1888.x - _e991);
-                                                                    let _e1892 = (_e1888.y - _e1004);
-                                                                    let _e1894 = (_e1888.z - _e1017);
-                                                                    if (_e1271 == 0u) {
-                                                                        phi_1978_ = vec3<f32>(_e1892, _e1894, _e1890);
+                                                                    let _e1896 = triangles.member[(0u + _e1889)].v0_;
+                                                                    let _e1898 = (_e1896.x - _e995);
+                                                                    let _e1900 = (_e1896.y - _e1008);
+                                                                    let _e1902 = (_e1896.z - _e1021);
+                                                                    if (_e1275 == 0u) {
+                                                                        phi_1986_ = vec3<f32>(_e1900, _e1902, _e1898);
                                                                     } else {
-                                                                        if (_e1271 == 1u) {
-                                                                            phi_1977_ = vec3<f32>(_e1894, _e1890, _e1892);
+                                                                        if (_e1275 == 1u) {
+                                                                            phi_1985_ = vec3<f32>(_e1902, _e1898, _e1900);
                                                                         } else {
-                                                                            phi_1977_ = (_e1888 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_1985_ = (_e1896 - vec3<f32>(_e995, _e1008, _e1021));
                                                                         }
-                                                                        let _e1902 = phi_1977_;
-                                                                        phi_1978_ = _e1902;
+                                                                        let _e1910 = phi_1985_;
+                                                                        phi_1986_ = _e1910;
                                                                     }
-                                                                    let _e1904 = phi_1978_;
-                                                                    let _e1908 = (_e1904.x - (_e1282 * _e1904.z));
-                                                                    let _e1912 = (_e1904.y - (_e1285 * _e1904.z));
-                                                                    let _e1914 = triangles.member[(0u + _e1881)].v1_;
-                                                                    let _e1916 = (_e1914.x - _e991);
-                                                                    let _e1918 = (_e1914.y - _e1004);
-                                                                    let _e1920 = (_e1914.z - _e1017);
-                                                                    if (_e1271 == 0u) {
-                                                                        phi_2008_ = vec3<f32>(_e1918, _e1920, _e1916);
+                                                                    let _e1912 = phi_1986_;
+                                                                    let _e1916 = (_e1912.x - (_e1286 * _e1912.z));
+                                                                    let _e1920 = (_e1912.y - (_e1289 * _e1912.z));
+                                                                    let _e1922 = triangles.member[(0u + _e1889)].v1_;
+                                                                    let _e1924 = (_e1922.x - _e995);
+                                                                    let _e1926 = (_e1922.y - _e1008);
+                                                                    let _e1928 = (_e1922.z - _e1021);
+                                                                    if (_e1275 == 0u) {
+                                                                        phi_2016_ = vec3<f32>(_e1926, _e1928, _e1924);
                                                                     } else {
-                                                                        if (_e1271 == 1u) {
-                                                                            phi_2007_ = vec3<f32>(_e1920, _e1916, _e1918);
+                                                                        if (_e1275 == 1u) {
+                                                                            phi_2015_ = vec3<f32>(_e1928, _e1924, _e1926);
                                                                         } else {
-                                                                            phi_2007_ = (_e1914 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_2015_ = (_e1922 - vec3<f32>(_e995, _e1008, _e1021));
                                                                         }
-                                                                        let _e1928 = phi_2007_;
-                                                                        phi_2008_ = _e1928;
+                                                                        let _e1936 = phi_2015_;
+                                                                        phi_2016_ = _e1936;
                                                                     }
-                                                                    let _e1930 = phi_2008_;
-                                                                    let _e1934 = (_e1930.x - (_e1282 * _e1930.z));
-                                                                    let _e1938 = (_e1930.y - (_e1285 * _e1930.z));
-                                                                    let _e1940 = triangles.member[(0u + _e1881)].v2_;
-                                                                    let _e1942 = (_e1940.x - _e991);
-                                                                    let _e1944 = (_e1940.y - _e1004);
-                                                                    let _e1946 = (_e1940.z - _e1017);
-                                                                    if (_e1271 == 0u) {
-                                                                        phi_2038_ = vec3<f32>(_e1944, _e1946, _e1942);
+                                                                    let _e1938 = phi_2016_;
+                                                                    let _e1942 = (_e1938.x - (_e1286 * _e1938.z));
+                                                                    let _e1946 = (_e1938.y - (_e1289 * _e1938.z));
+                                                                    let _e1948 = triangles.member[(0u + _e1889)].v2_;
+                                                                    let _e1950 = (_e1948.x - _e995);
+                                                                    let _e1952 = (_e1948.y - _e1008);
+                                                                    let _e1954 = (_e1948.z - _e1021);
+                                                                    if (_e1275 == 0u) {
+                                                                        phi_2046_ = vec3<f32>(_e1952, _e1954, _e1950);
                                                                     } else {
-                                                                        if (_e1271 == 1u) {
-                                                                            phi_2037_ = vec3<f32>(_e1946, _e1942, _e1944);
+                                                                        if (_e1275 == 1u) {
+                                                                            phi_2045_ = vec3<f32>(_e1954, _e1950, _e1952);
                                                                         } else {
-                                                                            phi_2037_ = (_e1940 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                            phi_2045_ = (_e1948 - vec3<f32>(_e995, _e1008, _e1021));
                                                                         }
-                                                                        let _e1954 = phi_2037_;
-                                                                        phi_2038_ = _e1954;
+                                                                        let _e1962 = phi_2045_;
+                                                                        phi_2046_ = _e1962;
                                                                     }
-                                                                    let _e1956 = phi_2038_;
-                                                                    let _e1960 = (_e1956.x - (_e1282 * _e1956.z));
-                                                                    let _e1964 = (_e1956.y - (_e1285 * _e1956.z));
-                                                                    if (_e1934 < _e1960) {
-                                                                        phi_2057_ = true;
+                                                                    let _e1964 = phi_2046_;
+                                                                    let _e1968 = (_e1964.x - (_e1286 * _e1964.z));
+                                                                    let _e1972 = (_e1964.y - (_e1289 * _e1964.z));
+                                                                    if (_e1942 < _e1968) {
+                                                                        phi_2065_ = true;
                                                                     } else {
-                                                                        if (_e1934 == _e1960) {
-                                                                            phi_2056_ = (_e1938 < _e1964);
+                                                                        if (_e1942 == _e1968) {
+                                                                            phi_2064_ = (_e1946 < _e1972);
                                                                         } else {
-                                                                            phi_2056_ = false;
+                                                                            phi_2064_ = false;
                                                                         }
-                                                                        let _e1969 = phi_2056_;
-                                                                        phi_2057_ = _e1969;
+                                                                        let _e1977 = phi_2064_;
+                                                                        phi_2065_ = _e1977;
                                                                     }
-                                                                    let _e1971 = phi_2057_;
-                                                                    if _e1971 {
-                                                                        phi_2061_ = _e1964;
-                                                                        phi_2062_ = _e1960;
-                                                                        phi_2063_ = _e1938;
-                                                                        phi_2064_ = _e1934;
+                                                                    let _e1979 = phi_2065_;
+                                                                    if _e1979 {
+                                                                        phi_2069_ = _e1972;
+                                                                        phi_2070_ = _e1968;
+                                                                        phi_2071_ = _e1946;
+                                                                        phi_2072_ = _e1942;
                                                                     } else {
-                                                                        phi_2061_ = _e1938;
-                                                                        phi_2062_ = _e1934;
-                                                                        phi_2063_ = _e1964;
-                                                                        phi_2064_ = _e1960;
+                                                                        phi_2069_ = _e1946;
+                                                                        phi_2070_ = _e1942;
+                                                                        phi_2071_ = _e1972;
+                                                                        phi_2072_ = _e1968;
                                                                     }
-                                                                    let _e1973 = phi_2061_;
-                                                                    let _e1975 = phi_2062_;
-                                                                    let _e1977 = phi_2063_;
-                                                                    let _e1979 = phi_2064_;
-                                                                    let _e1982 = ((_e1979 * _e1973) - (_e1977 * _e1975));
-                                                                    if _e1971 {
-                                                                        phi_2072_ = -(_e1982);
+                                                                    let _e1981 = phi_2069_;
+                                                                    let _e1983 = phi_2070_;
+                                                                    let _e1985 = phi_2071_;
+                                                                    let _e1987 = phi_2072_;
+                                                                    let _e1990 = ((_e1987 * _e1981) - (_e1985 * _e1983));
+                                                                    if _e1979 {
+                                                                        phi_2080_ = -(_e1990);
                                                                     } else {
-                                                                        phi_2072_ = _e1982;
+                                                                        phi_2080_ = _e1990;
                                                                     }
-                                                                    let _e1985 = phi_2072_;
-                                                                    if (_e1960 < _e1908) {
-                                                                        phi_2083_ = true;
+                                                                    let _e1993 = phi_2080_;
+                                                                    if (_e1968 < _e1916) {
+                                                                        phi_2091_ = true;
                                                                     } else {
-                                                                        if (_e1960 == _e1908) {
-                                                                            phi_2082_ = (_e1964 < _e1912);
+                                                                        if (_e1968 == _e1916) {
+                                                                            phi_2090_ = (_e1972 < _e1920);
                                                                         } else {
-                                                                            phi_2082_ = false;
+                                                                            phi_2090_ = false;
                                                                         }
-                                                                        let _e1990 = phi_2082_;
-                                                                        phi_2083_ = _e1990;
+                                                                        let _e1998 = phi_2090_;
+                                                                        phi_2091_ = _e1998;
                                                                     }
-                                                                    let _e1992 = phi_2083_;
-                                                                    if _e1992 {
-                                                                        phi_2087_ = _e1912;
-                                                                        phi_2088_ = _e1908;
-                                                                        phi_2089_ = _e1964;
-                                                                        phi_2090_ = _e1960;
+                                                                    let _e2000 = phi_2091_;
+                                                                    if _e2000 {
+                                                                        phi_2095_ = _e1920;
+                                                                        phi_2096_ = _e1916;
+                                                                        phi_2097_ = _e1972;
+                                                                        phi_2098_ = _e1968;
                                                                     } else {
-                                                                        phi_2087_ = _e1964;
-                                                                        phi_2088_ = _e1960;
-                                                                        phi_2089_ = _e1912;
-                                                                        phi_2090_ = _e1908;
+                                                                        phi_2095_ = _e1972;
+                                                                        phi_2096_ = _e1968;
+                                                                        phi_2097_ = _e1920;
+                                                                        phi_2098_ = _e1916;
                                                                     }
-                                                                    let _e1994 = phi_2087_;
-                                                                    let _e1996 = phi_2088_;
-                                                                    let _e1998 = phi_2089_;
-                                                                    let _e2000 = phi_2090_;
-                                                                    let _e2003 = ((_e2000 * _e1994) - (_e1998 * _e1996));
-                                                                    if _e1992 {
-                                                                        phi_2098_ = -(_e2003);
+                                                                    let _e2002 = phi_2095_;
+                                                                    let _e2004 = phi_2096_;
+                                                                    let _e2006 = phi_2097_;
+                                                                    let _e2008 = phi_2098_;
+                                                                    let _e2011 = ((_e2008 * _e2002) - (_e2006 * _e2004));
+                                                                    if _e2000 {
+                                                                        phi_2106_ = -(_e2011);
                                                                     } else {
-                                                                        phi_2098_ = _e2003;
+                                                                        phi_2106_ = _e2011;
                                                                     }
-                                                                    let _e2006 = phi_2098_;
-                                                                    if (_e1908 < _e1934) {
-                                                                        phi_2109_ = true;
+                                                                    let _e2014 = phi_2106_;
+                                                                    if (_e1916 < _e1942) {
+                                                                        phi_2117_ = true;
                                                                     } else {
-                                                                        if (_e1908 == _e1934) {
-                                                                            phi_2108_ = (_e1912 < _e1938);
+                                                                        if (_e1916 == _e1942) {
+                                                                            phi_2116_ = (_e1920 < _e1946);
                                                                         } else {
-                                                                            phi_2108_ = false;
+                                                                            phi_2116_ = false;
                                                                         }
-                                                                        let _e2011 = phi_2108_;
-                                                                        phi_2109_ = _e2011;
+                                                                        let _e2019 = phi_2116_;
+                                                                        phi_2117_ = _e2019;
                                                                     }
-                                                                    let _e2013 = phi_2109_;
-                                                                    if _e2013 {
-                                                                        phi_2113_ = _e1938;
-                                                                        phi_2114_ = _e1934;
-                                                                        phi_2115_ = _e1912;
-                                                                        phi_2116_ = _e1908;
+                                                                    let _e2021 = phi_2117_;
+                                                                    if _e2021 {
+                                                                        phi_2121_ = _e1946;
+                                                                        phi_2122_ = _e1942;
+                                                                        phi_2123_ = _e1920;
+                                                                        phi_2124_ = _e1916;
                                                                     } else {
-                                                                        phi_2113_ = _e1912;
-                                                                        phi_2114_ = _e1908;
-                                                                        phi_2115_ = _e1938;
-                                                                        phi_2116_ = _e1934;
+                                                                        phi_2121_ = _e1920;
+                                                                        phi_2122_ = _e1916;
+                                                                        phi_2123_ = _e1946;
+                                                                        phi_2124_ = _e1942;
                                                                     }
-                                                                    let _e2015 = phi_2113_;
-                                                                    let _e2017 = phi_2114_;
-                                                                    let _e2019 = phi_2115_;
-                                                                    let _e2021 = phi_2116_;
-                                                                    let _e2024 = ((_e2021 * _e2015) - (_e2019 * _e2017));
-                                                                    if _e2013 {
-                                                                        phi_2124_ = -(_e2024);
+                                                                    let _e2023 = phi_2121_;
+                                                                    let _e2025 = phi_2122_;
+                                                                    let _e2027 = phi_2123_;
+                                                                    let _e2029 = phi_2124_;
+                                                                    let _e2032 = ((_e2029 * _e2023) - (_e2027 * _e2025));
+                                                                    if _e2021 {
+                                                                        phi_2132_ = -(_e2032);
                                                                     } else {
-                                                                        phi_2124_ = _e2024;
+                                                                        phi_2132_ = _e2032;
                                                                     }
-                                                                    let _e2027 = phi_2124_;
-                                                                    if (_e1985 >= 0f) {
-                                                                        if (_e2006 >= 0f) {
-                                                                            if (_e2027 >= 0f) {
-                                                                                phi_2139_ = ((_e1985 + _e2006) + _e2027);
-                                                                                phi_2140_ = false;
+                                                                    let _e2035 = phi_2132_;
+                                                                    if (_e1993 >= 0f) {
+                                                                        if (_e2014 >= 0f) {
+                                                                            if (_e2035 >= 0f) {
+                                                                                phi_2147_ = ((_e1993 + _e2014) + _e2035);
+                                                                                phi_2148_ = false;
                                                                             } else {
-                                                                                phi_2139_ = f32();
-                                                                                phi_2140_ = true;
+                                                                                phi_2147_ = f32();
+                                                                                phi_2148_ = true;
                                                                             }
-                                                                            let _e2034 = phi_2139_;
-                                                                            let _e2036 = phi_2140_;
-                                                                            phi_2141_ = _e2034;
-                                                                            phi_2142_ = _e2036;
+                                                                            let _e2042 = phi_2147_;
+                                                                            let _e2044 = phi_2148_;
+                                                                            phi_2149_ = _e2042;
+                                                                            phi_2150_ = _e2044;
                                                                         } else {
-                                                                            phi_2141_ = f32();
-                                                                            phi_2142_ = true;
+                                                                            phi_2149_ = f32();
+                                                                            phi_2150_ = true;
                                                                         }
-                                                                        let _e2038 = phi_2141_;
-                                                                        let _e2040 = phi_2142_;
-                                                                        phi_2143_ = _e2038;
-                                                                        phi_2144_ = _e2040;
+                                                                        let _e2046 = phi_2149_;
+                                                                        let _e2048 = phi_2150_;
+                                                                        phi_2151_ = _e2046;
+                                                                        phi_2152_ = _e2048;
                                                                     } else {
-                                                                        phi_2143_ = f32();
-                                                                        phi_2144_ = true;
+                                                                        phi_2151_ = f32();
+                                                                        phi_2152_ = true;
                                                                     }
-                                                                    let _e2042 = phi_2143_;
-                                                                    let _e2044 = phi_2144_;
-                                                                    if _e2044 {
-                                                                        if (_e1985 <= 0f) {
-                                                                            if (_e2006 <= 0f) {
-                                                                                let _e2047 = (_e2027 <= 0f);
-                                                                                if _e2047 {
+                                                                    let _e2050 = phi_2151_;
+                                                                    let _e2052 = phi_2152_;
+                                                                    if _e2052 {
+                                                                        if (_e1993 <= 0f) {
+                                                                            if (_e2014 <= 0f) {
+                                                                                let _e2055 = (_e2035 <= 0f);
+                                                                                if _e2055 {
                                                                                 }
-                                                                                phi_2162_ = ((_e1985 + _e2006) + _e2027);
-                                                                                phi_2163_ = false;
-                                                                                phi_2164_ = _e2047;
+                                                                                phi_2170_ = ((_e1993 + _e2014) + _e2035);
+                                                                                phi_2171_ = false;
+                                                                                phi_2172_ = _e2055;
                                                                             } else {
-                                                                                phi_2162_ = f32();
-                                                                                phi_2163_ = true;
-                                                                                phi_2164_ = false;
+                                                                                phi_2170_ = f32();
+                                                                                phi_2171_ = true;
+                                                                                phi_2172_ = false;
                                                                             }
-                                                                            let _e2051 = phi_2162_;
-                                                                            let _e2053 = phi_2163_;
-                                                                            let _e2055 = phi_2164_;
-                                                                            phi_2165_ = _e2051;
-                                                                            phi_2166_ = _e2053;
-                                                                            phi_2167_ = _e2055;
+                                                                            let _e2059 = phi_2170_;
+                                                                            let _e2061 = phi_2171_;
+                                                                            let _e2063 = phi_2172_;
+                                                                            phi_2173_ = _e2059;
+                                                                            phi_2174_ = _e2061;
+                                                                            phi_2175_ = _e2063;
                                                                         } else {
-                                                                            phi_2165_ = f32();
-                                                                            phi_2166_ = true;
-                                                                            phi_2167_ = false;
+                                                                            phi_2173_ = f32();
+                                                                            phi_2174_ = true;
+                                                                            phi_2175_ = false;
                                                                         }
-                                                                        let _e2057 = phi_2165_;
-                                                                        let _e2059 = phi_2166_;
-                                                                        let _e2061 = phi_2167_;
-                                                                        if _e2059 {
-                                                                            phi_2171_ = false;
+                                                                        let _e2065 = phi_2173_;
+                                                                        let _e2067 = phi_2174_;
+                                                                        let _e2069 = phi_2175_;
+                                                                        if _e2067 {
+                                                                            phi_2179_ = false;
                                                                         } else {
-                                                                            phi_2171_ = _e2061;
+                                                                            phi_2179_ = _e2069;
                                                                         }
-                                                                        let _e2063 = phi_2171_;
-                                                                        phi_2172_ = _e2057;
-                                                                        phi_2173_ = _e2063;
+                                                                        let _e2071 = phi_2179_;
+                                                                        phi_2180_ = _e2065;
+                                                                        phi_2181_ = _e2071;
                                                                     } else {
-                                                                        phi_2172_ = _e2042;
-                                                                        phi_2173_ = true;
+                                                                        phi_2180_ = _e2050;
+                                                                        phi_2181_ = true;
                                                                     }
-                                                                    let _e2065 = phi_2172_;
-                                                                    let _e2067 = phi_2173_;
-                                                                    if _e2067 {
-                                                                        let _e2068 = (_e2065 == 0f);
-                                                                        if _e2068 {
-                                                                            phi_2489_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2490_ = false;
+                                                                    let _e2073 = phi_2180_;
+                                                                    let _e2075 = phi_2181_;
+                                                                    if _e2075 {
+                                                                        let _e2076 = (_e2073 == 0f);
+                                                                        if _e2076 {
+                                                                            phi_2497_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2498_ = false;
                                                                         } else {
-                                                                            let _e2070 = triangles.member[(0u + _e1881)].v0_;
-                                                                            let _e2072 = (_e2070.x - _e991);
-                                                                            let _e2074 = (_e2070.y - _e1004);
-                                                                            let _e2076 = (_e2070.z - _e1017);
-                                                                            if (_e1271 == 0u) {
-                                                                                phi_2202_ = vec3<f32>(_e2074, _e2076, _e2072);
+                                                                            let _e2078 = triangles.member[(0u + _e1889)].v0_;
+                                                                            let _e2080 = (_e2078.x - _e995);
+                                                                            let _e2082 = (_e2078.y - _e1008);
+                                                                            let _e2084 = (_e2078.z - _e1021);
+                                                                            if (_e1275 == 0u) {
+                                                                                phi_2210_ = vec3<f32>(_e2082, _e2084, _e2080);
                                                                             } else {
-                                                                                if (_e1271 == 1u) {
-                                                                                    phi_2201_ = vec3<f32>(_e2076, _e2072, _e2074);
+                                                                                if (_e1275 == 1u) {
+                                                                                    phi_2209_ = vec3<f32>(_e2084, _e2080, _e2082);
                                                                                 } else {
-                                                                                    phi_2201_ = (_e2070 - vec3<f32>(_e991, _e1004, _e1017));
+                                                                                    phi_2209_ = (_e2078 - vec3<f32>(_e995, _e1008, _e1021));
                                                                                 }
-                                                                                let _e2084 = phi_2201_;
-                                                                                phi_2202_ = _e2084;
+                                                                                let _e2092 = phi_2209_;
+                                                                                phi_2210_ = _e2092;
                                                                             }
-                                                                            let _e2086 = phi_2202_;
-                                                                            let _e2088 = triangles.member[(0u + _e1881)].v1_;
-                                                                            let _e2090 = triangles.member[(0u + _e1881)].v0_;
-                                                                            let _e2093 = (_e2088.x - _e2090.x);
-                                                                            let _e2096 = (_e2088.y - _e2090.y);
-                                                                            let _e2099 = (_e2088.z - _e2090.z);
-                                                                            if (_e1271 == 0u) {
-                                                                                phi_2228_ = vec3<f32>(_e2096, _e2099, _e2093);
+                                                                            let _e2094 = phi_2210_;
+                                                                            let _e2096 = triangles.member[(0u + _e1889)].v1_;
+                                                                            let _e2098 = triangles.member[(0u + _e1889)].v0_;
+                                                                            let _e2101 = (_e2096.x - _e2098.x);
+                                                                            let _e2104 = (_e2096.y - _e2098.y);
+                                                                            let _e2107 = (_e2096.z - _e2098.z);
+                                                                            if (_e1275 == 0u) {
+                                                                                phi_2236_ = vec3<f32>(_e2104, _e2107, _e2101);
                                                                             } else {
-                                                                                if (_e1271 == 1u) {
-                                                                                    phi_2227_ = vec3<f32>(_e2099, _e2093, _e2096);
+                                                                                if (_e1275 == 1u) {
+                                                                                    phi_2235_ = vec3<f32>(_e2107, _e2101, _e2104);
                                                                                 } else {
-                                                                                    phi_2227_ = (_e2088 - _e2090);
+                                                                                    phi_2235_ = (_e2096 - _e2098);
                                                                                 }
-                                                                                let _e2106 = phi_2227_;
-                                                                                phi_2228_ = _e2106;
+                                                                                let _e2114 = phi_2235_;
+                                                                                phi_2236_ = _e2114;
                                                                             }
-                                                                            let _e2108 = phi_2228_;
-                                                                            let _e2110 = triangles.member[(0u + _e1881)].v2_;
-                                                                            let _e2112 = triangles.member[(0u + _e1881)].v0_;
-                                                                            let _e2115 = (_e2110.x - _e2112.x);
-                                                                            let _e2118 = (_e2110.y - _e2112.y);
-                                                                            let _e2121 = (_e2110.z - _e2112.z);
-                                                                            if (_e1271 == 0u) {
-                                                                                phi_2254_ = vec3<f32>(_e2118, _e2121, _e2115);
+                                                                            let _e2116 = phi_2236_;
+                                                                            let _e2118 = triangles.member[(0u + _e1889)].v2_;
+                                                                            let _e2120 = triangles.member[(0u + _e1889)].v0_;
+                                                                            let _e2123 = (_e2118.x - _e2120.x);
+                                                                            let _e2126 = (_e2118.y - _e2120.y);
+                                                                            let _e2129 = (_e2118.z - _e2120.z);
+                                                                            if (_e1275 == 0u) {
+                                                                                phi_2262_ = vec3<f32>(_e2126, _e2129, _e2123);
                                                                             } else {
-                                                                                if (_e1271 == 1u) {
-                                                                                    phi_2253_ = vec3<f32>(_e2121, _e2115, _e2118);
+                                                                                if (_e1275 == 1u) {
+                                                                                    phi_2261_ = vec3<f32>(_e2129, _e2123, _e2126);
                                                                                 } else {
-                                                                                    phi_2253_ = (_e2110 - _e2112);
+                                                                                    phi_2261_ = (_e2118 - _e2120);
                                                                                 }
-                                                                                let _e2128 = phi_2253_;
-                                                                                phi_2254_ = _e2128;
+                                                                                let _e2136 = phi_2261_;
+                                                                                phi_2262_ = _e2136;
                                                                             }
-                                                                            let _e2130 = phi_2254_;
-                                                                            let _e2137 = ((_e2108.y * _e2130.z) - (_e2108.z * _e2130.y));
-                                                                            let _e2144 = ((_e2108.z * _e2130.x) - (_e2108.x * _e2130.z));
-                                                                            let _e2151 = ((_e2108.x * _e2130.y) - (_e2108.y * _e2130.x));
-                                                                            let _e2165 = (((1f / _e1279.z) * (((_e2137 * _e2086.x) + (_e2144 * _e2086.y)) + (_e2151 * _e2086.z))) / (((_e2137 * _e1282) + (_e2144 * _e1285)) + _e2151));
-                                                                            if (_e2165 > 0f) {
-                                                                                if (_e2165 < _e121) {
-                                                                                    let _e2169 = triangles.member[(0u + _e1881)].v0_;
-                                                                                    let _e2171 = triangles.member[(0u + _e1881)].v1_;
-                                                                                    if (_e2169.x < _e2171.x) {
-                                                                                        phi_2310_ = _e2169.x;
+                                                                            let _e2138 = phi_2262_;
+                                                                            let _e2145 = ((_e2116.y * _e2138.z) - (_e2116.z * _e2138.y));
+                                                                            let _e2152 = ((_e2116.z * _e2138.x) - (_e2116.x * _e2138.z));
+                                                                            let _e2159 = ((_e2116.x * _e2138.y) - (_e2116.y * _e2138.x));
+                                                                            let _e2173 = (((1f / _e1283.z) * (((_e2145 * _e2094.x) + (_e2152 * _e2094.y)) + (_e2159 * _e2094.z))) / (((_e2145 * _e1286) + (_e2152 * _e1289)) + _e2159));
+                                                                            if (_e2173 > 0f) {
+                                                                                if (_e2173 < _e121) {
+                                                                                    let _e2177 = triangles.member[(0u + _e1889)].v0_;
+                                                                                    let _e2179 = triangles.member[(0u + _e1889)].v1_;
+                                                                                    if (_e2177.x < _e2179.x) {
+                                                                                        phi_2318_ = _e2177.x;
                                                                                     } else {
-                                                                                        phi_2310_ = _e2171.x;
+                                                                                        phi_2318_ = _e2179.x;
                                                                                     }
-                                                                                    let _e2178 = phi_2310_;
-                                                                                    if (_e2169.y < _e2171.y) {
-                                                                                        phi_2319_ = _e2169.y;
+                                                                                    let _e2186 = phi_2318_;
+                                                                                    if (_e2177.y < _e2179.y) {
+                                                                                        phi_2327_ = _e2177.y;
                                                                                     } else {
-                                                                                        phi_2319_ = _e2171.y;
+                                                                                        phi_2327_ = _e2179.y;
                                                                                     }
-                                                                                    let _e2185 = phi_2319_;
-                                                                                    if (_e2169.z < _e2171.z) {
-                                                                                        phi_2328_ = _e2169.z;
+                                                                                    let _e2193 = phi_2327_;
+                                                                                    if (_e2177.z < _e2179.z) {
+                                                                                        phi_2336_ = _e2177.z;
                                                                                     } else {
-                                                                                        phi_2328_ = _e2171.z;
+                                                                                        phi_2336_ = _e2179.z;
                                                                                     }
-                                                                                    let _e2192 = phi_2328_;
-                                                                                    let _e2194 = triangles.member[(0u + _e1881)].v2_;
-                                                                                    if (_e2178 < _e2194.x) {
-                                                                                        phi_2337_ = _e2178;
+                                                                                    let _e2200 = phi_2336_;
+                                                                                    let _e2202 = triangles.member[(0u + _e1889)].v2_;
+                                                                                    if (_e2186 < _e2202.x) {
+                                                                                        phi_2345_ = _e2186;
                                                                                     } else {
-                                                                                        phi_2337_ = _e2194.x;
+                                                                                        phi_2345_ = _e2202.x;
                                                                                     }
-                                                                                    let _e2199 = phi_2337_;
-                                                                                    if (_e2185 < _e2194.y) {
-                                                                                        phi_2344_ = _e2185;
+                                                                                    let _e2207 = phi_2345_;
+                                                                                    if (_e2193 < _e2202.y) {
+                                                                                        phi_2352_ = _e2193;
                                                                                     } else {
-                                                                                        phi_2344_ = _e2194.y;
+                                                                                        phi_2352_ = _e2202.y;
                                                                                     }
-                                                                                    let _e2204 = phi_2344_;
-                                                                                    if (_e2192 < _e2194.z) {
-                                                                                        phi_2351_ = _e2192;
+                                                                                    let _e2212 = phi_2352_;
+                                                                                    if (_e2200 < _e2202.z) {
+                                                                                        phi_2359_ = _e2200;
                                                                                     } else {
-                                                                                        phi_2351_ = _e2194.z;
+                                                                                        phi_2359_ = _e2202.z;
                                                                                     }
-                                                                                    let _e2209 = phi_2351_;
-                                                                                    let _e2211 = triangles.member[(0u + _e1881)].v0_;
-                                                                                    let _e2213 = triangles.member[(0u + _e1881)].v1_;
-                                                                                    if (_e2211.x > _e2213.x) {
-                                                                                        phi_2364_ = _e2211.x;
+                                                                                    let _e2217 = phi_2359_;
+                                                                                    let _e2219 = triangles.member[(0u + _e1889)].v0_;
+                                                                                    let _e2221 = triangles.member[(0u + _e1889)].v1_;
+                                                                                    if (_e2219.x > _e2221.x) {
+                                                                                        phi_2372_ = _e2219.x;
                                                                                     } else {
-                                                                                        phi_2364_ = _e2213.x;
+                                                                                        phi_2372_ = _e2221.x;
                                                                                     }
-                                                                                    let _e2220 = phi_2364_;
-                                                                                    if (_e2211.y > _e2213.y) {
-                                                                                        phi_2373_ = _e2211.y;
+                                                                                    let _e2228 = phi_2372_;
+                                                                                    if (_e2219.y > _e2221.y) {
+                                                                                        phi_2381_ = _e2219.y;
                                                                                     } else {
-                                                                                        phi_2373_ = _e2213.y;
+                                                                                        phi_2381_ = _e2221.y;
                                                                                     }
-                                                                                    let _e2227 = phi_2373_;
-                                                                                    if (_e2211.z > _e2213.z) {
-                                                                                        phi_2382_ = _e2211.z;
+                                                                                    let _e2235 = phi_2381_;
+                                                                                    if (_e2219.z > _e2221.z) {
+                                                                                        phi_2390_ = _e2219.z;
                                                                                     } else {
-                                                                                        phi_2382_ = _e2213.z;
+                                                                                        phi_2390_ = _e2221.z;
                                                                                     }
-                                                                                    let _e2234 = phi_2382_;
-                                                                                    let _e2236 = triangles.member[(0u + _e1881)].v2_;
-                                                                                    if (_e2220 > _e2236.x) {
-                                                                                        phi_2391_ = _e2220;
+                                                                                    let _e2242 = phi_2390_;
+                                                                                    let _e2244 = triangles.member[(0u + _e1889)].v2_;
+                                                                                    if (_e2228 > _e2244.x) {
+                                                                                        phi_2399_ = _e2228;
                                                                                     } else {
-                                                                                        phi_2391_ = _e2236.x;
+                                                                                        phi_2399_ = _e2244.x;
                                                                                     }
-                                                                                    let _e2241 = phi_2391_;
-                                                                                    if (_e2227 > _e2236.y) {
-                                                                                        phi_2398_ = _e2227;
+                                                                                    let _e2249 = phi_2399_;
+                                                                                    if (_e2235 > _e2244.y) {
+                                                                                        phi_2406_ = _e2235;
                                                                                     } else {
-                                                                                        phi_2398_ = _e2236.y;
+                                                                                        phi_2406_ = _e2244.y;
                                                                                     }
-                                                                                    let _e2246 = phi_2398_;
-                                                                                    if (_e2234 > _e2236.z) {
-                                                                                        phi_2405_ = _e2234;
+                                                                                    let _e2254 = phi_2406_;
+                                                                                    if (_e2242 > _e2244.z) {
+                                                                                        phi_2413_ = _e2242;
                                                                                     } else {
-                                                                                        phi_2405_ = _e2236.z;
+                                                                                        phi_2413_ = _e2244.z;
                                                                                     }
-                                                                                    let _e2251 = phi_2405_;
-                                                                                    let _e2255 = ((_e2199 - _e991) * _e1200);
-                                                                                    let _e2256 = ((_e2204 - _e1004) * _e1210);
-                                                                                    let _e2257 = ((_e2209 - _e1017) * _e1220);
-                                                                                    let _e2261 = ((_e2241 - _e991) * _e1200);
-                                                                                    let _e2262 = ((_e2246 - _e1004) * _e1210);
-                                                                                    let _e2263 = ((_e2251 - _e1017) * _e1220);
-                                                                                    if (_e2255 < _e2261) {
-                                                                                        phi_2422_ = _e2255;
+                                                                                    let _e2259 = phi_2413_;
+                                                                                    let _e2263 = ((_e2207 - _e995) * _e1204);
+                                                                                    let _e2264 = ((_e2212 - _e1008) * _e1214);
+                                                                                    let _e2265 = ((_e2217 - _e1021) * _e1224);
+                                                                                    let _e2269 = ((_e2249 - _e995) * _e1204);
+                                                                                    let _e2270 = ((_e2254 - _e1008) * _e1214);
+                                                                                    let _e2271 = ((_e2259 - _e1021) * _e1224);
+                                                                                    if (_e2263 < _e2269) {
+                                                                                        phi_2430_ = _e2263;
                                                                                     } else {
-                                                                                        phi_2422_ = _e2261;
+                                                                                        phi_2430_ = _e2269;
                                                                                     }
-                                                                                    let _e2266 = phi_2422_;
-                                                                                    if (_e2256 < _e2262) {
-                                                                                        phi_2427_ = _e2256;
+                                                                                    let _e2274 = phi_2430_;
+                                                                                    if (_e2264 < _e2270) {
+                                                                                        phi_2435_ = _e2264;
                                                                                     } else {
-                                                                                        phi_2427_ = _e2262;
+                                                                                        phi_2435_ = _e2270;
                                                                                     }
-                                                                                    let _e2269 = phi_2427_;
-                                                                                    if (_e2257 < _e2263) {
-                                                                                        phi_2432_ = _e2257;
+                                                                                    let _e2277 = phi_2435_;
+                                                                                    if (_e2265 < _e2271) {
+                                                                                        phi_2440_ = _e2265;
                                                                                     } else {
-                                                                                        phi_2432_ = _e2263;
+                                                                                        phi_2440_ = _e2271;
                                                                                     }
-                                                                                    let _e2272 = phi_2432_;
-                                                                                    if (_e2255 > _e2261) {
-                                                                                        phi_2440_ = _e2255;
+                                                                                    let _e2280 = phi_2440_;
+                                                                                    if (_e2263 > _e2269) {
+                                                                                        phi_2448_ = _e2263;
                                                                                     } else {
-                                                                                        phi_2440_ = _e2261;
+                                                                                        phi_2448_ = _e2269;
                                                                                     }
-                                                                                    let _e2278 = phi_2440_;
-                                                                                    if (_e2256 > _e2262) {
-                                                                                        phi_2445_ = _e2256;
+                                                                                    let _e2286 = phi_2448_;
+                                                                                    if (_e2264 > _e2270) {
+                                                                                        phi_2453_ = _e2264;
                                                                                     } else {
-                                                                                        phi_2445_ = _e2262;
+                                                                                        phi_2453_ = _e2270;
                                                                                     }
-                                                                                    let _e2281 = phi_2445_;
-                                                                                    if (_e2257 > _e2263) {
-                                                                                        phi_2450_ = _e2257;
+                                                                                    let _e2289 = phi_2453_;
+                                                                                    if (_e2265 > _e2271) {
+                                                                                        phi_2458_ = _e2265;
                                                                                     } else {
-                                                                                        phi_2450_ = _e2263;
+                                                                                        phi_2458_ = _e2271;
                                                                                     }
-                                                                                    let _e2284 = phi_2450_;
-                                                                                    let _e2288 = core_intrinsics_maximum_number_nsz_f32_((_e2266 - _e1255), (_e2269 - _e1256));
-                                                                                    let _e2289 = core_intrinsics_maximum_number_nsz_f32_(_e2288, (_e2272 - _e1257));
-                                                                                    let _e2290 = core_intrinsics_minimum_number_nsz_f32_((_e2278 + _e1255), (_e2281 + _e1256));
-                                                                                    let _e2291 = core_intrinsics_minimum_number_nsz_f32_(_e2290, (_e2284 + _e1257));
-                                                                                    if (_e2289 > _e972) {
-                                                                                        phi_2462_ = _e2289;
+                                                                                    let _e2292 = phi_2458_;
+                                                                                    let _e2296 = core_intrinsics_maximum_number_nsz_f32_((_e2274 - _e1259), (_e2277 - _e1260));
+                                                                                    let _e2297 = core_intrinsics_maximum_number_nsz_f32_(_e2296, (_e2280 - _e1261));
+                                                                                    let _e2298 = core_intrinsics_minimum_number_nsz_f32_((_e2286 + _e1259), (_e2289 + _e1260));
+                                                                                    let _e2299 = core_intrinsics_minimum_number_nsz_f32_(_e2298, (_e2292 + _e1261));
+                                                                                    if (_e2297 > _e976) {
+                                                                                        phi_2470_ = _e2297;
                                                                                     } else {
-                                                                                        phi_2462_ = _e972;
+                                                                                        phi_2470_ = _e976;
                                                                                     }
-                                                                                    let _e2294 = phi_2462_;
-                                                                                    if (_e2291 < _e974) {
-                                                                                        phi_2467_ = _e2291;
+                                                                                    let _e2302 = phi_2470_;
+                                                                                    if (_e2299 < _e978) {
+                                                                                        phi_2475_ = _e2299;
                                                                                     } else {
-                                                                                        phi_2467_ = _e974;
+                                                                                        phi_2475_ = _e978;
                                                                                     }
-                                                                                    let _e2297 = phi_2467_;
-                                                                                    if (_e2165 < _e2294) {
-                                                                                        phi_2472_ = _e2294;
+                                                                                    let _e2305 = phi_2475_;
+                                                                                    if (_e2173 < _e2302) {
+                                                                                        phi_2480_ = _e2302;
                                                                                     } else {
-                                                                                        phi_2472_ = _e2165;
+                                                                                        phi_2480_ = _e2173;
                                                                                     }
-                                                                                    let _e2300 = phi_2472_;
-                                                                                    if (_e2300 > _e2297) {
-                                                                                        phi_2477_ = _e2297;
+                                                                                    let _e2308 = phi_2480_;
+                                                                                    if (_e2308 > _e2305) {
+                                                                                        phi_2485_ = _e2305;
                                                                                     } else {
-                                                                                        phi_2477_ = _e2300;
+                                                                                        phi_2485_ = _e2308;
                                                                                     }
-                                                                                    let _e2303 = phi_2477_;
-                                                                                    phi_2482_ = lt_bvh_triangle_Intersection(_e2303, (_e2006 / _e2065), (_e2027 / _e2065), (_e2294 <= _e2297));
-                                                                                    phi_2483_ = false;
+                                                                                    let _e2311 = phi_2485_;
+                                                                                    phi_2490_ = lt_bvh_triangle_Intersection(_e2311, (_e2014 / _e2073), (_e2035 / _e2073), (_e2302 <= _e2305));
+                                                                                    phi_2491_ = false;
                                                                                 } else {
-                                                                                    phi_2482_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2483_ = true;
+                                                                                    phi_2490_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2491_ = true;
                                                                                 }
-                                                                                let _e2309 = phi_2482_;
-                                                                                let _e2311 = phi_2483_;
-                                                                                phi_2484_ = _e2309;
-                                                                                phi_2485_ = _e2311;
+                                                                                let _e2317 = phi_2490_;
+                                                                                let _e2319 = phi_2491_;
+                                                                                phi_2492_ = _e2317;
+                                                                                phi_2493_ = _e2319;
                                                                             } else {
-                                                                                phi_2484_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2485_ = true;
+                                                                                phi_2492_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2493_ = true;
                                                                             }
-                                                                            let _e2313 = phi_2484_;
-                                                                            let _e2315 = phi_2485_;
-                                                                            if _e2315 {
+                                                                            let _e2321 = phi_2492_;
+                                                                            let _e2323 = phi_2493_;
+                                                                            if _e2323 {
                                                                             }
-                                                                            phi_2489_ = _e2313;
-                                                                            phi_2490_ = _e2315;
+                                                                            phi_2497_ = _e2321;
+                                                                            phi_2498_ = _e2323;
                                                                         }
-                                                                        let _e2317 = phi_2489_;
-                                                                        let _e2319 = phi_2490_;
-                                                                        phi_2491_ = _e2317;
-                                                                        phi_2492_ = _e2068;
-                                                                        phi_2493_ = _e2319;
+                                                                        let _e2325 = phi_2497_;
+                                                                        let _e2327 = phi_2498_;
+                                                                        phi_2499_ = _e2325;
+                                                                        phi_2500_ = _e2076;
+                                                                        phi_2501_ = _e2327;
                                                                     } else {
-                                                                        phi_2491_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2492_ = true;
-                                                                        phi_2493_ = false;
+                                                                        phi_2499_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2500_ = true;
+                                                                        phi_2501_ = false;
                                                                     }
-                                                                    let _e2321 = phi_2491_;
-                                                                    let _e2323 = phi_2492_;
-                                                                    let _e2325 = phi_2493_;
-                                                                    if _e2323 {
-                                                                        phi_2497_ = true;
+                                                                    let _e2329 = phi_2499_;
+                                                                    let _e2331 = phi_2500_;
+                                                                    let _e2333 = phi_2501_;
+                                                                    if _e2331 {
+                                                                        phi_2505_ = true;
                                                                     } else {
-                                                                        phi_2497_ = _e2325;
+                                                                        phi_2505_ = _e2333;
                                                                     }
-                                                                    let _e2327 = phi_2497_;
-                                                                    if _e2327 {
-                                                                        phi_2501_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2335 = phi_2505_;
+                                                                    if _e2335 {
+                                                                        phi_2509_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2501_ = _e2321;
+                                                                        phi_2509_ = _e2329;
                                                                     }
-                                                                    let _e2329 = phi_2501_;
-                                                                    if _e2329.is_hit {
-                                                                        if (_e2329.t > 0f) {
-                                                                            if (_e2329.t < _e121) {
-                                                                                let _e2336 = triangles.member[(0u + _e1881)].i0_;
-                                                                                let _e2338 = ((_e2336 & 2147483648u) == 0u);
-                                                                                if _e2338 {
-                                                                                    phi_2527_ = false;
-                                                                                    phi_2528_ = false;
+                                                                    let _e2337 = phi_2509_;
+                                                                    if _e2337.is_hit {
+                                                                        if (_e2337.t > 0f) {
+                                                                            if (_e2337.t < _e121) {
+                                                                                if true {
+                                                                                    phi_2529_ = false;
                                                                                 } else {
-                                                                                    if true {
-                                                                                        phi_2526_ = false;
-                                                                                    } else {
-                                                                                        phi_2526_ = true;
-                                                                                    }
-                                                                                    let _e2340 = phi_2526_;
-                                                                                    phi_2527_ = _e2340;
-                                                                                    phi_2528_ = true;
+                                                                                    phi_2529_ = true;
                                                                                 }
-                                                                                let _e2342 = phi_2527_;
-                                                                                let _e2344 = phi_2528_;
-                                                                                phi_2529_ = _e2342;
-                                                                                phi_2530_ = _e2338;
-                                                                                phi_2531_ = _e2344;
+                                                                                let _e2346 = phi_2529_;
+                                                                                phi_2530_ = true;
+                                                                                phi_2531_ = _e2346;
                                                                             } else {
-                                                                                phi_2529_ = true;
-                                                                                phi_2530_ = false;
-                                                                                phi_2531_ = false;
+                                                                                phi_2530_ = _e1880;
+                                                                                phi_2531_ = true;
                                                                             }
-                                                                            let _e2346 = phi_2529_;
                                                                             let _e2348 = phi_2530_;
                                                                             let _e2350 = phi_2531_;
-                                                                            phi_2532_ = _e2346;
-                                                                            phi_2533_ = _e2348;
-                                                                            phi_2534_ = _e2350;
+                                                                            phi_2532_ = _e2348;
+                                                                            phi_2533_ = _e2350;
                                                                         } else {
-                                                                            phi_2532_ = true;
-                                                                            phi_2533_ = false;
-                                                                            phi_2534_ = false;
+                                                                            phi_2532_ = _e1880;
+                                                                            phi_2533_ = true;
                                                                         }
                                                                         let _e2352 = phi_2532_;
                                                                         let _e2354 = phi_2533_;
-                                                                        let _e2356 = phi_2534_;
-                                                                        phi_2535_ = _e2352;
-                                                                        phi_2536_ = _e2354;
-                                                                        phi_2537_ = _e2356;
+                                                                        phi_2534_ = _e2352;
+                                                                        phi_2535_ = _e2354;
                                                                     } else {
+                                                                        phi_2534_ = _e1880;
                                                                         phi_2535_ = true;
-                                                                        phi_2536_ = false;
-                                                                        phi_2537_ = false;
                                                                     }
+                                                                    let _e2356 = phi_2534_;
                                                                     let _e2358 = phi_2535_;
-                                                                    let _e2360 = phi_2536_;
-                                                                    let _e2362 = phi_2537_;
                                                                     if _e2358 {
-                                                                        phi_2541_ = false;
-                                                                        phi_2542_ = false;
-                                                                    } else {
-                                                                        phi_2541_ = _e2360;
-                                                                        phi_2542_ = _e2362;
                                                                     }
-                                                                    let _e2364 = phi_2541_;
-                                                                    let _e2366 = phi_2542_;
-                                                                    phi_1933_ = (_e1872 & (_e1872 - 1u));
-                                                                    phi_2543_ = _e2358;
-                                                                    phi_2544_ = _e2364;
-                                                                    phi_2545_ = _e2366;
+                                                                    phi_1939_ = (_e1878 & (_e1878 - 1u));
+                                                                    phi_1942_ = _e2356;
+                                                                    phi_2539_ = _e2358;
                                                                 }
-                                                                let _e2368 = phi_1933_;
-                                                                let _e2370 = phi_2543_;
-                                                                let _e2372 = phi_2544_;
-                                                                let _e2374 = phi_2545_;
-                                                                local_12 = _e2372;
-                                                                local_13 = _e2374;
+                                                                let _e2360 = phi_1939_;
+                                                                let _e2362 = phi_1942_;
+                                                                let _e2364 = phi_2539_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1932_ = _e2368;
-                                                                    break if !(_e2370);
+                                                                    phi_1938_ = _e2360;
+                                                                    phi_1941_ = _e2362;
+                                                                    break if !(_e2364);
                                                                 }
                                                             }
-                                                            let _e2377 = local_8;
-                                                            if _e2377 {
-                                                                let _e2379 = local.group_mask;
-                                                                if ((_e2379 & 4278190080u) == 0u) {
-                                                                    let _e2383 = local.len;
-                                                                    if (_e2383 == 0u) {
-                                                                        phi_2587_ = false;
+                                                            let _e2367 = local_8;
+                                                            if _e2367 {
+                                                                let _e2369 = local.group_mask;
+                                                                if ((_e2369 & 4278190080u) == 0u) {
+                                                                    let _e2373 = local.len;
+                                                                    if (_e2373 == 0u) {
+                                                                        phi_2581_ = false;
                                                                     } else {
-                                                                        let _e2387 = local.len;
-                                                                        local.len = (_e2387 - 1u);
-                                                                        let _e2390 = local.len;
-                                                                        if (_e2390 < 32u) {
+                                                                        let _e2377 = local.len;
+                                                                        local.len = (_e2377 - 1u);
+                                                                        let _e2380 = local.len;
+                                                                        if (_e2380 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2395 = local.first[(0u + _e2390)];
-                                                                        local.group = _e2395;
-                                                                        let _e2398 = local.len;
-                                                                        if (_e2398 < 32u) {
+                                                                        let _e2385 = local.first[(0u + _e2380)];
+                                                                        local.group = _e2385;
+                                                                        let _e2388 = local.len;
+                                                                        if (_e2388 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2403 = local.mask[(0u + _e2398)];
-                                                                        local.group_mask = _e2403;
-                                                                        phi_2587_ = true;
+                                                                        let _e2393 = local.mask[(0u + _e2388)];
+                                                                        local.group_mask = _e2393;
+                                                                        phi_2581_ = true;
                                                                     }
-                                                                    let _e2406 = phi_2587_;
-                                                                    phi_2588_ = _e2406;
+                                                                    let _e2396 = phi_2581_;
+                                                                    phi_2582_ = _e2396;
                                                                 } else {
-                                                                    phi_2588_ = true;
+                                                                    phi_2582_ = true;
                                                                 }
-                                                                let _e2408 = phi_2588_;
-                                                                if _e2408 {
+                                                                let _e2398 = phi_2582_;
+                                                                if _e2398 {
+                                                                    let _e2400 = local.group_mask;
+                                                                    let _e2406 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2400)), 32u, (_e2400 == 0u)));
                                                                     let _e2410 = local.group_mask;
-                                                                    let _e2416 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2410)), 32u, (_e2410 == 0u)));
-                                                                    let _e2420 = local.group_mask;
-                                                                    let _e2434 = local.group_mask;
-                                                                    local.group_mask = (_e2434 & ~((1u << bitcast<u32>((_e2416 & 31u)))));
-                                                                    let _e2437 = local.group;
-                                                                    phi_2619_ = (_e2437 + countOneBits(((_e2420 & ~((4294967295u << bitcast<u32>((((_e2416 - 24u) ^ _e1298) & 31u))))) & 255u)));
+                                                                    let _e2424 = local.group_mask;
+                                                                    local.group_mask = (_e2424 & ~((1u << bitcast<u32>((_e2406 & 31u)))));
+                                                                    let _e2427 = local.group;
+                                                                    phi_2613_ = (_e2427 + countOneBits(((_e2410 & ~((4294967295u << bitcast<u32>((((_e2406 - 24u) ^ _e1302) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2619_ = 4294967295u;
+                                                                    phi_2613_ = 4294967295u;
                                                                 }
-                                                                let _e2440 = phi_2619_;
-                                                                phi_2620_ = _e2440;
-                                                                phi_2621_ = false;
-                                                                phi_2622_ = false;
+                                                                let _e2430 = phi_2613_;
+                                                                phi_2614_ = _e2430;
                                                             } else {
-                                                                phi_2620_ = u32();
-                                                                let _e2849 = local_12;
-                                                                phi_2621_ = _e2849;
-                                                                let _e2852 = local_13;
-                                                                phi_2622_ = _e2852;
+                                                                phi_2614_ = u32();
                                                             }
-                                                            let _e2442 = phi_2620_;
-                                                            let _e2444 = phi_2621_;
-                                                            let _e2446 = phi_2622_;
-                                                            phi_1603_ = _e2442;
-                                                            let _e2856 = local_14;
-                                                            phi_2623_ = _e2856;
-                                                            phi_2624_ = false;
-                                                            phi_2625_ = _e2444;
-                                                            phi_2626_ = _e2446;
+                                                            let _e2432 = phi_2614_;
+                                                            phi_1607_ = _e2432;
+                                                            let _e2838 = local_12;
+                                                            phi_1610_ = _e2838;
+                                                            let _e2841 = local_13;
+                                                            phi_2615_ = _e2841;
+                                                            phi_2616_ = false;
                                                         } else {
-                                                            phi_1603_ = u32();
-                                                            phi_2623_ = false;
-                                                            phi_2624_ = true;
-                                                            phi_2625_ = false;
-                                                            phi_2626_ = false;
+                                                            phi_1607_ = u32();
+                                                            phi_1610_ = bool();
+                                                            phi_2615_ = false;
+                                                            phi_2616_ = true;
                                                         }
-                                                        let _e2448 = phi_1603_;
-                                                        let _e2450 = phi_2623_;
-                                                        let _e2452 = phi_2624_;
-                                                        let _e2454 = phi_2625_;
-                                                        let _e2456 = phi_2626_;
-                                                        local_9 = _e2452;
-                                                        local_15 = _e2454;
-                                                        local_16 = _e2456;
+                                                        let _e2434 = phi_1607_;
+                                                        let _e2436 = phi_1610_;
+                                                        let _e2438 = phi_2615_;
+                                                        let _e2440 = phi_2616_;
+                                                        local_9 = _e2440;
                                                         continue;
                                                         continuing {
-                                                            phi_1602_ = _e2448;
-                                                            break if !(_e2450);
+                                                            phi_1606_ = _e2434;
+                                                            phi_1609_ = _e2436;
+                                                            break if !(_e2438);
                                                         }
                                                     }
-                                                    let _e2459 = local_9;
-                                                    if _e2459 {
-                                                        phi_2630_ = false;
-                                                        phi_2631_ = false;
+                                                    let _e2443 = local_9;
+                                                    if _e2443 {
+                                                        phi_2620_ = false;
                                                     } else {
-                                                        let _e2863 = local_15;
-                                                        phi_2630_ = _e2863;
-                                                        let _e2866 = local_16;
-                                                        phi_2631_ = _e2866;
+                                                        phi_2620_ = true;
                                                     }
-                                                    let _e2461 = phi_2630_;
-                                                    let _e2463 = phi_2631_;
-                                                    if _e2461 {
-                                                        phi_2635_ = true;
+                                                    let _e2445 = phi_2620_;
+                                                    if _e2445 {
+                                                        phi_2624_ = true;
                                                     } else {
-                                                        phi_2635_ = _e2463;
+                                                        let _e2847 = local_14;
+                                                        phi_2624_ = _e2847;
                                                     }
-                                                    let _e2465 = phi_2635_;
-                                                    if _e2465 {
-                                                        phi_2639_ = true;
-                                                    } else {
-                                                        phi_2639_ = false;
-                                                    }
-                                                    let _e2467 = phi_2639_;
-                                                    phi_2640_ = _e2467;
+                                                    let _e2447 = phi_2624_;
+                                                    phi_2625_ = _e2447;
                                                 }
-                                                let _e2469 = phi_2640_;
-                                                phi_2641_ = _e2469;
-                                                phi_2642_ = _e1124;
+                                                let _e2449 = phi_2625_;
+                                                phi_2626_ = _e2449;
+                                                phi_2627_ = _e1128;
                                             } else {
-                                                phi_2641_ = bool();
-                                                phi_2642_ = true;
+                                                phi_2626_ = bool();
+                                                phi_2627_ = true;
                                             }
-                                            let _e2471 = phi_2641_;
-                                            let _e2473 = phi_2642_;
-                                            if _e2473 {
-                                                phi_2646_ = false;
+                                            let _e2451 = phi_2626_;
+                                            let _e2453 = phi_2627_;
+                                            if _e2453 {
+                                                phi_2631_ = _e915;
                                             } else {
-                                                phi_2646_ = _e2471;
+                                                phi_2631_ = _e2451;
                                             }
-                                            let _e2475 = phi_2646_;
-                                            if _e2475 {
-                                                phi_2650_ = false;
+                                            let _e2455 = phi_2631_;
+                                            if _e2455 {
+                                                phi_2635_ = false;
                                             } else {
-                                                phi_2650_ = true;
+                                                phi_2635_ = true;
                                             }
-                                            let _e2477 = phi_2650_;
-                                            phi_2651_ = _e2477;
+                                            let _e2457 = phi_2635_;
+                                            phi_2636_ = _e2455;
+                                            phi_2637_ = _e2457;
                                         } else {
-                                            phi_2651_ = true;
+                                            phi_2636_ = _e915;
+                                            phi_2637_ = true;
                                         }
-                                        let _e2479 = phi_2651_;
-                                        phi_2652_ = _e2479;
+                                        let _e2459 = phi_2636_;
+                                        let _e2461 = phi_2637_;
+                                        phi_2638_ = _e2459;
+                                        phi_2639_ = _e2461;
                                     } else {
-                                        phi_2652_ = true;
+                                        phi_2638_ = _e915;
+                                        phi_2639_ = true;
                                     }
-                                    let _e2481 = phi_2652_;
-                                    phi_2653_ = _e2481;
+                                    let _e2463 = phi_2638_;
+                                    let _e2465 = phi_2639_;
+                                    phi_2640_ = _e2463;
+                                    phi_2641_ = _e2465;
                                 } else {
-                                    phi_2653_ = true;
+                                    phi_2640_ = _e915;
+                                    phi_2641_ = true;
                                 }
-                                let _e2483 = phi_2653_;
-                                if _e2483 {
+                                let _e2467 = phi_2640_;
+                                let _e2469 = phi_2641_;
+                                if _e2469 {
                                 }
-                                phi_997_ = (_e911 & (_e911 - 1u));
-                                phi_2657_ = _e2483;
+                                phi_999_ = (_e913 & (_e913 - 1u));
+                                phi_1002_ = _e2467;
+                                phi_2645_ = _e2469;
                             }
-                            let _e2485 = phi_997_;
-                            let _e2487 = phi_2657_;
+                            let _e2471 = phi_999_;
+                            let _e2473 = phi_1002_;
+                            let _e2475 = phi_2645_;
                             continue;
                             continuing {
-                                phi_996_ = _e2485;
-                                break if !(_e2487);
+                                phi_998_ = _e2471;
+                                phi_1001_ = _e2473;
+                                break if !(_e2475);
                             }
                         }
-                        let _e2490 = local_10;
-                        if _e2490 {
-                            let _e2492 = local_1.group_mask;
-                            if ((_e2492 & 4278190080u) == 0u) {
-                                let _e2496 = local_1.len;
-                                if (_e2496 == 0u) {
-                                    phi_2699_ = false;
+                        let _e2478 = local_10;
+                        if _e2478 {
+                            let _e2480 = local_1.group_mask;
+                            if ((_e2480 & 4278190080u) == 0u) {
+                                let _e2484 = local_1.len;
+                                if (_e2484 == 0u) {
+                                    phi_2687_ = false;
                                 } else {
-                                    let _e2500 = local_1.len;
-                                    local_1.len = (_e2500 - 1u);
-                                    let _e2503 = local_1.len;
-                                    if (_e2503 < 32u) {
+                                    let _e2488 = local_1.len;
+                                    local_1.len = (_e2488 - 1u);
+                                    let _e2491 = local_1.len;
+                                    if (_e2491 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2508 = local_1.first[(0u + _e2503)];
-                                    local_1.group = _e2508;
-                                    let _e2511 = local_1.len;
-                                    if (_e2511 < 32u) {
+                                    let _e2496 = local_1.first[(0u + _e2491)];
+                                    local_1.group = _e2496;
+                                    let _e2499 = local_1.len;
+                                    if (_e2499 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2516 = local_1.mask[(0u + _e2511)];
-                                    local_1.group_mask = _e2516;
-                                    phi_2699_ = true;
+                                    let _e2504 = local_1.mask[(0u + _e2499)];
+                                    local_1.group_mask = _e2504;
+                                    phi_2687_ = true;
                                 }
-                                let _e2519 = phi_2699_;
-                                phi_2700_ = _e2519;
+                                let _e2507 = phi_2687_;
+                                phi_2688_ = _e2507;
                             } else {
-                                phi_2700_ = true;
+                                phi_2688_ = true;
                             }
-                            let _e2521 = phi_2700_;
-                            if _e2521 {
-                                let _e2523 = local_1.group_mask;
-                                let _e2529 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2523)), 32u, (_e2523 == 0u)));
-                                let _e2533 = local_1.group_mask;
-                                let _e2547 = local_1.group_mask;
-                                local_1.group_mask = (_e2547 & ~((1u << bitcast<u32>((_e2529 & 31u)))));
-                                let _e2550 = local_1.group;
-                                phi_2731_ = (_e2550 + countOneBits(((_e2533 & ~((4294967295u << bitcast<u32>((((_e2529 - 24u) ^ _e337) & 31u))))) & 255u)));
+                            let _e2509 = phi_2688_;
+                            if _e2509 {
+                                let _e2511 = local_1.group_mask;
+                                let _e2517 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2511)), 32u, (_e2511 == 0u)));
+                                let _e2521 = local_1.group_mask;
+                                let _e2535 = local_1.group_mask;
+                                local_1.group_mask = (_e2535 & ~((1u << bitcast<u32>((_e2517 & 31u)))));
+                                let _e2538 = local_1.group;
+                                phi_2719_ = (_e2538 + countOneBits(((_e2521 & ~((4294967295u << bitcast<u32>((((_e2517 - 24u) ^ _e337) & 31u))))) & 255u)));
                             } else {
-                                phi_2731_ = 4294967295u;
+                                phi_2719_ = 4294967295u;
                             }
-                            let _e2553 = phi_2731_;
-                            phi_2732_ = _e2553;
+                            let _e2541 = phi_2719_;
+                            phi_2720_ = _e2541;
                         } else {
-                            phi_2732_ = u32();
+                            phi_2720_ = u32();
                         }
-                        let _e2555 = phi_2732_;
-                        phi_667_ = _e2555;
-                        let _e2887 = local_17;
-                        phi_2733_ = _e2887;
-                        phi_2734_ = false;
+                        let _e2543 = phi_2720_;
+                        phi_667_ = _e2543;
+                        let _e2870 = local_15;
+                        phi_670_ = _e2870;
+                        let _e2873 = local_16;
+                        phi_2721_ = _e2873;
+                        phi_2722_ = false;
                     } else {
                         phi_667_ = u32();
-                        phi_2733_ = false;
-                        phi_2734_ = true;
+                        phi_670_ = bool();
+                        phi_2721_ = false;
+                        phi_2722_ = true;
                     }
-                    let _e2557 = phi_667_;
-                    let _e2559 = phi_2733_;
-                    let _e2561 = phi_2734_;
-                    local_11 = _e2561;
+                    let _e2545 = phi_667_;
+                    let _e2547 = phi_670_;
+                    let _e2549 = phi_2721_;
+                    let _e2551 = phi_2722_;
+                    local_11 = _e2551;
                     continue;
                     continuing {
-                        phi_666_ = _e2557;
-                        break if !(_e2559);
+                        phi_666_ = _e2545;
+                        phi_669_ = _e2547;
+                        break if !(_e2549);
                     }
                 }
-                let _e2564 = local_11;
-                if _e2564 {
-                    phi_2738_ = false;
+                let _e2554 = local_11;
+                if _e2554 {
+                    phi_2726_ = false;
                 } else {
-                    phi_2738_ = true;
+                    phi_2726_ = true;
                 }
-                let _e2566 = phi_2738_;
-                if _e2566 {
-                    phi_2742_ = true;
-                } else {
-                    phi_2742_ = false;
+                let _e2556 = phi_2726_;
+                if _e2556 {
                 }
-                let _e2568 = phi_2742_;
-                phi_2743_ = _e2568;
+                phi_2730_ = _e2556;
             }
-            let _e2570 = phi_2743_;
-            phi_2744_ = _e2570;
-            phi_2745_ = _e193;
+            let _e2558 = phi_2730_;
+            phi_2731_ = _e193;
+            phi_2732_ = _e2558;
         } else {
-            phi_2744_ = bool();
-            phi_2745_ = true;
+            phi_2731_ = true;
+            phi_2732_ = false;
         }
-        let _e2572 = phi_2744_;
-        let _e2574 = phi_2745_;
-        if _e2574 {
-            phi_2749_ = false;
+        let _e2560 = phi_2731_;
+        let _e2562 = phi_2732_;
+        if _e2560 {
+            phi_2736_ = false;
+            phi_2737_ = true;
         } else {
-            phi_2749_ = _e2572;
+            phi_2736_ = true;
+            phi_2737_ = _e2562;
         }
-        let _e2576 = phi_2749_;
-        if _e2576 {
-            phi_2753_ = 0f;
+        let _e2564 = phi_2736_;
+        let _e2566 = phi_2737_;
+        if _e2566 {
+            phi_2741_ = _e2564;
         } else {
-            phi_2753_ = 1f;
+            phi_2741_ = false;
         }
-        let _e2578 = phi_2753_;
+        let _e2568 = phi_2741_;
+        if _e2568 {
+            phi_2745_ = 0f;
+        } else {
+            phi_2745_ = 1f;
+        }
+        let _e2570 = phi_2745_;
         if (_e90 < _e68) {
         } else {
             return;
         }
-        visibility.member[(0u + _e90)] = _e2578;
+        visibility.member[(0u + _e90)] = _e2570;
         if (_e90 < _e74) {
         } else {
             return;
         }
-        let _e2585 = bits.member[(0u + _e90)];
-        if ((_e2585 & 2u) == 0u) {
-            phi_2774_ = (_e2585 & 1u);
+        let _e2577 = bits.member[(0u + _e90)];
+        if ((_e2577 & 2u) == 0u) {
+            phi_2766_ = (_e2577 & 1u);
         } else {
-            phi_2774_ = (_e2585 & 7u);
+            phi_2766_ = (_e2577 & 7u);
         }
-        let _e2591 = phi_2774_;
+        let _e2583 = phi_2766_;
         if (_e90 < _e68) {
         } else {
             return;
         }
-        let _e2595 = visibility.member[(0u + _e90)];
-        if ((_e2591 & 1u) != 0u) {
-            phi_2789_ = (2u | 1u);
+        let _e2587 = visibility.member[(0u + _e90)];
+        if ((_e2583 & 1u) != 0u) {
+            phi_2781_ = (2u | 1u);
         } else {
-            phi_2789_ = 2u;
+            phi_2781_ = 2u;
         }
-        let _e2601 = phi_2789_;
-        if (_e2595 < 0.5f) {
-            phi_2794_ = (_e2601 | 4u);
+        let _e2593 = phi_2781_;
+        if (_e2587 < 0.5f) {
+            phi_2786_ = (_e2593 | 4u);
         } else {
-            phi_2794_ = _e2601;
+            phi_2786_ = _e2593;
         }
-        let _e2604 = phi_2794_;
+        let _e2596 = phi_2786_;
         if (_e90 < _e74) {
         } else {
             return;
         }
-        bits.member[(0u + _e90)] = _e2604;
+        bits.member[(0u + _e90)] = _e2596;
     }
     return;
 }

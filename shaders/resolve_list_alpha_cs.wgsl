@@ -30,64 +30,6 @@ struct texture_TextureView {
     flags: u32,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_29 {
-    member: array<lt_bvh_Triangle>,
-}
-
-struct abi_Vertex {
-    u: f32,
-    v: f32,
-    normal: u32,
-    color: u32,
-    material: u32,
-}
-
-struct type_33 {
-    member: array<abi_Vertex>,
-}
-
-struct abi_Material {
-    base_color: vec4<f32>,
-    cutoff: f32,
-    flags: u32,
-    alpha_offset: u32,
-    alpha_size: u32,
-    color_offset: u32,
-    color_size: u32,
-    pad: vec2<u32>,
-}
-
-struct type_37 {
-    member: array<abi_Material>,
-}
-
-struct texture_TexelQuad {
-    indices: array<u32, 4>,
-    weights: vec4<f32>,
-}
-
-struct texture_Axis {
-    low: u32,
-    high: u32,
-    fraction: f32,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -96,28 +38,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_50 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -133,8 +58,84 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_56 {
+struct type_30 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_35 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_39 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct abi_Vertex {
+    u: f32,
+    v: f32,
+    normal: u32,
+    color: u32,
+    material: u32,
+}
+
+struct type_43 {
+    member: array<abi_Vertex>,
+}
+
+struct abi_Material {
+    base_color: vec4<f32>,
+    cutoff: f32,
+    flags: u32,
+    alpha_offset: u32,
+    alpha_size: u32,
+    color_offset: u32,
+    color_size: u32,
+    transmission: f32,
+    pad: u32,
+}
+
+struct type_47 {
+    member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
+}
+
+struct texture_TexelQuad {
+    indices: array<u32, 4>,
+    weights: vec4<f32>,
+}
+
+struct texture_Axis {
+    low: u32,
+    high: u32,
+    fraction: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -143,411 +144,411 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_56;
+var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> nodes: type_50;
+var<storage> nodes: type_35;
 @group(0) @binding(3) 
-var<storage> triangles: type_29;
-@group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> triangles: type_39;
 @group(0) @binding(6) 
-var<storage> vertices: type_33;
+var<storage> vertices: type_43;
 @group(0) @binding(7) 
-var<storage> materials: type_37;
+var<storage> materials: type_47;
 @group(0) @binding(8) 
 var<storage> alpha_texels: type_13;
+@group(0) @binding(5) 
+var<storage> list: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_221_: f32;
-    var phi_226_: f32;
-    var phi_227_: bool;
-    var phi_228_: f32;
-    var phi_229_: bool;
-    var phi_233_: f32;
-    var phi_259_: f32;
-    var phi_264_: f32;
-    var phi_265_: bool;
-    var phi_266_: f32;
-    var phi_267_: bool;
-    var phi_271_: f32;
-    var phi_279_: f32;
-    var phi_280_: f32;
-    var phi_281_: f32;
-    var phi_290_: f32;
+fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
+    var phi_191_: bool;
+    var phi_195_: f32;
+
+    if (param != param) {
+        phi_191_ = true;
+    } else {
+        let _e69 = (param_1 >= param);
+        if _e69 {
+        }
+        phi_191_ = _e69;
+    }
+    let _e71 = phi_191_;
+    if _e71 {
+        phi_195_ = param_1;
+    } else {
+        phi_195_ = param;
+    }
+    let _e73 = phi_195_;
+    return _e73;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
+    var phi_207_: bool;
+    var phi_211_: f32;
+
+    if (param_2 != param_2) {
+        phi_207_ = true;
+    } else {
+        let _e69 = (param_3 <= param_2);
+        if _e69 {
+        }
+        phi_207_ = _e69;
+    }
+    let _e71 = phi_207_;
+    if _e71 {
+        phi_211_ = param_3;
+    } else {
+        phi_211_ = param_2;
+    }
+    let _e73 = phi_211_;
+    return _e73;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
+    var phi_253_: f32;
+    var phi_258_: f32;
+    var phi_259_: bool;
+    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_265_: f32;
     var phi_291_: f32;
-    var phi_309_: u32;
-    var phi_323_: u32;
-    var phi_330_: u32;
-    var phi_335_: u32;
+    var phi_296_: f32;
+    var phi_297_: bool;
+    var phi_298_: f32;
+    var phi_299_: bool;
+    var phi_303_: f32;
+    var phi_311_: f32;
+    var phi_312_: f32;
+    var phi_313_: f32;
+    var phi_322_: f32;
+    var phi_323_: f32;
     var phi_341_: u32;
-    var phi_346_: u32;
-    var phi_348_: texture_Axis;
-    var phi_376_: f32;
-    var phi_381_: f32;
-    var phi_382_: bool;
-    var phi_383_: f32;
-    var phi_384_: bool;
-    var phi_388_: f32;
-    var phi_414_: f32;
-    var phi_419_: f32;
-    var phi_420_: bool;
-    var phi_421_: f32;
-    var phi_422_: bool;
-    var phi_426_: f32;
-    var phi_434_: f32;
-    var phi_435_: f32;
-    var phi_436_: f32;
-    var phi_445_: f32;
+    var phi_355_: u32;
+    var phi_362_: u32;
+    var phi_367_: u32;
+    var phi_373_: u32;
+    var phi_378_: u32;
+    var phi_380_: texture_Axis;
+    var phi_408_: f32;
+    var phi_413_: f32;
+    var phi_414_: bool;
+    var phi_415_: f32;
+    var phi_416_: bool;
+    var phi_420_: f32;
     var phi_446_: f32;
-    var phi_464_: u32;
-    var phi_478_: u32;
-    var phi_485_: u32;
-    var phi_490_: u32;
+    var phi_451_: f32;
+    var phi_452_: bool;
+    var phi_453_: f32;
+    var phi_454_: bool;
+    var phi_458_: f32;
+    var phi_466_: f32;
+    var phi_467_: f32;
+    var phi_468_: f32;
+    var phi_477_: f32;
+    var phi_478_: f32;
     var phi_496_: u32;
-    var phi_501_: u32;
-    var phi_503_: texture_Axis;
+    var phi_510_: u32;
+    var phi_517_: u32;
+    var phi_522_: u32;
+    var phi_528_: u32;
+    var phi_533_: u32;
+    var phi_535_: texture_Axis;
 
-    let _e70 = (*param).size;
+    let _e70 = (*param_4).size;
     let _e71 = (_e70 & 65535u);
-    let _e73 = (*param).size;
+    let _e73 = (*param_4).size;
     let _e75 = (_e73 >> bitcast<u32>(16i));
-    let _e77 = (*param).flags;
+    let _e77 = (*param_4).flags;
     let _e79 = ((_e77 & 4u) != 0u);
-    let _e81 = (*param).flags;
+    let _e81 = (*param_4).flags;
     let _e84 = ((_e81 >> bitcast<u32>(4u)) & 3u);
     if (_e84 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e97 > param_1) {
-                phi_221_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e97 > param_5) {
+                phi_253_ = 1f;
             } else {
-                phi_221_ = 0f;
+                phi_253_ = 0f;
             }
-            let _e100 = phi_221_;
-            if (param_1 < 8388608f) {
-                phi_226_ = (_e97 - _e100);
-                phi_227_ = false;
+            let _e100 = phi_253_;
+            if (param_5 < 8388608f) {
+                phi_258_ = (_e97 - _e100);
+                phi_259_ = false;
             } else {
-                phi_226_ = f32();
-                phi_227_ = true;
+                phi_258_ = f32();
+                phi_259_ = true;
             }
-            let _e103 = phi_226_;
-            let _e105 = phi_227_;
-            phi_228_ = _e103;
-            phi_229_ = _e105;
+            let _e103 = phi_258_;
+            let _e105 = phi_259_;
+            phi_260_ = _e103;
+            phi_261_ = _e105;
         } else {
-            phi_228_ = f32();
-            phi_229_ = true;
+            phi_260_ = f32();
+            phi_261_ = true;
         }
-        let _e107 = phi_228_;
-        let _e109 = phi_229_;
+        let _e107 = phi_260_;
+        let _e109 = phi_261_;
         if _e109 {
-            phi_233_ = param_1;
+            phi_265_ = param_5;
         } else {
-            phi_233_ = _e107;
+            phi_265_ = _e107;
         }
-        let _e111 = phi_233_;
-        phi_281_ = (param_1 - _e111);
+        let _e111 = phi_265_;
+        phi_313_ = (param_5 - _e111);
     } else {
         if (_e84 == 1u) {
-            let _e114 = (param_1 * 0.5f);
+            let _e114 = (param_5 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_259_ = 1f;
+                    phi_291_ = 1f;
                 } else {
-                    phi_259_ = 0f;
+                    phi_291_ = 0f;
                 }
-                let _e129 = phi_259_;
+                let _e129 = phi_291_;
                 if (_e114 < 8388608f) {
-                    phi_264_ = (_e126 - _e129);
-                    phi_265_ = false;
+                    phi_296_ = (_e126 - _e129);
+                    phi_297_ = false;
                 } else {
-                    phi_264_ = f32();
-                    phi_265_ = true;
+                    phi_296_ = f32();
+                    phi_297_ = true;
                 }
-                let _e132 = phi_264_;
-                let _e134 = phi_265_;
-                phi_266_ = _e132;
-                phi_267_ = _e134;
+                let _e132 = phi_296_;
+                let _e134 = phi_297_;
+                phi_298_ = _e132;
+                phi_299_ = _e134;
             } else {
-                phi_266_ = f32();
-                phi_267_ = true;
+                phi_298_ = f32();
+                phi_299_ = true;
             }
-            let _e136 = phi_266_;
-            let _e138 = phi_267_;
+            let _e136 = phi_298_;
+            let _e138 = phi_299_;
             if _e138 {
-                phi_271_ = _e114;
+                phi_303_ = _e114;
             } else {
-                phi_271_ = _e136;
+                phi_303_ = _e136;
             }
-            let _e140 = phi_271_;
-            let _e142 = (param_1 - (2f * _e140));
+            let _e140 = phi_303_;
+            let _e142 = (param_5 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_279_ = (2f - _e142);
+                phi_311_ = (2f - _e142);
             } else {
-                phi_279_ = _e142;
+                phi_311_ = _e142;
             }
-            let _e146 = phi_279_;
-            phi_280_ = _e146;
+            let _e146 = phi_311_;
+            phi_312_ = _e146;
         } else {
-            phi_280_ = param_1;
+            phi_312_ = param_5;
         }
-        let _e148 = phi_280_;
-        phi_281_ = _e148;
+        let _e148 = phi_312_;
+        phi_313_ = _e148;
     }
-    let _e150 = phi_281_;
+    let _e150 = phi_313_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_290_ = _e150;
+            phi_322_ = _e150;
         } else {
-            phi_290_ = 1f;
+            phi_322_ = 1f;
         }
-        let _e154 = phi_290_;
-        phi_291_ = _e154;
+        let _e154 = phi_322_;
+        phi_323_ = _e154;
     } else {
-        phi_291_ = 0f;
+        phi_323_ = 0f;
     }
-    let _e156 = phi_291_;
+    let _e156 = phi_323_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_309_ = _e157;
+            phi_341_ = _e157;
         } else {
-            phi_309_ = _e166;
+            phi_341_ = _e166;
         }
-        let _e169 = phi_309_;
-        phi_348_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_341_;
+        phi_380_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_323_ = _e71;
+            phi_355_ = _e71;
         } else {
-            phi_323_ = _e178;
+            phi_355_ = _e178;
         }
-        let _e181 = phi_323_;
+        let _e181 = phi_355_;
         if (_e84 == 0u) {
-            phi_330_ = _e157;
+            phi_362_ = _e157;
         } else {
-            phi_330_ = 0u;
+            phi_362_ = 0u;
         }
-        let _e186 = phi_330_;
+        let _e186 = phi_362_;
         if (_e84 == 0u) {
-            phi_335_ = 0u;
+            phi_367_ = 0u;
         } else {
-            phi_335_ = _e157;
+            phi_367_ = _e157;
         }
-        let _e189 = phi_335_;
+        let _e189 = phi_367_;
         if (_e181 == 0u) {
-            phi_341_ = _e186;
+            phi_373_ = _e186;
         } else {
-            phi_341_ = (_e181 - 1u);
+            phi_373_ = (_e181 - 1u);
         }
-        let _e193 = phi_341_;
+        let _e193 = phi_373_;
         if (_e181 > _e157) {
-            phi_346_ = _e189;
+            phi_378_ = _e189;
         } else {
-            phi_346_ = _e181;
+            phi_378_ = _e181;
         }
-        let _e196 = phi_346_;
-        phi_348_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_378_;
+        phi_380_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_348_;
-    let _e201 = (*param).flags;
+    let _e199 = phi_380_;
+    let _e201 = (*param_4).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e217 > param_2) {
-                phi_376_ = 1f;
+        if (param_6 > -8388608f) {
+            let _e217 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e217 > param_6) {
+                phi_408_ = 1f;
             } else {
-                phi_376_ = 0f;
+                phi_408_ = 0f;
             }
-            let _e220 = phi_376_;
-            if (param_2 < 8388608f) {
-                phi_381_ = (_e217 - _e220);
-                phi_382_ = false;
+            let _e220 = phi_408_;
+            if (param_6 < 8388608f) {
+                phi_413_ = (_e217 - _e220);
+                phi_414_ = false;
             } else {
-                phi_381_ = f32();
-                phi_382_ = true;
+                phi_413_ = f32();
+                phi_414_ = true;
             }
-            let _e223 = phi_381_;
-            let _e225 = phi_382_;
-            phi_383_ = _e223;
-            phi_384_ = _e225;
+            let _e223 = phi_413_;
+            let _e225 = phi_414_;
+            phi_415_ = _e223;
+            phi_416_ = _e225;
         } else {
-            phi_383_ = f32();
-            phi_384_ = true;
+            phi_415_ = f32();
+            phi_416_ = true;
         }
-        let _e227 = phi_383_;
-        let _e229 = phi_384_;
+        let _e227 = phi_415_;
+        let _e229 = phi_416_;
         if _e229 {
-            phi_388_ = param_2;
+            phi_420_ = param_6;
         } else {
-            phi_388_ = _e227;
+            phi_420_ = _e227;
         }
-        let _e231 = phi_388_;
-        phi_436_ = (param_2 - _e231);
+        let _e231 = phi_420_;
+        phi_468_ = (param_6 - _e231);
     } else {
         if (_e204 == 1u) {
-            let _e234 = (param_2 * 0.5f);
+            let _e234 = (param_6 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_414_ = 1f;
+                    phi_446_ = 1f;
                 } else {
-                    phi_414_ = 0f;
+                    phi_446_ = 0f;
                 }
-                let _e249 = phi_414_;
+                let _e249 = phi_446_;
                 if (_e234 < 8388608f) {
-                    phi_419_ = (_e246 - _e249);
-                    phi_420_ = false;
+                    phi_451_ = (_e246 - _e249);
+                    phi_452_ = false;
                 } else {
-                    phi_419_ = f32();
-                    phi_420_ = true;
+                    phi_451_ = f32();
+                    phi_452_ = true;
                 }
-                let _e252 = phi_419_;
-                let _e254 = phi_420_;
-                phi_421_ = _e252;
-                phi_422_ = _e254;
+                let _e252 = phi_451_;
+                let _e254 = phi_452_;
+                phi_453_ = _e252;
+                phi_454_ = _e254;
             } else {
-                phi_421_ = f32();
-                phi_422_ = true;
+                phi_453_ = f32();
+                phi_454_ = true;
             }
-            let _e256 = phi_421_;
-            let _e258 = phi_422_;
+            let _e256 = phi_453_;
+            let _e258 = phi_454_;
             if _e258 {
-                phi_426_ = _e234;
+                phi_458_ = _e234;
             } else {
-                phi_426_ = _e256;
+                phi_458_ = _e256;
             }
-            let _e260 = phi_426_;
-            let _e262 = (param_2 - (2f * _e260));
+            let _e260 = phi_458_;
+            let _e262 = (param_6 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_434_ = (2f - _e262);
+                phi_466_ = (2f - _e262);
             } else {
-                phi_434_ = _e262;
+                phi_466_ = _e262;
             }
-            let _e266 = phi_434_;
-            phi_435_ = _e266;
+            let _e266 = phi_466_;
+            phi_467_ = _e266;
         } else {
-            phi_435_ = param_2;
+            phi_467_ = param_6;
         }
-        let _e268 = phi_435_;
-        phi_436_ = _e268;
+        let _e268 = phi_467_;
+        phi_468_ = _e268;
     }
-    let _e270 = phi_436_;
+    let _e270 = phi_468_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_445_ = _e270;
+            phi_477_ = _e270;
         } else {
-            phi_445_ = 1f;
+            phi_477_ = 1f;
         }
-        let _e274 = phi_445_;
-        phi_446_ = _e274;
+        let _e274 = phi_477_;
+        phi_478_ = _e274;
     } else {
-        phi_446_ = 0f;
+        phi_478_ = 0f;
     }
-    let _e276 = phi_446_;
+    let _e276 = phi_478_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_464_ = _e277;
+            phi_496_ = _e277;
         } else {
-            phi_464_ = _e286;
+            phi_496_ = _e286;
         }
-        let _e289 = phi_464_;
-        phi_503_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_496_;
+        phi_535_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_478_ = _e75;
+            phi_510_ = _e75;
         } else {
-            phi_478_ = _e298;
+            phi_510_ = _e298;
         }
-        let _e301 = phi_478_;
+        let _e301 = phi_510_;
         if (_e204 == 0u) {
-            phi_485_ = _e277;
+            phi_517_ = _e277;
         } else {
-            phi_485_ = 0u;
+            phi_517_ = 0u;
         }
-        let _e306 = phi_485_;
+        let _e306 = phi_517_;
         if (_e204 == 0u) {
-            phi_490_ = 0u;
+            phi_522_ = 0u;
         } else {
-            phi_490_ = _e277;
+            phi_522_ = _e277;
         }
-        let _e309 = phi_490_;
+        let _e309 = phi_522_;
         if (_e301 == 0u) {
-            phi_496_ = _e306;
+            phi_528_ = _e306;
         } else {
-            phi_496_ = (_e301 - 1u);
+            phi_528_ = (_e301 - 1u);
         }
-        let _e313 = phi_496_;
+        let _e313 = phi_528_;
         if (_e301 > _e277) {
-            phi_501_ = _e309;
+            phi_533_ = _e309;
         } else {
-            phi_501_ = _e301;
+            phi_533_ = _e301;
         }
-        let _e316 = phi_501_;
-        phi_503_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_533_;
+        phi_535_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_503_;
-    let _e323 = (*param).offset;
-    let _e330 = (*param).offset;
-    let _e337 = (*param).offset;
-    let _e344 = (*param).offset;
+    let _e319 = phi_535_;
+    let _e323 = (*param_4).offset;
+    let _e330 = (*param_4).offset;
+    let _e337 = (*param_4).offset;
+    let _e344 = (*param_4).offset;
     return texture_TexelQuad(array<u32, 4>(((_e323 + (_e319.low * _e71)) + _e199.low), ((_e330 + (_e319.low * _e71)) + _e199.high), ((_e337 + (_e319.high * _e71)) + _e199.low), ((_e344 + (_e319.high * _e71)) + _e199.high)), vec4<f32>(((1f - _e199.fraction) * (1f - _e319.fraction)), (_e199.fraction * (1f - _e319.fraction)), ((1f - _e199.fraction) * _e319.fraction), (_e199.fraction * _e319.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_562_: bool;
-    var phi_566_: f32;
-
-    if (param_3 != param_3) {
-        phi_562_ = true;
-    } else {
-        let _e69 = (param_4 >= param_3);
-        if _e69 {
-        }
-        phi_562_ = _e69;
-    }
-    let _e71 = phi_562_;
-    if _e71 {
-        phi_566_ = param_4;
-    } else {
-        phi_566_ = param_3;
-    }
-    let _e73 = phi_566_;
-    return _e73;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_578_: bool;
-    var phi_582_: f32;
-
-    if (param_5 != param_5) {
-        phi_578_ = true;
-    } else {
-        let _e69 = (param_6 <= param_5);
-        if _e69 {
-        }
-        phi_578_ = _e69;
-    }
-    let _e71 = phi_578_;
-    if _e71 {
-        phi_582_ = param_6;
-    } else {
-        phi_582_ = param_5;
-    }
-    let _e73 = phi_582_;
-    return _e73;
 }
 
 fn function_() {
@@ -599,117 +600,115 @@ fn function_() {
     var phi_1078_: bool;
     var phi_1109_: u32;
     var phi_1111_: u32;
-    var phi_1192_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1219_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1246_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1252_: u32;
-    var phi_1255_: u32;
-    var phi_1269_: u32;
-    var phi_1279_: u32;
-    var phi_1289_: u32;
-    var phi_1307_: u32;
-    var phi_1317_: u32;
-    var phi_1327_: u32;
-    var phi_1363_: u32;
-    var phi_1376_: u32;
-    var phi_1381_: u32;
-    var phi_1382_: u32;
+    var phi_1114_: bool;
+    var phi_1194_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1221_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1248_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1254_: u32;
+    var phi_1257_: u32;
+    var phi_1271_: u32;
+    var phi_1281_: u32;
+    var phi_1291_: u32;
+    var phi_1309_: u32;
+    var phi_1319_: u32;
+    var phi_1329_: u32;
+    var phi_1365_: u32;
+    var phi_1378_: u32;
     var phi_1383_: u32;
-    var phi_1253_: u32;
-    var phi_1256_: u32;
+    var phi_1384_: u32;
+    var phi_1385_: u32;
+    var phi_1255_: u32;
+    var phi_1258_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1441_: u32;
-    var phi_1486_: vec3<f32>;
-    var phi_1487_: vec3<f32>;
-    var phi_1516_: vec3<f32>;
-    var phi_1517_: vec3<f32>;
-    var phi_1546_: vec3<f32>;
-    var phi_1547_: vec3<f32>;
-    var phi_1565_: bool;
-    var phi_1566_: bool;
-    var phi_1570_: f32;
-    var phi_1571_: f32;
-    var phi_1572_: f32;
-    var phi_1573_: f32;
-    var phi_1581_: f32;
-    var phi_1591_: bool;
-    var phi_1592_: bool;
-    var phi_1596_: f32;
-    var phi_1597_: f32;
-    var phi_1598_: f32;
-    var phi_1599_: f32;
-    var phi_1607_: f32;
-    var phi_1617_: bool;
-    var phi_1618_: bool;
-    var phi_1622_: f32;
-    var phi_1623_: f32;
-    var phi_1624_: f32;
-    var phi_1625_: f32;
-    var phi_1633_: f32;
-    var phi_1648_: f32;
-    var phi_1649_: bool;
-    var phi_1650_: f32;
-    var phi_1651_: bool;
+    var phi_1443_: u32;
+    var phi_1446_: bool;
+    var phi_1490_: vec3<f32>;
+    var phi_1491_: vec3<f32>;
+    var phi_1520_: vec3<f32>;
+    var phi_1521_: vec3<f32>;
+    var phi_1550_: vec3<f32>;
+    var phi_1551_: vec3<f32>;
+    var phi_1569_: bool;
+    var phi_1570_: bool;
+    var phi_1574_: f32;
+    var phi_1575_: f32;
+    var phi_1576_: f32;
+    var phi_1577_: f32;
+    var phi_1585_: f32;
+    var phi_1595_: bool;
+    var phi_1596_: bool;
+    var phi_1600_: f32;
+    var phi_1601_: f32;
+    var phi_1602_: f32;
+    var phi_1603_: f32;
+    var phi_1611_: f32;
+    var phi_1621_: bool;
+    var phi_1622_: bool;
+    var phi_1626_: f32;
+    var phi_1627_: f32;
+    var phi_1628_: f32;
+    var phi_1629_: f32;
+    var phi_1637_: f32;
     var phi_1652_: f32;
     var phi_1653_: bool;
-    var phi_1671_: f32;
-    var phi_1672_: bool;
-    var phi_1673_: bool;
-    var phi_1674_: f32;
-    var phi_1675_: bool;
+    var phi_1654_: f32;
+    var phi_1655_: bool;
+    var phi_1656_: f32;
+    var phi_1657_: bool;
+    var phi_1675_: f32;
     var phi_1676_: bool;
+    var phi_1677_: bool;
+    var phi_1678_: f32;
+    var phi_1679_: bool;
     var phi_1680_: bool;
-    var phi_1681_: f32;
-    var phi_1682_: bool;
-    var phi_1710_: vec3<f32>;
-    var phi_1711_: vec3<f32>;
-    var phi_1736_: vec3<f32>;
-    var phi_1737_: vec3<f32>;
-    var phi_1762_: vec3<f32>;
-    var phi_1763_: vec3<f32>;
-    var phi_1819_: f32;
-    var phi_1828_: f32;
-    var phi_1837_: f32;
-    var phi_1846_: f32;
-    var phi_1853_: f32;
-    var phi_1860_: f32;
-    var phi_1873_: f32;
-    var phi_1882_: f32;
-    var phi_1891_: f32;
-    var phi_1900_: f32;
-    var phi_1907_: f32;
-    var phi_1914_: f32;
-    var phi_1931_: f32;
-    var phi_1936_: f32;
-    var phi_1941_: f32;
-    var phi_1949_: f32;
-    var phi_1954_: f32;
-    var phi_1959_: f32;
-    var phi_1971_: f32;
-    var phi_1976_: f32;
-    var phi_1981_: f32;
-    var phi_1986_: f32;
-    var phi_1991_: lt_bvh_triangle_Intersection;
-    var phi_1992_: bool;
-    var phi_1993_: lt_bvh_triangle_Intersection;
-    var phi_1994_: bool;
-    var phi_1998_: lt_bvh_triangle_Intersection;
-    var phi_1999_: bool;
-    var phi_2000_: lt_bvh_triangle_Intersection;
-    var phi_2001_: bool;
-    var phi_2002_: bool;
+    var phi_1684_: bool;
+    var phi_1685_: f32;
+    var phi_1686_: bool;
+    var phi_1714_: vec3<f32>;
+    var phi_1715_: vec3<f32>;
+    var phi_1740_: vec3<f32>;
+    var phi_1741_: vec3<f32>;
+    var phi_1766_: vec3<f32>;
+    var phi_1767_: vec3<f32>;
+    var phi_1823_: f32;
+    var phi_1832_: f32;
+    var phi_1841_: f32;
+    var phi_1850_: f32;
+    var phi_1857_: f32;
+    var phi_1864_: f32;
+    var phi_1877_: f32;
+    var phi_1886_: f32;
+    var phi_1895_: f32;
+    var phi_1904_: f32;
+    var phi_1911_: f32;
+    var phi_1918_: f32;
+    var phi_1935_: f32;
+    var phi_1940_: f32;
+    var phi_1945_: f32;
+    var phi_1953_: f32;
+    var phi_1958_: f32;
+    var phi_1963_: f32;
+    var phi_1975_: f32;
+    var phi_1980_: f32;
+    var phi_1985_: f32;
+    var phi_1990_: f32;
+    var phi_1995_: lt_bvh_triangle_Intersection;
+    var phi_1996_: bool;
+    var phi_1997_: lt_bvh_triangle_Intersection;
+    var phi_1998_: bool;
+    var phi_2002_: lt_bvh_triangle_Intersection;
+    var phi_2003_: bool;
+    var phi_2004_: lt_bvh_triangle_Intersection;
+    var phi_2005_: bool;
     var phi_2006_: bool;
-    var phi_2010_: lt_bvh_triangle_Intersection;
-    var phi_2224_: f32;
-    var phi_2227_: bool;
-    var phi_2228_: bool;
+    var phi_2010_: bool;
+    var phi_2014_: lt_bvh_triangle_Intersection;
+    var phi_2228_: f32;
+    var phi_2231_: bool;
     var phi_2232_: bool;
     var phi_2233_: bool;
-    var phi_2234_: bool;
-    var phi_2235_: bool;
-    var phi_2236_: bool;
     var phi_2237_: bool;
     var phi_2238_: bool;
     var phi_2239_: bool;
@@ -717,10 +716,11 @@ fn function_() {
     var phi_2241_: bool;
     var phi_2242_: bool;
     var phi_2243_: bool;
-    var phi_2247_: bool;
-    var phi_2248_: bool;
-    var phi_1442_: u32;
-    var phi_2249_: bool;
+    var phi_2244_: bool;
+    var phi_2245_: bool;
+    var phi_2246_: bool;
+    var phi_1444_: u32;
+    var phi_1447_: bool;
     var phi_2250_: bool;
     var phi_2251_: bool;
     var local_5: bool;
@@ -728,23 +728,19 @@ fn function_() {
     var phi_2294_: bool;
     var phi_2325_: u32;
     var phi_2326_: u32;
+    var phi_1112_: u32;
+    var phi_1115_: bool;
     var phi_2327_: bool;
     var phi_2328_: bool;
-    var phi_1112_: u32;
     var phi_2329_: bool;
-    var phi_2330_: bool;
-    var phi_2331_: bool;
-    var phi_2332_: bool;
     var local_6: bool;
-    var phi_2336_: bool;
+    var phi_2333_: bool;
     var phi_2337_: bool;
-    var phi_2341_: bool;
-    var phi_2345_: bool;
-    var phi_2346_: bool;
-    var phi_2347_: bool;
-    var phi_2348_: bool;
-    var phi_2352_: bool;
-    var phi_2356_: f32;
+    var phi_2338_: bool;
+    var phi_2339_: bool;
+    var phi_2340_: bool;
+    var phi_2344_: bool;
+    var phi_2348_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -900,7 +896,7 @@ fn function_() {
         if _e207 {
             let _e208 = (0u >= _e75);
             if _e208 {
-                phi_2346_ = bool();
+                phi_2338_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -1091,987 +1087,967 @@ fn function_() {
                 }
                 let _e518 = phi_1109_;
                 phi_1111_ = _e518;
+                phi_1114_ = false;
                 loop {
                     let _e520 = phi_1111_;
+                    let _e522 = phi_1114_;
+                    local_11 = _e522;
                     if (_e520 != 4294967295u) {
                         if (_e520 < _e75) {
                         } else {
                             return;
                         }
-                        let _e527 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e552 = (bitcast<f32>((((_e527 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
-                        let _e553 = (bitcast<f32>((((_e527 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
-                        let _e554 = (bitcast<f32>((((_e527 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
-                        let _e557 = nodes.member[(0u + _e520)].frame[0u];
-                        let _e561 = nodes.member[(0u + _e520)].frame[1u];
-                        let _e565 = nodes.member[(0u + _e520)].frame[2u];
-                        let _e570 = ((bitcast<f32>(_e557) - _e127) * _e284);
-                        let _e571 = ((bitcast<f32>(_e561) - _e129) * _e294);
-                        let _e572 = ((bitcast<f32>(_e565) - _e131) * _e304);
-                        let _e580 = nodes.member[(0u + _e520)].x;
+                        let _e529 = nodes.member[(0u + _e520)].frame[3u];
+                        let _e554 = (bitcast<f32>((((_e529 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e284);
+                        let _e555 = (bitcast<f32>((((_e529 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
+                        let _e556 = (bitcast<f32>((((_e529 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e559 = nodes.member[(0u + _e520)].frame[0u];
+                        let _e563 = nodes.member[(0u + _e520)].frame[1u];
+                        let _e567 = nodes.member[(0u + _e520)].frame[2u];
+                        let _e572 = ((bitcast<f32>(_e559) - _e127) * _e284);
+                        let _e573 = ((bitcast<f32>(_e563) - _e129) * _e294);
+                        let _e574 = ((bitcast<f32>(_e567) - _e131) * _e304);
+                        let _e582 = nodes.member[(0u + _e520)].x;
                         if (_e284 < 0f) {
-                            let _e591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e591.unnamed.root, _e580.w), _e591.unnamed_1);
-                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e597.unnamed, lt_bvh_traverse_Tree(_e580.x, _e597.unnamed_1.first_primitive));
-                            phi_1192_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e603.unnamed_1.root, _e580.y));
+                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e582.w), _e593.unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e582.x, _e599.unnamed_1.first_primitive));
+                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e582.y));
                         } else {
-                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e619.unnamed.root, _e580.y), _e619.unnamed_1);
-                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e580.z, _e625.unnamed_1.first_primitive));
-                            phi_1192_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e631.unnamed_1.root, _e580.w));
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e582.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.unnamed.root, _e582.y), _e621.unnamed_1);
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e582.z, _e627.unnamed_1.first_primitive));
+                            phi_1194_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e633.unnamed, lt_bvh_traverse_Tree(_e633.unnamed_1.root, _e582.w));
                         }
-                        let _e639 = phi_1192_;
-                        let _e649 = nodes.member[(0u + _e520)].y;
+                        let _e641 = phi_1194_;
+                        let _e651 = nodes.member[(0u + _e520)].y;
                         if (_e294 < 0f) {
-                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e649.w), _e660.unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e649.x, _e666.unnamed_1.first_primitive));
-                            phi_1219_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e649.y));
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e651.w), _e662.unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e651.x, _e668.unnamed_1.first_primitive));
+                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e651.y));
                         } else {
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.unnamed.root, _e649.y), _e688.unnamed_1);
-                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e649.z, _e694.unnamed_1.first_primitive));
-                            phi_1219_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e700.unnamed_1.root, _e649.w));
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.unnamed.root, _e651.y), _e690.unnamed_1);
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e651.z, _e696.unnamed_1.first_primitive));
+                            phi_1221_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e702.unnamed, lt_bvh_traverse_Tree(_e702.unnamed_1.root, _e651.w));
                         }
-                        let _e708 = phi_1219_;
-                        let _e718 = nodes.member[(0u + _e520)].z;
+                        let _e710 = phi_1221_;
+                        let _e720 = nodes.member[(0u + _e520)].z;
                         if (_e304 < 0f) {
-                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e718.w), _e729.unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e718.x, _e735.unnamed_1.first_primitive));
-                            phi_1246_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e718.y));
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e720.w), _e731.unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e720.x, _e737.unnamed_1.first_primitive));
+                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e720.y));
                         } else {
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.unnamed.root, _e718.y), _e757.unnamed_1);
-                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e718.z, _e763.unnamed_1.first_primitive));
-                            phi_1246_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e718.w));
+                            let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e759.unnamed.root, _e720.y), _e759.unnamed_1);
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e720.z, _e765.unnamed_1.first_primitive));
+                            phi_1248_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e771.unnamed, lt_bvh_traverse_Tree(_e771.unnamed_1.root, _e720.w));
                         }
-                        let _e777 = phi_1246_;
-                        phi_1252_ = 0u;
-                        phi_1255_ = 0u;
+                        let _e779 = phi_1248_;
+                        phi_1254_ = 0u;
+                        phi_1257_ = 0u;
                         loop {
-                            let _e787 = phi_1252_;
-                            let _e789 = phi_1255_;
-                            local_2 = _e789;
-                            local_3 = _e789;
-                            local_4 = _e789;
-                            let _e790 = (_e787 < 8u);
-                            if _e790 {
-                                let _e792 = (_e787 >> bitcast<u32>(2i));
-                                let _e793 = (_e787 & 3u);
-                                if (_e792 == 0u) {
-                                    phi_1269_ = _e639.unnamed.root;
+                            let _e789 = phi_1254_;
+                            let _e791 = phi_1257_;
+                            local_2 = _e791;
+                            local_3 = _e791;
+                            local_4 = _e791;
+                            let _e792 = (_e789 < 8u);
+                            if _e792 {
+                                let _e794 = (_e789 >> bitcast<u32>(2i));
+                                let _e795 = (_e789 & 3u);
+                                if (_e794 == 0u) {
+                                    phi_1271_ = _e641.unnamed.root;
                                 } else {
-                                    phi_1269_ = _e639.unnamed.first_primitive;
+                                    phi_1271_ = _e641.unnamed.first_primitive;
                                 }
-                                let _e796 = phi_1269_;
-                                if (_e792 == 0u) {
-                                    phi_1279_ = _e708.unnamed.root;
+                                let _e798 = phi_1271_;
+                                if (_e794 == 0u) {
+                                    phi_1281_ = _e710.unnamed.root;
                                 } else {
-                                    phi_1279_ = _e708.unnamed.first_primitive;
+                                    phi_1281_ = _e710.unnamed.first_primitive;
                                 }
-                                let _e805 = phi_1279_;
-                                if (_e792 == 0u) {
-                                    phi_1289_ = _e777.unnamed.root;
+                                let _e807 = phi_1281_;
+                                if (_e794 == 0u) {
+                                    phi_1291_ = _e779.unnamed.root;
                                 } else {
-                                    phi_1289_ = _e777.unnamed.first_primitive;
+                                    phi_1291_ = _e779.unnamed.first_primitive;
                                 }
-                                let _e814 = phi_1289_;
-                                let _e827 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e796 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e332)), ((f32(((_e805 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e333)));
-                                let _e828 = core_intrinsics_maximum_number_nsz_f32_(_e827, ((f32(((_e814 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e334)));
-                                if (_e792 == 0u) {
-                                    phi_1307_ = _e639.unnamed_1.root;
+                                let _e816 = phi_1291_;
+                                let _e829 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e798 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e332)), ((f32(((_e807 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e555) + (_e573 - _e333)));
+                                let _e830 = core_intrinsics_maximum_number_nsz_f32_(_e829, ((f32(((_e816 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)));
+                                if (_e794 == 0u) {
+                                    phi_1309_ = _e641.unnamed_1.root;
                                 } else {
-                                    phi_1307_ = _e639.unnamed_1.first_primitive;
+                                    phi_1309_ = _e641.unnamed_1.first_primitive;
                                 }
-                                let _e831 = phi_1307_;
-                                if (_e792 == 0u) {
-                                    phi_1317_ = _e708.unnamed_1.root;
+                                let _e833 = phi_1309_;
+                                if (_e794 == 0u) {
+                                    phi_1319_ = _e710.unnamed_1.root;
                                 } else {
-                                    phi_1317_ = _e708.unnamed_1.first_primitive;
+                                    phi_1319_ = _e710.unnamed_1.first_primitive;
                                 }
-                                let _e840 = phi_1317_;
-                                if (_e792 == 0u) {
-                                    phi_1327_ = _e777.unnamed_1.root;
+                                let _e842 = phi_1319_;
+                                if (_e794 == 0u) {
+                                    phi_1329_ = _e779.unnamed_1.root;
                                 } else {
-                                    phi_1327_ = _e777.unnamed_1.first_primitive;
+                                    phi_1329_ = _e779.unnamed_1.first_primitive;
                                 }
-                                let _e849 = phi_1327_;
-                                let _e862 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e831 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e332)), ((f32(((_e840 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e333)));
-                                let _e863 = core_intrinsics_minimum_number_nsz_f32_(_e862, ((f32(((_e849 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e334)));
-                                if (_e828 <= _e863) {
-                                    if (_e828 <= _e135) {
-                                        if (_e863 >= 0f) {
-                                            if (_e792 == 0u) {
-                                                let _e870 = nodes.member[(0u + _e520)].links[2u];
-                                                phi_1363_ = _e870;
+                                let _e851 = phi_1329_;
+                                let _e864 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e833 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e332)), ((f32(((_e842 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e555) + (_e573 + _e333)));
+                                let _e865 = core_intrinsics_minimum_number_nsz_f32_(_e864, ((f32(((_e851 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)));
+                                if (_e830 <= _e865) {
+                                    if (_e830 <= _e135) {
+                                        if (_e865 >= 0f) {
+                                            if (_e794 == 0u) {
+                                                let _e872 = nodes.member[(0u + _e520)].links[2u];
+                                                phi_1365_ = _e872;
                                             } else {
-                                                let _e873 = nodes.member[(0u + _e520)].links[3u];
-                                                phi_1363_ = _e873;
+                                                let _e875 = nodes.member[(0u + _e520)].links[3u];
+                                                phi_1365_ = _e875;
                                             }
-                                            let _e875 = phi_1363_;
-                                            let _e880 = ((_e875 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u);
-                                            let _e881 = (_e880 & 31u);
-                                            if (_e881 >= 24u) {
-                                                phi_1376_ = (24u + ((_e881 - 24u) ^ _e382));
+                                            let _e877 = phi_1365_;
+                                            let _e882 = ((_e877 >> bitcast<u32>(((_e795 * 8u) & 31u))) & 255u);
+                                            let _e883 = (_e882 & 31u);
+                                            if (_e883 >= 24u) {
+                                                phi_1378_ = (24u + ((_e883 - 24u) ^ _e382));
                                             } else {
-                                                phi_1376_ = _e881;
+                                                phi_1378_ = _e883;
                                             }
-                                            let _e887 = phi_1376_;
-                                            phi_1381_ = (_e789 | ((_e880 >> bitcast<u32>(5i)) << bitcast<u32>((_e887 & 31u))));
+                                            let _e889 = phi_1378_;
+                                            phi_1383_ = (_e791 | ((_e882 >> bitcast<u32>(5i)) << bitcast<u32>((_e889 & 31u))));
                                         } else {
-                                            phi_1381_ = _e789;
+                                            phi_1383_ = _e791;
                                         }
-                                        let _e895 = phi_1381_;
-                                        phi_1382_ = _e895;
+                                        let _e897 = phi_1383_;
+                                        phi_1384_ = _e897;
                                     } else {
-                                        phi_1382_ = _e789;
+                                        phi_1384_ = _e791;
                                     }
-                                    let _e897 = phi_1382_;
-                                    phi_1383_ = _e897;
+                                    let _e899 = phi_1384_;
+                                    phi_1385_ = _e899;
                                 } else {
-                                    phi_1383_ = _e789;
+                                    phi_1385_ = _e791;
                                 }
-                                let _e899 = phi_1383_;
-                                phi_1253_ = (_e787 + 1u);
-                                phi_1256_ = _e899;
+                                let _e901 = phi_1385_;
+                                phi_1255_ = (_e789 + 1u);
+                                phi_1258_ = _e901;
                             } else {
-                                phi_1253_ = u32();
-                                phi_1256_ = u32();
+                                phi_1255_ = u32();
+                                phi_1258_ = u32();
                             }
-                            let _e902 = phi_1253_;
-                            let _e904 = phi_1256_;
+                            let _e904 = phi_1255_;
+                            let _e906 = phi_1258_;
                             continue;
                             continuing {
-                                phi_1252_ = _e902;
-                                phi_1255_ = _e904;
-                                break if !(_e790);
+                                phi_1254_ = _e904;
+                                phi_1257_ = _e906;
+                                break if !(_e792);
                             }
                         }
-                        let _e908 = nodes.member[(0u + _e520)].links[0u];
-                        let _e912 = nodes.member[(0u + _e520)].frame[3u];
-                        let _e916 = local_2;
-                        if ((_e916 & 4278190080u) == 0u) {
+                        let _e910 = nodes.member[(0u + _e520)].links[0u];
+                        let _e914 = nodes.member[(0u + _e520)].frame[3u];
+                        let _e918 = local_2;
+                        if ((_e918 & 4278190080u) == 0u) {
                         } else {
-                            let _e920 = local_1.group_mask;
-                            if ((_e920 & 4278190080u) == 0u) {
+                            let _e922 = local_1.group_mask;
+                            if ((_e922 & 4278190080u) == 0u) {
                             } else {
-                                let _e924 = local_1.len;
-                                if (_e924 < 32u) {
-                                    let _e927 = local_1.group;
-                                    let _e929 = local_1.len;
-                                    if (_e929 < 32u) {
+                                let _e926 = local_1.len;
+                                if (_e926 < 32u) {
+                                    let _e929 = local_1.group;
+                                    let _e931 = local_1.len;
+                                    if (_e931 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e929)] = _e927;
-                                    let _e935 = local_1.group_mask;
-                                    let _e937 = local_1.len;
-                                    if (_e937 < 32u) {
+                                    local_1.first[(0u + _e931)] = _e929;
+                                    let _e937 = local_1.group_mask;
+                                    let _e939 = local_1.len;
+                                    if (_e939 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e937)] = _e935;
-                                    let _e944 = local_1.len;
-                                    local_1.len = (_e944 + 1u);
+                                    local_1.mask[(0u + _e939)] = _e937;
+                                    let _e946 = local_1.len;
+                                    local_1.len = (_e946 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e908);
-                            let _e948 = local_3;
-                            local_1.group_mask = ((_e948 & 4278190080u) | (_e912 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e910);
+                            let _e950 = local_3;
+                            local_1.group_mask = ((_e950 & 4278190080u) | (_e914 >> bitcast<u32>(24i)));
                         }
-                        let _e953 = local_4;
-                        phi_1441_ = (_e953 & 16777215u);
+                        let _e955 = local_4;
+                        phi_1443_ = (_e955 & 16777215u);
+                        phi_1446_ = _e522;
                         loop {
-                            let _e956 = phi_1441_;
-                            let _e957 = (_e956 == 0u);
-                            local_5 = _e957;
-                            local_9 = _e957;
-                            if _e957 {
-                                phi_1442_ = u32();
-                                phi_2249_ = false;
-                                phi_2250_ = false;
+                            let _e958 = phi_1443_;
+                            let _e960 = phi_1446_;
+                            local_7 = _e960;
+                            let _e961 = (_e958 == 0u);
+                            local_5 = _e961;
+                            local_9 = _e961;
+                            if _e961 {
+                                phi_1444_ = u32();
+                                phi_1447_ = bool();
+                                phi_2250_ = bool();
                                 phi_2251_ = false;
                             } else {
-                                let _e960 = nodes.member[(0u + _e520)].links[1u];
-                                let _e965 = ((0u + _e960) + select(firstTrailingBit(_e956), 32u, (_e956 == 0u)));
-                                if (_e965 < _e78) {
+                                let _e964 = nodes.member[(0u + _e520)].links[1u];
+                                let _e969 = ((0u + _e964) + select(firstTrailingBit(_e958), 32u, (_e958 == 0u)));
+                                if (_e969 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e972 = triangles.member[(0u + _e965)].v0_;
-                                let _e974 = (_e972.x - _e127);
-                                let _e976 = (_e972.y - _e129);
-                                let _e978 = (_e972.z - _e131);
+                                let _e976 = triangles.member[(0u + _e969)].v0_;
+                                let _e978 = (_e976.x - _e127);
+                                let _e980 = (_e976.y - _e129);
+                                let _e982 = (_e976.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1487_ = vec3<f32>(_e976, _e978, _e974);
+                                    phi_1491_ = vec3<f32>(_e980, _e982, _e978);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1486_ = vec3<f32>(_e978, _e974, _e976);
+                                        phi_1490_ = vec3<f32>(_e982, _e978, _e980);
                                     } else {
-                                        phi_1486_ = (_e972 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1490_ = (_e976 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e986 = phi_1486_;
-                                    phi_1487_ = _e986;
+                                    let _e990 = phi_1490_;
+                                    phi_1491_ = _e990;
                                 }
-                                let _e988 = phi_1487_;
-                                let _e992 = (_e988.x - (_e366 * _e988.z));
-                                let _e996 = (_e988.y - (_e369 * _e988.z));
-                                let _e998 = triangles.member[(0u + _e965)].v1_;
-                                let _e1000 = (_e998.x - _e127);
-                                let _e1002 = (_e998.y - _e129);
-                                let _e1004 = (_e998.z - _e131);
+                                let _e992 = phi_1491_;
+                                let _e996 = (_e992.x - (_e366 * _e992.z));
+                                let _e1000 = (_e992.y - (_e369 * _e992.z));
+                                let _e1002 = triangles.member[(0u + _e969)].v1_;
+                                let _e1004 = (_e1002.x - _e127);
+                                let _e1006 = (_e1002.y - _e129);
+                                let _e1008 = (_e1002.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1517_ = vec3<f32>(_e1002, _e1004, _e1000);
+                                    phi_1521_ = vec3<f32>(_e1006, _e1008, _e1004);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1516_ = vec3<f32>(_e1004, _e1000, _e1002);
+                                        phi_1520_ = vec3<f32>(_e1008, _e1004, _e1006);
                                     } else {
-                                        phi_1516_ = (_e998 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1520_ = (_e1002 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1012 = phi_1516_;
-                                    phi_1517_ = _e1012;
+                                    let _e1016 = phi_1520_;
+                                    phi_1521_ = _e1016;
                                 }
-                                let _e1014 = phi_1517_;
-                                let _e1018 = (_e1014.x - (_e366 * _e1014.z));
-                                let _e1022 = (_e1014.y - (_e369 * _e1014.z));
-                                let _e1024 = triangles.member[(0u + _e965)].v2_;
-                                let _e1026 = (_e1024.x - _e127);
-                                let _e1028 = (_e1024.y - _e129);
-                                let _e1030 = (_e1024.z - _e131);
+                                let _e1018 = phi_1521_;
+                                let _e1022 = (_e1018.x - (_e366 * _e1018.z));
+                                let _e1026 = (_e1018.y - (_e369 * _e1018.z));
+                                let _e1028 = triangles.member[(0u + _e969)].v2_;
+                                let _e1030 = (_e1028.x - _e127);
+                                let _e1032 = (_e1028.y - _e129);
+                                let _e1034 = (_e1028.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1547_ = vec3<f32>(_e1028, _e1030, _e1026);
+                                    phi_1551_ = vec3<f32>(_e1032, _e1034, _e1030);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1546_ = vec3<f32>(_e1030, _e1026, _e1028);
+                                        phi_1550_ = vec3<f32>(_e1034, _e1030, _e1032);
                                     } else {
-                                        phi_1546_ = (_e1024 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1550_ = (_e1028 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1038 = phi_1546_;
-                                    phi_1547_ = _e1038;
+                                    let _e1042 = phi_1550_;
+                                    phi_1551_ = _e1042;
                                 }
-                                let _e1040 = phi_1547_;
-                                let _e1044 = (_e1040.x - (_e366 * _e1040.z));
-                                let _e1048 = (_e1040.y - (_e369 * _e1040.z));
-                                if (_e1018 < _e1044) {
-                                    phi_1566_ = true;
+                                let _e1044 = phi_1551_;
+                                let _e1048 = (_e1044.x - (_e366 * _e1044.z));
+                                let _e1052 = (_e1044.y - (_e369 * _e1044.z));
+                                if (_e1022 < _e1048) {
+                                    phi_1570_ = true;
                                 } else {
-                                    if (_e1018 == _e1044) {
-                                        phi_1565_ = (_e1022 < _e1048);
+                                    if (_e1022 == _e1048) {
+                                        phi_1569_ = (_e1026 < _e1052);
                                     } else {
-                                        phi_1565_ = false;
+                                        phi_1569_ = false;
                                     }
-                                    let _e1053 = phi_1565_;
-                                    phi_1566_ = _e1053;
+                                    let _e1057 = phi_1569_;
+                                    phi_1570_ = _e1057;
                                 }
-                                let _e1055 = phi_1566_;
-                                if _e1055 {
-                                    phi_1570_ = _e1048;
-                                    phi_1571_ = _e1044;
-                                    phi_1572_ = _e1022;
-                                    phi_1573_ = _e1018;
+                                let _e1059 = phi_1570_;
+                                if _e1059 {
+                                    phi_1574_ = _e1052;
+                                    phi_1575_ = _e1048;
+                                    phi_1576_ = _e1026;
+                                    phi_1577_ = _e1022;
                                 } else {
-                                    phi_1570_ = _e1022;
-                                    phi_1571_ = _e1018;
-                                    phi_1572_ = _e1048;
-                                    phi_1573_ = _e1044;
+                                    phi_1574_ = _e1026;
+                                    phi_1575_ = _e1022;
+                                    phi_1576_ = _e1052;
+                                    phi_1577_ = _e1048;
                                 }
-                                let _e1057 = phi_1570_;
-                                let _e1059 = phi_1571_;
-                                let _e1061 = phi_1572_;
-                                let _e1063 = phi_1573_;
-                                let _e1066 = ((_e1063 * _e1057) - (_e1061 * _e1059));
-                                if _e1055 {
-                                    phi_1581_ = -(_e1066);
+                                let _e1061 = phi_1574_;
+                                let _e1063 = phi_1575_;
+                                let _e1065 = phi_1576_;
+                                let _e1067 = phi_1577_;
+                                let _e1070 = ((_e1067 * _e1061) - (_e1065 * _e1063));
+                                if _e1059 {
+                                    phi_1585_ = -(_e1070);
                                 } else {
-                                    phi_1581_ = _e1066;
+                                    phi_1585_ = _e1070;
                                 }
-                                let _e1069 = phi_1581_;
-                                if (_e1044 < _e992) {
-                                    phi_1592_ = true;
+                                let _e1073 = phi_1585_;
+                                if (_e1048 < _e996) {
+                                    phi_1596_ = true;
                                 } else {
-                                    if (_e1044 == _e992) {
-                                        phi_1591_ = (_e1048 < _e996);
+                                    if (_e1048 == _e996) {
+                                        phi_1595_ = (_e1052 < _e1000);
                                     } else {
-                                        phi_1591_ = false;
+                                        phi_1595_ = false;
                                     }
-                                    let _e1074 = phi_1591_;
-                                    phi_1592_ = _e1074;
+                                    let _e1078 = phi_1595_;
+                                    phi_1596_ = _e1078;
                                 }
-                                let _e1076 = phi_1592_;
-                                if _e1076 {
-                                    phi_1596_ = _e996;
-                                    phi_1597_ = _e992;
-                                    phi_1598_ = _e1048;
-                                    phi_1599_ = _e1044;
+                                let _e1080 = phi_1596_;
+                                if _e1080 {
+                                    phi_1600_ = _e1000;
+                                    phi_1601_ = _e996;
+                                    phi_1602_ = _e1052;
+                                    phi_1603_ = _e1048;
                                 } else {
-                                    phi_1596_ = _e1048;
-                                    phi_1597_ = _e1044;
-                                    phi_1598_ = _e996;
-                                    phi_1599_ = _e992;
+                                    phi_1600_ = _e1052;
+                                    phi_1601_ = _e1048;
+                                    phi_1602_ = _e1000;
+                                    phi_1603_ = _e996;
                                 }
-                                let _e1078 = phi_1596_;
-                                let _e1080 = phi_1597_;
-                                let _e1082 = phi_1598_;
-                                let _e1084 = phi_1599_;
-                                let _e1087 = ((_e1084 * _e1078) - (_e1082 * _e1080));
-                                if _e1076 {
-                                    phi_1607_ = -(_e1087);
+                                let _e1082 = phi_1600_;
+                                let _e1084 = phi_1601_;
+                                let _e1086 = phi_1602_;
+                                let _e1088 = phi_1603_;
+                                let _e1091 = ((_e1088 * _e1082) - (_e1086 * _e1084));
+                                if _e1080 {
+                                    phi_1611_ = -(_e1091);
                                 } else {
-                                    phi_1607_ = _e1087;
+                                    phi_1611_ = _e1091;
                                 }
-                                let _e1090 = phi_1607_;
-                                if (_e992 < _e1018) {
-                                    phi_1618_ = true;
+                                let _e1094 = phi_1611_;
+                                if (_e996 < _e1022) {
+                                    phi_1622_ = true;
                                 } else {
-                                    if (_e992 == _e1018) {
-                                        phi_1617_ = (_e996 < _e1022);
+                                    if (_e996 == _e1022) {
+                                        phi_1621_ = (_e1000 < _e1026);
                                     } else {
-                                        phi_1617_ = false;
+                                        phi_1621_ = false;
                                     }
-                                    let _e1095 = phi_1617_;
-                                    phi_1618_ = _e1095;
+                                    let _e1099 = phi_1621_;
+                                    phi_1622_ = _e1099;
                                 }
-                                let _e1097 = phi_1618_;
-                                if _e1097 {
-                                    phi_1622_ = _e1022;
-                                    phi_1623_ = _e1018;
-                                    phi_1624_ = _e996;
-                                    phi_1625_ = _e992;
+                                let _e1101 = phi_1622_;
+                                if _e1101 {
+                                    phi_1626_ = _e1026;
+                                    phi_1627_ = _e1022;
+                                    phi_1628_ = _e1000;
+                                    phi_1629_ = _e996;
                                 } else {
-                                    phi_1622_ = _e996;
-                                    phi_1623_ = _e992;
-                                    phi_1624_ = _e1022;
-                                    phi_1625_ = _e1018;
+                                    phi_1626_ = _e1000;
+                                    phi_1627_ = _e996;
+                                    phi_1628_ = _e1026;
+                                    phi_1629_ = _e1022;
                                 }
-                                let _e1099 = phi_1622_;
-                                let _e1101 = phi_1623_;
-                                let _e1103 = phi_1624_;
-                                let _e1105 = phi_1625_;
-                                let _e1108 = ((_e1105 * _e1099) - (_e1103 * _e1101));
-                                if _e1097 {
-                                    phi_1633_ = -(_e1108);
+                                let _e1103 = phi_1626_;
+                                let _e1105 = phi_1627_;
+                                let _e1107 = phi_1628_;
+                                let _e1109 = phi_1629_;
+                                let _e1112 = ((_e1109 * _e1103) - (_e1107 * _e1105));
+                                if _e1101 {
+                                    phi_1637_ = -(_e1112);
                                 } else {
-                                    phi_1633_ = _e1108;
+                                    phi_1637_ = _e1112;
                                 }
-                                let _e1111 = phi_1633_;
-                                if (_e1069 >= 0f) {
-                                    if (_e1090 >= 0f) {
-                                        if (_e1111 >= 0f) {
-                                            phi_1648_ = ((_e1069 + _e1090) + _e1111);
-                                            phi_1649_ = false;
+                                let _e1115 = phi_1637_;
+                                if (_e1073 >= 0f) {
+                                    if (_e1094 >= 0f) {
+                                        if (_e1115 >= 0f) {
+                                            phi_1652_ = ((_e1073 + _e1094) + _e1115);
+                                            phi_1653_ = false;
                                         } else {
-                                            phi_1648_ = f32();
-                                            phi_1649_ = true;
+                                            phi_1652_ = f32();
+                                            phi_1653_ = true;
                                         }
-                                        let _e1118 = phi_1648_;
-                                        let _e1120 = phi_1649_;
-                                        phi_1650_ = _e1118;
-                                        phi_1651_ = _e1120;
+                                        let _e1122 = phi_1652_;
+                                        let _e1124 = phi_1653_;
+                                        phi_1654_ = _e1122;
+                                        phi_1655_ = _e1124;
                                     } else {
-                                        phi_1650_ = f32();
-                                        phi_1651_ = true;
+                                        phi_1654_ = f32();
+                                        phi_1655_ = true;
                                     }
-                                    let _e1122 = phi_1650_;
-                                    let _e1124 = phi_1651_;
-                                    phi_1652_ = _e1122;
-                                    phi_1653_ = _e1124;
+                                    let _e1126 = phi_1654_;
+                                    let _e1128 = phi_1655_;
+                                    phi_1656_ = _e1126;
+                                    phi_1657_ = _e1128;
                                 } else {
-                                    phi_1652_ = f32();
-                                    phi_1653_ = true;
+                                    phi_1656_ = f32();
+                                    phi_1657_ = true;
                                 }
-                                let _e1126 = phi_1652_;
-                                let _e1128 = phi_1653_;
-                                if _e1128 {
-                                    if (_e1069 <= 0f) {
-                                        if (_e1090 <= 0f) {
-                                            let _e1131 = (_e1111 <= 0f);
-                                            if _e1131 {
+                                let _e1130 = phi_1656_;
+                                let _e1132 = phi_1657_;
+                                if _e1132 {
+                                    if (_e1073 <= 0f) {
+                                        if (_e1094 <= 0f) {
+                                            let _e1135 = (_e1115 <= 0f);
+                                            if _e1135 {
                                             }
-                                            phi_1671_ = ((_e1069 + _e1090) + _e1111);
-                                            phi_1672_ = false;
-                                            phi_1673_ = _e1131;
+                                            phi_1675_ = ((_e1073 + _e1094) + _e1115);
+                                            phi_1676_ = false;
+                                            phi_1677_ = _e1135;
                                         } else {
-                                            phi_1671_ = f32();
-                                            phi_1672_ = true;
-                                            phi_1673_ = false;
+                                            phi_1675_ = f32();
+                                            phi_1676_ = true;
+                                            phi_1677_ = false;
                                         }
-                                        let _e1135 = phi_1671_;
-                                        let _e1137 = phi_1672_;
-                                        let _e1139 = phi_1673_;
-                                        phi_1674_ = _e1135;
-                                        phi_1675_ = _e1137;
-                                        phi_1676_ = _e1139;
+                                        let _e1139 = phi_1675_;
+                                        let _e1141 = phi_1676_;
+                                        let _e1143 = phi_1677_;
+                                        phi_1678_ = _e1139;
+                                        phi_1679_ = _e1141;
+                                        phi_1680_ = _e1143;
                                     } else {
-                                        phi_1674_ = f32();
-                                        phi_1675_ = true;
-                                        phi_1676_ = false;
-                                    }
-                                    let _e1141 = phi_1674_;
-                                    let _e1143 = phi_1675_;
-                                    let _e1145 = phi_1676_;
-                                    if _e1143 {
+                                        phi_1678_ = f32();
+                                        phi_1679_ = true;
                                         phi_1680_ = false;
-                                    } else {
-                                        phi_1680_ = _e1145;
                                     }
-                                    let _e1147 = phi_1680_;
-                                    phi_1681_ = _e1141;
-                                    phi_1682_ = _e1147;
-                                } else {
-                                    phi_1681_ = _e1126;
-                                    phi_1682_ = true;
-                                }
-                                let _e1149 = phi_1681_;
-                                let _e1151 = phi_1682_;
-                                if _e1151 {
-                                    let _e1152 = (_e1149 == 0f);
-                                    if _e1152 {
-                                        phi_1998_ = lt_bvh_triangle_Intersection();
-                                        phi_1999_ = false;
+                                    let _e1145 = phi_1678_;
+                                    let _e1147 = phi_1679_;
+                                    let _e1149 = phi_1680_;
+                                    if _e1147 {
+                                        phi_1684_ = false;
                                     } else {
-                                        let _e1154 = triangles.member[(0u + _e965)].v0_;
-                                        let _e1156 = (_e1154.x - _e127);
-                                        let _e1158 = (_e1154.y - _e129);
-                                        let _e1160 = (_e1154.z - _e131);
-                                        if (_e355 == 0u) {
-                                            phi_1711_ = vec3<f32>(_e1158, _e1160, _e1156);
-                                        } else {
-                                            if (_e355 == 1u) {
-                                                phi_1710_ = vec3<f32>(_e1160, _e1156, _e1158);
-                                            } else {
-                                                phi_1710_ = (_e1154 - vec3<f32>(_e127, _e129, _e131));
-                                            }
-                                            let _e1168 = phi_1710_;
-                                            phi_1711_ = _e1168;
-                                        }
-                                        let _e1170 = phi_1711_;
-                                        let _e1172 = triangles.member[(0u + _e965)].v1_;
-                                        let _e1174 = triangles.member[(0u + _e965)].v0_;
-                                        let _e1177 = (_e1172.x - _e1174.x);
-                                        let _e1180 = (_e1172.y - _e1174.y);
-                                        let _e1183 = (_e1172.z - _e1174.z);
-                                        if (_e355 == 0u) {
-                                            phi_1737_ = vec3<f32>(_e1180, _e1183, _e1177);
-                                        } else {
-                                            if (_e355 == 1u) {
-                                                phi_1736_ = vec3<f32>(_e1183, _e1177, _e1180);
-                                            } else {
-                                                phi_1736_ = (_e1172 - _e1174);
-                                            }
-                                            let _e1190 = phi_1736_;
-                                            phi_1737_ = _e1190;
-                                        }
-                                        let _e1192 = phi_1737_;
-                                        let _e1194 = triangles.member[(0u + _e965)].v2_;
-                                        let _e1196 = triangles.member[(0u + _e965)].v0_;
-                                        let _e1199 = (_e1194.x - _e1196.x);
-                                        let _e1202 = (_e1194.y - _e1196.y);
-                                        let _e1205 = (_e1194.z - _e1196.z);
-                                        if (_e355 == 0u) {
-                                            phi_1763_ = vec3<f32>(_e1202, _e1205, _e1199);
-                                        } else {
-                                            if (_e355 == 1u) {
-                                                phi_1762_ = vec3<f32>(_e1205, _e1199, _e1202);
-                                            } else {
-                                                phi_1762_ = (_e1194 - _e1196);
-                                            }
-                                            let _e1212 = phi_1762_;
-                                            phi_1763_ = _e1212;
-                                        }
-                                        let _e1214 = phi_1763_;
-                                        let _e1221 = ((_e1192.y * _e1214.z) - (_e1192.z * _e1214.y));
-                                        let _e1228 = ((_e1192.z * _e1214.x) - (_e1192.x * _e1214.z));
-                                        let _e1235 = ((_e1192.x * _e1214.y) - (_e1192.y * _e1214.x));
-                                        let _e1249 = (((1f / _e363.z) * (((_e1221 * _e1170.x) + (_e1228 * _e1170.y)) + (_e1235 * _e1170.z))) / (((_e1221 * _e366) + (_e1228 * _e369)) + _e1235));
-                                        if (_e1249 > 0f) {
-                                            if (_e1249 < _e135) {
-                                                let _e1253 = triangles.member[(0u + _e965)].v0_;
-                                                let _e1255 = triangles.member[(0u + _e965)].v1_;
-                                                if (_e1253.x < _e1255.x) {
-                                                    phi_1819_ = _e1253.x;
-                                                } else {
-                                                    phi_1819_ = _e1255.x;
-                                                }
-                                                let _e1262 = phi_1819_;
-                                                if (_e1253.y < _e1255.y) {
-                                                    phi_1828_ = _e1253.y;
-                                                } else {
-                                                    phi_1828_ = _e1255.y;
-                                                }
-                                                let _e1269 = phi_1828_;
-                                                if (_e1253.z < _e1255.z) {
-                                                    phi_1837_ = _e1253.z;
-                                                } else {
-                                                    phi_1837_ = _e1255.z;
-                                                }
-                                                let _e1276 = phi_1837_;
-                                                let _e1278 = triangles.member[(0u + _e965)].v2_;
-                                                if (_e1262 < _e1278.x) {
-                                                    phi_1846_ = _e1262;
-                                                } else {
-                                                    phi_1846_ = _e1278.x;
-                                                }
-                                                let _e1283 = phi_1846_;
-                                                if (_e1269 < _e1278.y) {
-                                                    phi_1853_ = _e1269;
-                                                } else {
-                                                    phi_1853_ = _e1278.y;
-                                                }
-                                                let _e1288 = phi_1853_;
-                                                if (_e1276 < _e1278.z) {
-                                                    phi_1860_ = _e1276;
-                                                } else {
-                                                    phi_1860_ = _e1278.z;
-                                                }
-                                                let _e1293 = phi_1860_;
-                                                let _e1295 = triangles.member[(0u + _e965)].v0_;
-                                                let _e1297 = triangles.member[(0u + _e965)].v1_;
-                                                if (_e1295.x > _e1297.x) {
-                                                    phi_1873_ = _e1295.x;
-                                                } else {
-                                                    phi_1873_ = _e1297.x;
-                                                }
-                                                let _e1304 = phi_1873_;
-                                                if (_e1295.y > _e1297.y) {
-                                                    phi_1882_ = _e1295.y;
-                                                } else {
-                                                    phi_1882_ = _e1297.y;
-                                                }
-                                                let _e1311 = phi_1882_;
-                                                if (_e1295.z > _e1297.z) {
-                                                    phi_1891_ = _e1295.z;
-                                                } else {
-                                                    phi_1891_ = _e1297.z;
-                                                }
-                                                let _e1318 = phi_1891_;
-                                                let _e1320 = triangles.member[(0u + _e965)].v2_;
-                                                if (_e1304 > _e1320.x) {
-                                                    phi_1900_ = _e1304;
-                                                } else {
-                                                    phi_1900_ = _e1320.x;
-                                                }
-                                                let _e1325 = phi_1900_;
-                                                if (_e1311 > _e1320.y) {
-                                                    phi_1907_ = _e1311;
-                                                } else {
-                                                    phi_1907_ = _e1320.y;
-                                                }
-                                                let _e1330 = phi_1907_;
-                                                if (_e1318 > _e1320.z) {
-                                                    phi_1914_ = _e1318;
-                                                } else {
-                                                    phi_1914_ = _e1320.z;
-                                                }
-                                                let _e1335 = phi_1914_;
-                                                let _e1339 = ((_e1283 - _e127) * _e284);
-                                                let _e1340 = ((_e1288 - _e129) * _e294);
-                                                let _e1341 = ((_e1293 - _e131) * _e304);
-                                                let _e1345 = ((_e1325 - _e127) * _e284);
-                                                let _e1346 = ((_e1330 - _e129) * _e294);
-                                                let _e1347 = ((_e1335 - _e131) * _e304);
-                                                if (_e1339 < _e1345) {
-                                                    phi_1931_ = _e1339;
-                                                } else {
-                                                    phi_1931_ = _e1345;
-                                                }
-                                                let _e1350 = phi_1931_;
-                                                if (_e1340 < _e1346) {
-                                                    phi_1936_ = _e1340;
-                                                } else {
-                                                    phi_1936_ = _e1346;
-                                                }
-                                                let _e1353 = phi_1936_;
-                                                if (_e1341 < _e1347) {
-                                                    phi_1941_ = _e1341;
-                                                } else {
-                                                    phi_1941_ = _e1347;
-                                                }
-                                                let _e1356 = phi_1941_;
-                                                if (_e1339 > _e1345) {
-                                                    phi_1949_ = _e1339;
-                                                } else {
-                                                    phi_1949_ = _e1345;
-                                                }
-                                                let _e1362 = phi_1949_;
-                                                if (_e1340 > _e1346) {
-                                                    phi_1954_ = _e1340;
-                                                } else {
-                                                    phi_1954_ = _e1346;
-                                                }
-                                                let _e1365 = phi_1954_;
-                                                if (_e1341 > _e1347) {
-                                                    phi_1959_ = _e1341;
-                                                } else {
-                                                    phi_1959_ = _e1347;
-                                                }
-                                                let _e1368 = phi_1959_;
-                                                let _e1372 = core_intrinsics_maximum_number_nsz_f32_((_e1350 - _e339), (_e1353 - _e340));
-                                                let _e1373 = core_intrinsics_maximum_number_nsz_f32_(_e1372, (_e1356 - _e341));
-                                                let _e1374 = core_intrinsics_minimum_number_nsz_f32_((_e1362 + _e339), (_e1365 + _e340));
-                                                let _e1375 = core_intrinsics_minimum_number_nsz_f32_(_e1374, (_e1368 + _e341));
-                                                if (_e1373 > -300000000000000000000000000000000000000f) {
-                                                    phi_1971_ = _e1373;
-                                                } else {
-                                                    phi_1971_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1378 = phi_1971_;
-                                                if (_e1375 < 300000000000000000000000000000000000000f) {
-                                                    phi_1976_ = _e1375;
-                                                } else {
-                                                    phi_1976_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1381 = phi_1976_;
-                                                if (_e1249 < _e1378) {
-                                                    phi_1981_ = _e1378;
-                                                } else {
-                                                    phi_1981_ = _e1249;
-                                                }
-                                                let _e1384 = phi_1981_;
-                                                if (_e1384 > _e1381) {
-                                                    phi_1986_ = _e1381;
-                                                } else {
-                                                    phi_1986_ = _e1384;
-                                                }
-                                                let _e1387 = phi_1986_;
-                                                phi_1991_ = lt_bvh_triangle_Intersection(_e1387, (_e1090 / _e1149), (_e1111 / _e1149), (_e1378 <= _e1381));
-                                                phi_1992_ = false;
-                                            } else {
-                                                phi_1991_ = lt_bvh_triangle_Intersection();
-                                                phi_1992_ = true;
-                                            }
-                                            let _e1393 = phi_1991_;
-                                            let _e1395 = phi_1992_;
-                                            phi_1993_ = _e1393;
-                                            phi_1994_ = _e1395;
-                                        } else {
-                                            phi_1993_ = lt_bvh_triangle_Intersection();
-                                            phi_1994_ = true;
-                                        }
-                                        let _e1397 = phi_1993_;
-                                        let _e1399 = phi_1994_;
-                                        if _e1399 {
-                                        }
-                                        phi_1998_ = _e1397;
-                                        phi_1999_ = _e1399;
+                                        phi_1684_ = _e1149;
                                     }
-                                    let _e1401 = phi_1998_;
-                                    let _e1403 = phi_1999_;
-                                    phi_2000_ = _e1401;
-                                    phi_2001_ = _e1152;
-                                    phi_2002_ = _e1403;
+                                    let _e1151 = phi_1684_;
+                                    phi_1685_ = _e1145;
+                                    phi_1686_ = _e1151;
                                 } else {
-                                    phi_2000_ = lt_bvh_triangle_Intersection();
-                                    phi_2001_ = true;
-                                    phi_2002_ = false;
+                                    phi_1685_ = _e1130;
+                                    phi_1686_ = true;
                                 }
-                                let _e1405 = phi_2000_;
-                                let _e1407 = phi_2001_;
-                                let _e1409 = phi_2002_;
-                                if _e1407 {
-                                    phi_2006_ = true;
+                                let _e1153 = phi_1685_;
+                                let _e1155 = phi_1686_;
+                                if _e1155 {
+                                    let _e1156 = (_e1153 == 0f);
+                                    if _e1156 {
+                                        phi_2002_ = lt_bvh_triangle_Intersection();
+                                        phi_2003_ = false;
+                                    } else {
+                                        let _e1158 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1160 = (_e1158.x - _e127);
+                                        let _e1162 = (_e1158.y - _e129);
+                                        let _e1164 = (_e1158.z - _e131);
+                                        if (_e355 == 0u) {
+                                            phi_1715_ = vec3<f32>(_e1162, _e1164, _e1160);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1714_ = vec3<f32>(_e1164, _e1160, _e1162);
+                                            } else {
+                                                phi_1714_ = (_e1158 - vec3<f32>(_e127, _e129, _e131));
+                                            }
+                                            let _e1172 = phi_1714_;
+                                            phi_1715_ = _e1172;
+                                        }
+                                        let _e1174 = phi_1715_;
+                                        let _e1176 = triangles.member[(0u + _e969)].v1_;
+                                        let _e1178 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1181 = (_e1176.x - _e1178.x);
+                                        let _e1184 = (_e1176.y - _e1178.y);
+                                        let _e1187 = (_e1176.z - _e1178.z);
+                                        if (_e355 == 0u) {
+                                            phi_1741_ = vec3<f32>(_e1184, _e1187, _e1181);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1740_ = vec3<f32>(_e1187, _e1181, _e1184);
+                                            } else {
+                                                phi_1740_ = (_e1176 - _e1178);
+                                            }
+                                            let _e1194 = phi_1740_;
+                                            phi_1741_ = _e1194;
+                                        }
+                                        let _e1196 = phi_1741_;
+                                        let _e1198 = triangles.member[(0u + _e969)].v2_;
+                                        let _e1200 = triangles.member[(0u + _e969)].v0_;
+                                        let _e1203 = (_e1198.x - _e1200.x);
+                                        let _e1206 = (_e1198.y - _e1200.y);
+                                        let _e1209 = (_e1198.z - _e1200.z);
+                                        if (_e355 == 0u) {
+                                            phi_1767_ = vec3<f32>(_e1206, _e1209, _e1203);
+                                        } else {
+                                            if (_e355 == 1u) {
+                                                phi_1766_ = vec3<f32>(_e1209, _e1203, _e1206);
+                                            } else {
+                                                phi_1766_ = (_e1198 - _e1200);
+                                            }
+                                            let _e1216 = phi_1766_;
+                                            phi_1767_ = _e1216;
+                                        }
+                                        let _e1218 = phi_1767_;
+                                        let _e1225 = ((_e1196.y * _e1218.z) - (_e1196.z * _e1218.y));
+                                        let _e1232 = ((_e1196.z * _e1218.x) - (_e1196.x * _e1218.z));
+                                        let _e1239 = ((_e1196.x * _e1218.y) - (_e1196.y * _e1218.x));
+                                        let _e1253 = (((1f / _e363.z) * (((_e1225 * _e1174.x) + (_e1232 * _e1174.y)) + (_e1239 * _e1174.z))) / (((_e1225 * _e366) + (_e1232 * _e369)) + _e1239));
+                                        if (_e1253 > 0f) {
+                                            if (_e1253 < _e135) {
+                                                let _e1257 = triangles.member[(0u + _e969)].v0_;
+                                                let _e1259 = triangles.member[(0u + _e969)].v1_;
+                                                if (_e1257.x < _e1259.x) {
+                                                    phi_1823_ = _e1257.x;
+                                                } else {
+                                                    phi_1823_ = _e1259.x;
+                                                }
+                                                let _e1266 = phi_1823_;
+                                                if (_e1257.y < _e1259.y) {
+                                                    phi_1832_ = _e1257.y;
+                                                } else {
+                                                    phi_1832_ = _e1259.y;
+                                                }
+                                                let _e1273 = phi_1832_;
+                                                if (_e1257.z < _e1259.z) {
+                                                    phi_1841_ = _e1257.z;
+                                                } else {
+                                                    phi_1841_ = _e1259.z;
+                                                }
+                                                let _e1280 = phi_1841_;
+                                                let _e1282 = triangles.member[(0u + _e969)].v2_;
+                                                if (_e1266 < _e1282.x) {
+                                                    phi_1850_ = _e1266;
+                                                } else {
+                                                    phi_1850_ = _e1282.x;
+                                                }
+                                                let _e1287 = phi_1850_;
+                                                if (_e1273 < _e1282.y) {
+                                                    phi_1857_ = _e1273;
+                                                } else {
+                                                    phi_1857_ = _e1282.y;
+                                                }
+                                                let _e1292 = phi_1857_;
+                                                if (_e1280 < _e1282.z) {
+                                                    phi_1864_ = _e1280;
+                                                } else {
+                                                    phi_1864_ = _e1282.z;
+                                                }
+                                                let _e1297 = phi_1864_;
+                                                let _e1299 = triangles.member[(0u + _e969)].v0_;
+                                                let _e1301 = triangles.member[(0u + _e969)].v1_;
+                                                if (_e1299.x > _e1301.x) {
+                                                    phi_1877_ = _e1299.x;
+                                                } else {
+                                                    phi_1877_ = _e1301.x;
+                                                }
+                                                let _e1308 = phi_1877_;
+                                                if (_e1299.y > _e1301.y) {
+                                                    phi_1886_ = _e1299.y;
+                                                } else {
+                                                    phi_1886_ = _e1301.y;
+                                                }
+                                                let _e1315 = phi_1886_;
+                                                if (_e1299.z > _e1301.z) {
+                                                    phi_1895_ = _e1299.z;
+                                                } else {
+                                                    phi_1895_ = _e1301.z;
+                                                }
+                                                let _e1322 = phi_1895_;
+                                                let _e1324 = triangles.member[(0u + _e969)].v2_;
+                                                if (_e1308 > _e1324.x) {
+                                                    phi_1904_ = _e1308;
+                                                } else {
+                                                    phi_1904_ = _e1324.x;
+                                                }
+                                                let _e1329 = phi_1904_;
+                                                if (_e1315 > _e1324.y) {
+                                                    phi_1911_ = _e1315;
+                                                } else {
+                                                    phi_1911_ = _e1324.y;
+                                                }
+                                                let _e1334 = phi_1911_;
+                                                if (_e1322 > _e1324.z) {
+                                                    phi_1918_ = _e1322;
+                                                } else {
+                                                    phi_1918_ = _e1324.z;
+                                                }
+                                                let _e1339 = phi_1918_;
+                                                let _e1343 = ((_e1287 - _e127) * _e284);
+                                                let _e1344 = ((_e1292 - _e129) * _e294);
+                                                let _e1345 = ((_e1297 - _e131) * _e304);
+                                                let _e1349 = ((_e1329 - _e127) * _e284);
+                                                let _e1350 = ((_e1334 - _e129) * _e294);
+                                                let _e1351 = ((_e1339 - _e131) * _e304);
+                                                if (_e1343 < _e1349) {
+                                                    phi_1935_ = _e1343;
+                                                } else {
+                                                    phi_1935_ = _e1349;
+                                                }
+                                                let _e1354 = phi_1935_;
+                                                if (_e1344 < _e1350) {
+                                                    phi_1940_ = _e1344;
+                                                } else {
+                                                    phi_1940_ = _e1350;
+                                                }
+                                                let _e1357 = phi_1940_;
+                                                if (_e1345 < _e1351) {
+                                                    phi_1945_ = _e1345;
+                                                } else {
+                                                    phi_1945_ = _e1351;
+                                                }
+                                                let _e1360 = phi_1945_;
+                                                if (_e1343 > _e1349) {
+                                                    phi_1953_ = _e1343;
+                                                } else {
+                                                    phi_1953_ = _e1349;
+                                                }
+                                                let _e1366 = phi_1953_;
+                                                if (_e1344 > _e1350) {
+                                                    phi_1958_ = _e1344;
+                                                } else {
+                                                    phi_1958_ = _e1350;
+                                                }
+                                                let _e1369 = phi_1958_;
+                                                if (_e1345 > _e1351) {
+                                                    phi_1963_ = _e1345;
+                                                } else {
+                                                    phi_1963_ = _e1351;
+                                                }
+                                                let _e1372 = phi_1963_;
+                                                let _e1376 = core_intrinsics_maximum_number_nsz_f32_((_e1354 - _e339), (_e1357 - _e340));
+                                                let _e1377 = core_intrinsics_maximum_number_nsz_f32_(_e1376, (_e1360 - _e341));
+                                                let _e1378 = core_intrinsics_minimum_number_nsz_f32_((_e1366 + _e339), (_e1369 + _e340));
+                                                let _e1379 = core_intrinsics_minimum_number_nsz_f32_(_e1378, (_e1372 + _e341));
+                                                if (_e1377 > -300000000000000000000000000000000000000f) {
+                                                    phi_1975_ = _e1377;
+                                                } else {
+                                                    phi_1975_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1382 = phi_1975_;
+                                                if (_e1379 < 300000000000000000000000000000000000000f) {
+                                                    phi_1980_ = _e1379;
+                                                } else {
+                                                    phi_1980_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1385 = phi_1980_;
+                                                if (_e1253 < _e1382) {
+                                                    phi_1985_ = _e1382;
+                                                } else {
+                                                    phi_1985_ = _e1253;
+                                                }
+                                                let _e1388 = phi_1985_;
+                                                if (_e1388 > _e1385) {
+                                                    phi_1990_ = _e1385;
+                                                } else {
+                                                    phi_1990_ = _e1388;
+                                                }
+                                                let _e1391 = phi_1990_;
+                                                phi_1995_ = lt_bvh_triangle_Intersection(_e1391, (_e1094 / _e1153), (_e1115 / _e1153), (_e1382 <= _e1385));
+                                                phi_1996_ = false;
+                                            } else {
+                                                phi_1995_ = lt_bvh_triangle_Intersection();
+                                                phi_1996_ = true;
+                                            }
+                                            let _e1397 = phi_1995_;
+                                            let _e1399 = phi_1996_;
+                                            phi_1997_ = _e1397;
+                                            phi_1998_ = _e1399;
+                                        } else {
+                                            phi_1997_ = lt_bvh_triangle_Intersection();
+                                            phi_1998_ = true;
+                                        }
+                                        let _e1401 = phi_1997_;
+                                        let _e1403 = phi_1998_;
+                                        if _e1403 {
+                                        }
+                                        phi_2002_ = _e1401;
+                                        phi_2003_ = _e1403;
+                                    }
+                                    let _e1405 = phi_2002_;
+                                    let _e1407 = phi_2003_;
+                                    phi_2004_ = _e1405;
+                                    phi_2005_ = _e1156;
+                                    phi_2006_ = _e1407;
                                 } else {
-                                    phi_2006_ = _e1409;
+                                    phi_2004_ = lt_bvh_triangle_Intersection();
+                                    phi_2005_ = true;
+                                    phi_2006_ = false;
                                 }
-                                let _e1411 = phi_2006_;
+                                let _e1409 = phi_2004_;
+                                let _e1411 = phi_2005_;
+                                let _e1413 = phi_2006_;
                                 if _e1411 {
-                                    phi_2010_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_2010_ = true;
                                 } else {
-                                    phi_2010_ = _e1405;
+                                    phi_2010_ = _e1413;
                                 }
-                                let _e1413 = phi_2010_;
-                                if _e1413.is_hit {
-                                    if (_e1413.t > 0f) {
-                                        if (_e1413.t < _e135) {
-                                            let _e1420 = triangles.member[(0u + _e965)].i0_;
-                                            let _e1422 = ((_e1420 & 2147483648u) == 0u);
-                                            if _e1422 {
-                                                phi_2233_ = false;
-                                                phi_2234_ = false;
+                                let _e1415 = phi_2010_;
+                                if _e1415 {
+                                    phi_2014_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_2014_ = _e1409;
+                                }
+                                let _e1417 = phi_2014_;
+                                if _e1417.is_hit {
+                                    if (_e1417.t > 0f) {
+                                        if (_e1417.t < _e135) {
+                                            let _e1424 = triangles.member[(0u + _e969)].i0_;
+                                            if ((_e1424 & 2147483648u) == 0u) {
+                                                phi_2233_ = true;
                                             } else {
-                                                if (_e965 < _e78) {
+                                                if (_e969 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1429 = triangles.member[(0u + _e965)].i0_;
-                                                let _e1430 = (_e1429 & 2147483647u);
-                                                let _e1432 = triangles.member[(0u + _e965)].i1_;
-                                                let _e1434 = triangles.member[(0u + _e965)].i2_;
-                                                if (_e1430 < _e87) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1438 = vertices.member[(0u + _e1430)];
-                                                if (_e1432 < _e87) {
-                                                } else {
-                                                    return;
-                                                }
-                                                let _e1442 = vertices.member[(0u + _e1432)];
+                                                let _e1433 = triangles.member[(0u + _e969)].i0_;
+                                                let _e1434 = (_e1433 & 2147483647u);
+                                                let _e1436 = triangles.member[(0u + _e969)].i1_;
+                                                let _e1438 = triangles.member[(0u + _e969)].i2_;
                                                 if (_e1434 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1446 = vertices.member[(0u + _e1434)];
-                                                let _e1447 = array<abi_Vertex, 3>(_e1438, _e1442, _e1446);
-                                                if (_e1447[0].material < arrayLength((&materials.member))) {
+                                                let _e1442 = vertices.member[(0u + _e1434)];
+                                                if (_e1436 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1453 = materials.member[(0u + _e1447[0].material)];
-                                                if ((_e1453.flags & 1u) == 1u) {
-                                                    let _e1458 = ((1f - _e1413.u) - _e1413.v);
-                                                    if (_e1453.cutoff <= 0f) {
-                                                        phi_2227_ = true;
+                                                let _e1446 = vertices.member[(0u + _e1436)];
+                                                if (_e1438 < _e87) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1450 = vertices.member[(0u + _e1438)];
+                                                let _e1451 = array<abi_Vertex, 3>(_e1442, _e1446, _e1450);
+                                                if (_e1451[0].material < arrayLength((&materials.member))) {
+                                                } else {
+                                                    return;
+                                                }
+                                                let _e1457 = materials.member[(0u + _e1451[0].material)];
+                                                if ((_e1457.flags & 1u) == 1u) {
+                                                    let _e1462 = ((1f - _e1417.u) - _e1417.v);
+                                                    if (_e1457.cutoff <= 0f) {
+                                                        phi_2231_ = true;
                                                     } else {
-                                                        let _e1485 = (_e1453.base_color.w * ((((f32((_e1447[0].color >> bitcast<u32>(24i))) * _e1458) + (f32((_e1447[1].color >> bitcast<u32>(24i))) * _e1413.u)) + (f32((_e1447[2].color >> bitcast<u32>(24i))) * _e1413.v)) * (1f / 255f)));
-                                                        if (_e1453.alpha_size == 0u) {
-                                                            phi_2224_ = _e1485;
+                                                        let _e1489 = (_e1457.base_color.w * ((((f32((_e1451[0].color >> bitcast<u32>(24i))) * _e1462) + (f32((_e1451[1].color >> bitcast<u32>(24i))) * _e1417.u)) + (f32((_e1451[2].color >> bitcast<u32>(24i))) * _e1417.v)) * (1f / 255f)));
+                                                        if (_e1457.alpha_size == 0u) {
+                                                            phi_2228_ = _e1489;
                                                         } else {
-                                                            local.offset = _e1453.alpha_offset;
-                                                            local.size = _e1453.alpha_size;
-                                                            local.flags = _e1453.flags;
-                                                            let _e1516 = _lt_shaders_texture_TextureView_quad((&local), (((_e1447[0].u * _e1458) + (_e1447[1].u * _e1413.u)) + (_e1447[2].u * _e1413.v)), (((_e1447[0].v * _e1458) + (_e1447[1].v * _e1413.u)) + (_e1447[2].v * _e1413.v)));
-                                                            let _e1520 = (_e1516.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1520 < _e93) {
+                                                            local.offset = _e1457.alpha_offset;
+                                                            local.size = _e1457.alpha_size;
+                                                            local.flags = _e1457.flags;
+                                                            let _e1520 = _lt_shaders_texture_TextureView_quad((&local), (((_e1451[0].u * _e1462) + (_e1451[1].u * _e1417.u)) + (_e1451[2].u * _e1417.v)), (((_e1451[0].v * _e1462) + (_e1451[1].v * _e1417.u)) + (_e1451[2].v * _e1417.v)));
+                                                            let _e1524 = (_e1520.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1524 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1524 = alpha_texels.member[(0u + _e1520)];
-                                                            let _e1540 = (_e1516.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1540 < _e93) {
+                                                            let _e1528 = alpha_texels.member[(0u + _e1524)];
+                                                            let _e1544 = (_e1520.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1544 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1544 = alpha_texels.member[(0u + _e1540)];
-                                                            let _e1561 = (_e1516.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1561 < _e93) {
+                                                            let _e1548 = alpha_texels.member[(0u + _e1544)];
+                                                            let _e1565 = (_e1520.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1565 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1565 = alpha_texels.member[(0u + _e1561)];
-                                                            let _e1582 = (_e1516.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1582 < _e93) {
+                                                            let _e1569 = alpha_texels.member[(0u + _e1565)];
+                                                            let _e1586 = (_e1520.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1586 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1586 = alpha_texels.member[(0u + _e1582)];
-                                                            phi_2224_ = (_e1485 * (((((f32(((_e1524 >> bitcast<u32>((((_e1516.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.x) + ((f32(((_e1544 >> bitcast<u32>((((_e1516.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.y)) + ((f32(((_e1565 >> bitcast<u32>((((_e1516.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.z)) + ((f32(((_e1586 >> bitcast<u32>((((_e1516.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.w)));
+                                                            let _e1590 = alpha_texels.member[(0u + _e1586)];
+                                                            phi_2228_ = (_e1489 * (((((f32(((_e1528 >> bitcast<u32>((((_e1520.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.x) + ((f32(((_e1548 >> bitcast<u32>((((_e1520.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.y)) + ((f32(((_e1569 >> bitcast<u32>((((_e1520.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.z)) + ((f32(((_e1590 >> bitcast<u32>((((_e1520.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1520.weights.w)));
                                                         }
-                                                        let _e1602 = phi_2224_;
-                                                        phi_2227_ = (_e1602 >= _e1453.cutoff);
+                                                        let _e1606 = phi_2228_;
+                                                        phi_2231_ = (_e1606 >= _e1457.cutoff);
                                                     }
-                                                    let _e1606 = phi_2227_;
-                                                    phi_2228_ = _e1606;
+                                                    let _e1610 = phi_2231_;
+                                                    phi_2232_ = _e1610;
                                                 } else {
-                                                    phi_2228_ = false;
-                                                }
-                                                let _e1608 = phi_2228_;
-                                                if _e1608 {
                                                     phi_2232_ = false;
-                                                } else {
-                                                    phi_2232_ = true;
                                                 }
-                                                let _e1610 = phi_2232_;
-                                                phi_2233_ = _e1610;
-                                                phi_2234_ = _e1608;
+                                                let _e1612 = phi_2232_;
+                                                phi_2233_ = _e1612;
                                             }
-                                            let _e1612 = phi_2233_;
-                                            let _e1614 = phi_2234_;
-                                            phi_2235_ = _e1612;
-                                            phi_2236_ = _e1422;
-                                            phi_2237_ = _e1614;
+                                            let _e1614 = phi_2233_;
+                                            if _e1614 {
+                                                phi_2237_ = false;
+                                            } else {
+                                                phi_2237_ = true;
+                                            }
+                                            let _e1616 = phi_2237_;
+                                            phi_2238_ = _e1614;
+                                            phi_2239_ = _e1614;
+                                            phi_2240_ = _e1616;
                                         } else {
-                                            phi_2235_ = true;
-                                            phi_2236_ = false;
-                                            phi_2237_ = false;
+                                            phi_2238_ = bool();
+                                            phi_2239_ = _e960;
+                                            phi_2240_ = true;
                                         }
-                                        let _e1616 = phi_2235_;
-                                        let _e1618 = phi_2236_;
-                                        let _e1620 = phi_2237_;
-                                        phi_2238_ = _e1616;
-                                        phi_2239_ = _e1618;
-                                        phi_2240_ = _e1620;
+                                        let _e1618 = phi_2238_;
+                                        let _e1620 = phi_2239_;
+                                        let _e1622 = phi_2240_;
+                                        phi_2241_ = _e1618;
+                                        phi_2242_ = _e1620;
+                                        phi_2243_ = _e1622;
                                     } else {
-                                        phi_2238_ = true;
-                                        phi_2239_ = false;
-                                        phi_2240_ = false;
+                                        phi_2241_ = bool();
+                                        phi_2242_ = _e960;
+                                        phi_2243_ = true;
                                     }
-                                    let _e1622 = phi_2238_;
-                                    let _e1624 = phi_2239_;
-                                    let _e1626 = phi_2240_;
-                                    phi_2241_ = _e1622;
-                                    phi_2242_ = _e1624;
-                                    phi_2243_ = _e1626;
+                                    let _e1624 = phi_2241_;
+                                    let _e1626 = phi_2242_;
+                                    let _e1628 = phi_2243_;
+                                    phi_2244_ = _e1624;
+                                    phi_2245_ = _e1626;
+                                    phi_2246_ = _e1628;
                                 } else {
-                                    phi_2241_ = true;
-                                    phi_2242_ = false;
-                                    phi_2243_ = false;
+                                    phi_2244_ = bool();
+                                    phi_2245_ = _e960;
+                                    phi_2246_ = true;
                                 }
-                                let _e1628 = phi_2241_;
-                                let _e1630 = phi_2242_;
-                                let _e1632 = phi_2243_;
-                                if _e1628 {
-                                    phi_2247_ = false;
-                                    phi_2248_ = false;
-                                } else {
-                                    phi_2247_ = _e1630;
-                                    phi_2248_ = _e1632;
+                                let _e1630 = phi_2244_;
+                                let _e1632 = phi_2245_;
+                                let _e1634 = phi_2246_;
+                                if _e1634 {
                                 }
-                                let _e1634 = phi_2247_;
-                                let _e1636 = phi_2248_;
-                                phi_1442_ = (_e956 & (_e956 - 1u));
-                                phi_2249_ = _e1628;
-                                phi_2250_ = _e1634;
-                                phi_2251_ = _e1636;
+                                phi_1444_ = (_e958 & (_e958 - 1u));
+                                phi_1447_ = _e1632;
+                                phi_2250_ = _e1630;
+                                phi_2251_ = _e1634;
                             }
-                            let _e1638 = phi_1442_;
-                            let _e1640 = phi_2249_;
-                            let _e1642 = phi_2250_;
-                            let _e1644 = phi_2251_;
-                            local_7 = _e1642;
-                            local_8 = _e1644;
+                            let _e1636 = phi_1444_;
+                            let _e1638 = phi_1447_;
+                            let _e1640 = phi_2250_;
+                            let _e1642 = phi_2251_;
+                            local_8 = _e1640;
                             continue;
                             continuing {
-                                phi_1441_ = _e1638;
-                                break if !(_e1640);
+                                phi_1443_ = _e1636;
+                                phi_1446_ = _e1638;
+                                break if !(_e1642);
                             }
                         }
-                        let _e1647 = local_5;
-                        if _e1647 {
-                            let _e1649 = local_1.group_mask;
-                            if ((_e1649 & 4278190080u) == 0u) {
-                                let _e1653 = local_1.len;
-                                if (_e1653 == 0u) {
+                        let _e1645 = local_5;
+                        if _e1645 {
+                            let _e1647 = local_1.group_mask;
+                            if ((_e1647 & 4278190080u) == 0u) {
+                                let _e1651 = local_1.len;
+                                if (_e1651 == 0u) {
                                     phi_2293_ = false;
                                 } else {
-                                    let _e1657 = local_1.len;
-                                    local_1.len = (_e1657 - 1u);
-                                    let _e1660 = local_1.len;
-                                    if (_e1660 < 32u) {
+                                    let _e1655 = local_1.len;
+                                    local_1.len = (_e1655 - 1u);
+                                    let _e1658 = local_1.len;
+                                    if (_e1658 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1665 = local_1.first[(0u + _e1660)];
-                                    local_1.group = _e1665;
-                                    let _e1668 = local_1.len;
-                                    if (_e1668 < 32u) {
+                                    let _e1663 = local_1.first[(0u + _e1658)];
+                                    local_1.group = _e1663;
+                                    let _e1666 = local_1.len;
+                                    if (_e1666 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1673 = local_1.mask[(0u + _e1668)];
-                                    local_1.group_mask = _e1673;
+                                    let _e1671 = local_1.mask[(0u + _e1666)];
+                                    local_1.group_mask = _e1671;
                                     phi_2293_ = true;
                                 }
-                                let _e1676 = phi_2293_;
-                                phi_2294_ = _e1676;
+                                let _e1674 = phi_2293_;
+                                phi_2294_ = _e1674;
                             } else {
                                 phi_2294_ = true;
                             }
-                            let _e1678 = phi_2294_;
-                            if _e1678 {
-                                let _e1680 = local_1.group_mask;
-                                let _e1686 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1680)), 32u, (_e1680 == 0u)));
-                                let _e1690 = local_1.group_mask;
-                                let _e1704 = local_1.group_mask;
-                                local_1.group_mask = (_e1704 & ~((1u << bitcast<u32>((_e1686 & 31u)))));
-                                let _e1707 = local_1.group;
-                                phi_2325_ = (_e1707 + countOneBits(((_e1690 & ~((4294967295u << bitcast<u32>((((_e1686 - 24u) ^ _e382) & 31u))))) & 255u)));
+                            let _e1676 = phi_2294_;
+                            if _e1676 {
+                                let _e1678 = local_1.group_mask;
+                                let _e1684 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1678)), 32u, (_e1678 == 0u)));
+                                let _e1688 = local_1.group_mask;
+                                let _e1702 = local_1.group_mask;
+                                local_1.group_mask = (_e1702 & ~((1u << bitcast<u32>((_e1684 & 31u)))));
+                                let _e1705 = local_1.group;
+                                phi_2325_ = (_e1705 + countOneBits(((_e1688 & ~((4294967295u << bitcast<u32>((((_e1684 - 24u) ^ _e382) & 31u))))) & 255u)));
                             } else {
                                 phi_2325_ = 4294967295u;
                             }
-                            let _e1710 = phi_2325_;
-                            phi_2326_ = _e1710;
-                            phi_2327_ = false;
-                            phi_2328_ = false;
+                            let _e1708 = phi_2325_;
+                            phi_2326_ = _e1708;
                         } else {
                             phi_2326_ = u32();
-                            let _e1928 = local_7;
-                            phi_2327_ = _e1928;
-                            let _e1931 = local_8;
-                            phi_2328_ = _e1931;
                         }
-                        let _e1712 = phi_2326_;
-                        let _e1714 = phi_2327_;
-                        let _e1716 = phi_2328_;
-                        phi_1112_ = _e1712;
-                        let _e1935 = local_9;
-                        phi_2329_ = _e1935;
-                        phi_2330_ = false;
-                        phi_2331_ = _e1714;
-                        phi_2332_ = _e1716;
+                        let _e1710 = phi_2326_;
+                        phi_1112_ = _e1710;
+                        let _e1918 = local_7;
+                        phi_1115_ = _e1918;
+                        let _e1921 = local_8;
+                        phi_2327_ = _e1921;
+                        let _e1924 = local_9;
+                        phi_2328_ = _e1924;
+                        phi_2329_ = false;
                     } else {
                         phi_1112_ = u32();
-                        phi_2329_ = false;
-                        phi_2330_ = true;
-                        phi_2331_ = false;
-                        phi_2332_ = false;
+                        phi_1115_ = bool();
+                        phi_2327_ = bool();
+                        phi_2328_ = false;
+                        phi_2329_ = true;
                     }
-                    let _e1718 = phi_1112_;
+                    let _e1712 = phi_1112_;
+                    let _e1714 = phi_1115_;
+                    let _e1716 = phi_2327_;
+                    let _e1718 = phi_2328_;
                     let _e1720 = phi_2329_;
-                    let _e1722 = phi_2330_;
-                    let _e1724 = phi_2331_;
-                    let _e1726 = phi_2332_;
-                    local_6 = _e1722;
-                    local_10 = _e1724;
-                    local_11 = _e1726;
+                    local_6 = _e1720;
+                    local_10 = _e1716;
                     continue;
                     continuing {
-                        phi_1111_ = _e1718;
-                        break if !(_e1720);
+                        phi_1111_ = _e1712;
+                        phi_1114_ = _e1714;
+                        break if !(_e1718);
                     }
                 }
-                let _e1729 = local_6;
-                if _e1729 {
-                    phi_2336_ = false;
-                    phi_2337_ = false;
+                let _e1723 = local_6;
+                if _e1723 {
+                    phi_2333_ = false;
                 } else {
-                    let _e1942 = local_10;
-                    phi_2336_ = _e1942;
-                    let _e1945 = local_11;
-                    phi_2337_ = _e1945;
+                    phi_2333_ = true;
                 }
-                let _e1731 = phi_2336_;
-                let _e1733 = phi_2337_;
-                if _e1731 {
-                    phi_2341_ = true;
+                let _e1725 = phi_2333_;
+                if _e1725 {
+                    let _e1930 = local_10;
+                    phi_2337_ = _e1930;
                 } else {
-                    phi_2341_ = _e1733;
+                    let _e1932 = local_11;
+                    phi_2337_ = _e1932;
                 }
-                let _e1735 = phi_2341_;
-                if _e1735 {
-                    phi_2345_ = true;
-                } else {
-                    phi_2345_ = false;
-                }
-                let _e1737 = phi_2345_;
-                phi_2346_ = _e1737;
+                let _e1727 = phi_2337_;
+                phi_2338_ = _e1727;
             }
-            let _e1739 = phi_2346_;
-            phi_2347_ = _e1739;
-            phi_2348_ = _e208;
+            let _e1729 = phi_2338_;
+            phi_2339_ = _e1729;
+            phi_2340_ = _e208;
         } else {
-            phi_2347_ = bool();
-            phi_2348_ = true;
+            phi_2339_ = bool();
+            phi_2340_ = true;
         }
-        let _e1741 = phi_2347_;
-        let _e1743 = phi_2348_;
-        if _e1743 {
-            phi_2352_ = false;
+        let _e1731 = phi_2339_;
+        let _e1733 = phi_2340_;
+        if _e1733 {
+            phi_2344_ = false;
         } else {
-            phi_2352_ = _e1741;
+            phi_2344_ = _e1731;
         }
-        let _e1745 = phi_2352_;
-        if _e1745 {
-            phi_2356_ = 0f;
+        let _e1735 = phi_2344_;
+        if _e1735 {
+            phi_2348_ = 0f;
         } else {
-            phi_2356_ = 1f;
+            phi_2348_ = 1f;
         }
-        let _e1747 = phi_2356_;
+        let _e1737 = phi_2348_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1747;
+        visibility.member[(0u + _e106)] = _e1737;
     }
     return;
 }

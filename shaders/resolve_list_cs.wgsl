@@ -24,26 +24,6 @@ struct lt_bvh_traverse_Tree {
     first_primitive: u32,
 }
 
-struct lt_math_LightProjection {
-    row_x: vec4<f32>,
-    row_y: vec4<f32>,
-    row_z: vec4<f32>,
-    row_w: vec4<f32>,
-}
-
-struct lt_bvh_Triangle {
-    v0_: vec3<f32>,
-    i0_: u32,
-    v1_: vec3<f32>,
-    i1_: u32,
-    v2_: vec3<f32>,
-    i2_: u32,
-}
-
-struct type_28 {
-    member: array<lt_bvh_Triangle>,
-}
-
 struct lt_bvh_traverse_Stack {
     first: array<u32, 32>,
     mask: array<u32, 32>,
@@ -52,28 +32,11 @@ struct lt_bvh_traverse_Stack {
     group_mask: u32,
 }
 
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_37 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
+struct lt_math_LightProjection {
+    row_x: vec4<f32>,
+    row_y: vec4<f32>,
+    row_z: vec4<f32>,
+    row_w: vec4<f32>,
 }
 
 struct abi_ShadowParams {
@@ -89,8 +52,45 @@ struct abi_ShadowParams {
     pad2_: u32,
 }
 
-struct type_43 {
+struct type_29 {
     member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_34 {
+    member: array<lt_bvh_Node>,
+}
+
+struct lt_bvh_Triangle {
+    v0_: vec3<f32>,
+    i0_: u32,
+    v1_: vec3<f32>,
+    i1_: u32,
+    v2_: vec3<f32>,
+    i2_: u32,
+}
+
+struct type_38 {
+    member: array<lt_bvh_Triangle>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 var<private> id_1: vec3<u32>;
@@ -99,11 +99,11 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_43;
+var<uniform> p: type_29;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_34;
 @group(0) @binding(3) 
-var<storage> triangles: type_28;
+var<storage> triangles: type_38;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 
@@ -199,154 +199,141 @@ fn function_() {
     var phi_644_: bool;
     var phi_675_: u32;
     var phi_677_: u32;
-    var phi_758_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_785_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_812_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_818_: u32;
-    var phi_821_: u32;
-    var phi_835_: u32;
-    var phi_845_: u32;
-    var phi_855_: u32;
-    var phi_873_: u32;
-    var phi_883_: u32;
-    var phi_893_: u32;
-    var phi_929_: u32;
-    var phi_942_: u32;
-    var phi_947_: u32;
-    var phi_948_: u32;
+    var phi_680_: bool;
+    var phi_760_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_787_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_814_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_820_: u32;
+    var phi_823_: u32;
+    var phi_837_: u32;
+    var phi_847_: u32;
+    var phi_857_: u32;
+    var phi_875_: u32;
+    var phi_885_: u32;
+    var phi_895_: u32;
+    var phi_931_: u32;
+    var phi_944_: u32;
     var phi_949_: u32;
-    var phi_819_: u32;
-    var phi_822_: u32;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_821_: u32;
+    var phi_824_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1007_: u32;
-    var phi_1052_: vec3<f32>;
-    var phi_1053_: vec3<f32>;
-    var phi_1082_: vec3<f32>;
-    var phi_1083_: vec3<f32>;
-    var phi_1112_: vec3<f32>;
-    var phi_1113_: vec3<f32>;
-    var phi_1131_: bool;
-    var phi_1132_: bool;
-    var phi_1136_: f32;
-    var phi_1137_: f32;
-    var phi_1138_: f32;
-    var phi_1139_: f32;
-    var phi_1147_: f32;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1162_: f32;
-    var phi_1163_: f32;
-    var phi_1164_: f32;
-    var phi_1165_: f32;
-    var phi_1173_: f32;
-    var phi_1183_: bool;
-    var phi_1184_: bool;
-    var phi_1188_: f32;
-    var phi_1189_: f32;
-    var phi_1190_: f32;
-    var phi_1191_: f32;
-    var phi_1199_: f32;
-    var phi_1214_: f32;
-    var phi_1215_: bool;
-    var phi_1216_: f32;
-    var phi_1217_: bool;
+    var phi_1009_: u32;
+    var phi_1012_: bool;
+    var phi_1056_: vec3<f32>;
+    var phi_1057_: vec3<f32>;
+    var phi_1086_: vec3<f32>;
+    var phi_1087_: vec3<f32>;
+    var phi_1116_: vec3<f32>;
+    var phi_1117_: vec3<f32>;
+    var phi_1135_: bool;
+    var phi_1136_: bool;
+    var phi_1140_: f32;
+    var phi_1141_: f32;
+    var phi_1142_: f32;
+    var phi_1143_: f32;
+    var phi_1151_: f32;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
+    var phi_1166_: f32;
+    var phi_1167_: f32;
+    var phi_1168_: f32;
+    var phi_1169_: f32;
+    var phi_1177_: f32;
+    var phi_1187_: bool;
+    var phi_1188_: bool;
+    var phi_1192_: f32;
+    var phi_1193_: f32;
+    var phi_1194_: f32;
+    var phi_1195_: f32;
+    var phi_1203_: f32;
     var phi_1218_: f32;
     var phi_1219_: bool;
-    var phi_1237_: f32;
-    var phi_1238_: bool;
-    var phi_1239_: bool;
-    var phi_1240_: f32;
-    var phi_1241_: bool;
+    var phi_1220_: f32;
+    var phi_1221_: bool;
+    var phi_1222_: f32;
+    var phi_1223_: bool;
+    var phi_1241_: f32;
     var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: f32;
+    var phi_1245_: bool;
     var phi_1246_: bool;
-    var phi_1247_: f32;
-    var phi_1248_: bool;
-    var phi_1276_: vec3<f32>;
-    var phi_1277_: vec3<f32>;
-    var phi_1302_: vec3<f32>;
-    var phi_1303_: vec3<f32>;
-    var phi_1328_: vec3<f32>;
-    var phi_1329_: vec3<f32>;
-    var phi_1385_: f32;
-    var phi_1394_: f32;
-    var phi_1403_: f32;
-    var phi_1412_: f32;
-    var phi_1419_: f32;
-    var phi_1426_: f32;
-    var phi_1439_: f32;
-    var phi_1448_: f32;
-    var phi_1457_: f32;
-    var phi_1466_: f32;
-    var phi_1473_: f32;
-    var phi_1480_: f32;
-    var phi_1497_: f32;
-    var phi_1502_: f32;
-    var phi_1507_: f32;
-    var phi_1515_: f32;
-    var phi_1520_: f32;
-    var phi_1525_: f32;
-    var phi_1537_: f32;
-    var phi_1542_: f32;
-    var phi_1547_: f32;
-    var phi_1552_: f32;
-    var phi_1557_: lt_bvh_triangle_Intersection;
-    var phi_1558_: bool;
-    var phi_1559_: lt_bvh_triangle_Intersection;
-    var phi_1560_: bool;
-    var phi_1564_: lt_bvh_triangle_Intersection;
-    var phi_1565_: bool;
-    var phi_1566_: lt_bvh_triangle_Intersection;
-    var phi_1567_: bool;
-    var phi_1568_: bool;
+    var phi_1250_: bool;
+    var phi_1251_: f32;
+    var phi_1252_: bool;
+    var phi_1280_: vec3<f32>;
+    var phi_1281_: vec3<f32>;
+    var phi_1306_: vec3<f32>;
+    var phi_1307_: vec3<f32>;
+    var phi_1332_: vec3<f32>;
+    var phi_1333_: vec3<f32>;
+    var phi_1389_: f32;
+    var phi_1398_: f32;
+    var phi_1407_: f32;
+    var phi_1416_: f32;
+    var phi_1423_: f32;
+    var phi_1430_: f32;
+    var phi_1443_: f32;
+    var phi_1452_: f32;
+    var phi_1461_: f32;
+    var phi_1470_: f32;
+    var phi_1477_: f32;
+    var phi_1484_: f32;
+    var phi_1501_: f32;
+    var phi_1506_: f32;
+    var phi_1511_: f32;
+    var phi_1519_: f32;
+    var phi_1524_: f32;
+    var phi_1529_: f32;
+    var phi_1541_: f32;
+    var phi_1546_: f32;
+    var phi_1551_: f32;
+    var phi_1556_: f32;
+    var phi_1561_: lt_bvh_triangle_Intersection;
+    var phi_1562_: bool;
+    var phi_1563_: lt_bvh_triangle_Intersection;
+    var phi_1564_: bool;
+    var phi_1568_: lt_bvh_triangle_Intersection;
+    var phi_1569_: bool;
+    var phi_1570_: lt_bvh_triangle_Intersection;
+    var phi_1571_: bool;
     var phi_1572_: bool;
-    var phi_1576_: lt_bvh_triangle_Intersection;
+    var phi_1576_: bool;
+    var phi_1580_: lt_bvh_triangle_Intersection;
+    var phi_1600_: bool;
     var phi_1601_: bool;
     var phi_1602_: bool;
     var phi_1603_: bool;
     var phi_1604_: bool;
     var phi_1605_: bool;
     var phi_1606_: bool;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var phi_1609_: bool;
+    var phi_1010_: u32;
+    var phi_1013_: bool;
     var phi_1610_: bool;
-    var phi_1611_: bool;
-    var phi_1612_: bool;
-    var phi_1616_: bool;
-    var phi_1617_: bool;
-    var phi_1008_: u32;
-    var phi_1618_: bool;
-    var phi_1619_: bool;
-    var phi_1620_: bool;
     var local_4: bool;
-    var phi_1662_: bool;
-    var phi_1663_: bool;
-    var phi_1694_: u32;
-    var phi_1695_: u32;
+    var phi_1652_: bool;
+    var phi_1653_: bool;
+    var phi_1684_: u32;
+    var phi_1685_: u32;
+    var phi_678_: u32;
+    var phi_681_: bool;
+    var phi_1686_: bool;
+    var phi_1687_: bool;
+    var local_5: bool;
+    var phi_1691_: bool;
+    var phi_1695_: bool;
     var phi_1696_: bool;
     var phi_1697_: bool;
-    var phi_678_: u32;
     var phi_1698_: bool;
-    var phi_1699_: bool;
-    var phi_1700_: bool;
-    var phi_1701_: bool;
-    var local_5: bool;
-    var phi_1705_: bool;
-    var phi_1706_: bool;
-    var phi_1710_: bool;
-    var phi_1714_: bool;
-    var phi_1715_: bool;
-    var phi_1716_: bool;
-    var phi_1717_: bool;
-    var phi_1721_: bool;
-    var phi_1725_: f32;
+    var phi_1702_: bool;
+    var phi_1706_: f32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
-    var local_9: bool;
-    var local_10: bool;
 
     let _e50 = id_1;
     let _e57 = arrayLength((&nodes.member));
@@ -494,7 +481,7 @@ fn function_() {
         if _e180 {
             let _e181 = (0u >= _e57);
             if _e181 {
-                phi_1715_ = bool();
+                phi_1696_ = bool();
             } else {
                 if (0u < _e57) {
                 } else {
@@ -685,910 +672,864 @@ fn function_() {
                 }
                 let _e491 = phi_675_;
                 phi_677_ = _e491;
+                phi_680_ = false;
                 loop {
                     let _e493 = phi_677_;
+                    let _e495 = phi_680_;
+                    local_8 = _e495;
                     if (_e493 != 4294967295u) {
                         if (_e493 < _e57) {
                         } else {
                             return;
                         }
-                        let _e500 = nodes.member[(0u + _e493)].frame[3u];
-                        let _e525 = (bitcast<f32>((((_e500 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e257);
-                        let _e526 = (bitcast<f32>((((_e500 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e267);
-                        let _e527 = (bitcast<f32>((((_e500 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e277);
-                        let _e530 = nodes.member[(0u + _e493)].frame[0u];
-                        let _e534 = nodes.member[(0u + _e493)].frame[1u];
-                        let _e538 = nodes.member[(0u + _e493)].frame[2u];
-                        let _e543 = ((bitcast<f32>(_e530) - _e100) * _e257);
-                        let _e544 = ((bitcast<f32>(_e534) - _e102) * _e267);
-                        let _e545 = ((bitcast<f32>(_e538) - _e104) * _e277);
-                        let _e553 = nodes.member[(0u + _e493)].x;
+                        let _e502 = nodes.member[(0u + _e493)].frame[3u];
+                        let _e527 = (bitcast<f32>((((_e502 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e257);
+                        let _e528 = (bitcast<f32>((((_e502 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e267);
+                        let _e529 = (bitcast<f32>((((_e502 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e277);
+                        let _e532 = nodes.member[(0u + _e493)].frame[0u];
+                        let _e536 = nodes.member[(0u + _e493)].frame[1u];
+                        let _e540 = nodes.member[(0u + _e493)].frame[2u];
+                        let _e545 = ((bitcast<f32>(_e532) - _e100) * _e257);
+                        let _e546 = ((bitcast<f32>(_e536) - _e102) * _e267);
+                        let _e547 = ((bitcast<f32>(_e540) - _e104) * _e277);
+                        let _e555 = nodes.member[(0u + _e493)].x;
                         if (_e257 < 0f) {
-                            let _e564 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e553.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e564.unnamed.root, _e553.w), _e564.unnamed_1);
-                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e570.unnamed, lt_bvh_traverse_Tree(_e553.x, _e570.unnamed_1.first_primitive));
-                            phi_758_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_bvh_traverse_Tree(_e576.unnamed_1.root, _e553.y));
+                            let _e566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e566.unnamed.root, _e555.w), _e566.unnamed_1);
+                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e572.unnamed, lt_bvh_traverse_Tree(_e555.x, _e572.unnamed_1.first_primitive));
+                            phi_760_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
                         } else {
-                            let _e592 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e553.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e592.unnamed.root, _e553.y), _e592.unnamed_1);
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e598.unnamed, lt_bvh_traverse_Tree(_e553.z, _e598.unnamed_1.first_primitive));
-                            phi_758_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e604.unnamed_1.root, _e553.w));
+                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e555.y), _e594.unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e555.z, _e600.unnamed_1.first_primitive));
+                            phi_760_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
                         }
-                        let _e612 = phi_758_;
-                        let _e622 = nodes.member[(0u + _e493)].y;
+                        let _e614 = phi_760_;
+                        let _e624 = nodes.member[(0u + _e493)].y;
                         if (_e267 < 0f) {
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e622.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.unnamed.root, _e622.w), _e633.unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_bvh_traverse_Tree(_e622.x, _e639.unnamed_1.first_primitive));
-                            phi_785_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e645.unnamed_1.root, _e622.y));
+                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.unnamed.root, _e624.w), _e635.unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e624.x, _e641.unnamed_1.first_primitive));
+                            phi_787_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
                         } else {
-                            let _e661 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e622.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e661.unnamed.root, _e622.y), _e661.unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e667.unnamed, lt_bvh_traverse_Tree(_e622.z, _e667.unnamed_1.first_primitive));
-                            phi_785_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e673.unnamed_1.root, _e622.w));
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e624.y), _e663.unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e624.z, _e669.unnamed_1.first_primitive));
+                            phi_787_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
                         }
-                        let _e681 = phi_785_;
-                        let _e691 = nodes.member[(0u + _e493)].z;
+                        let _e683 = phi_787_;
+                        let _e693 = nodes.member[(0u + _e493)].z;
                         if (_e277 < 0f) {
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.unnamed.root, _e691.w), _e702.unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_bvh_traverse_Tree(_e691.x, _e708.unnamed_1.first_primitive));
-                            phi_812_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e714.unnamed_1.root, _e691.y));
+                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e693.w), _e704.unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e693.x, _e710.unnamed_1.first_primitive));
+                            phi_814_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
                         } else {
-                            let _e730 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e730.unnamed.root, _e691.y), _e730.unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e736.unnamed, lt_bvh_traverse_Tree(_e691.z, _e736.unnamed_1.first_primitive));
-                            phi_812_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e742.unnamed_1.root, _e691.w));
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e693.y), _e732.unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e693.z, _e738.unnamed_1.first_primitive));
+                            phi_814_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
                         }
-                        let _e750 = phi_812_;
-                        phi_818_ = 0u;
-                        phi_821_ = 0u;
+                        let _e752 = phi_814_;
+                        phi_820_ = 0u;
+                        phi_823_ = 0u;
                         loop {
-                            let _e760 = phi_818_;
-                            let _e762 = phi_821_;
-                            local_1 = _e762;
-                            local_2 = _e762;
-                            local_3 = _e762;
-                            let _e763 = (_e760 < 8u);
-                            if _e763 {
-                                let _e765 = (_e760 >> bitcast<u32>(2i));
-                                let _e766 = (_e760 & 3u);
-                                if (_e765 == 0u) {
-                                    phi_835_ = _e612.unnamed.root;
+                            let _e762 = phi_820_;
+                            let _e764 = phi_823_;
+                            local_1 = _e764;
+                            local_2 = _e764;
+                            local_3 = _e764;
+                            let _e765 = (_e762 < 8u);
+                            if _e765 {
+                                let _e767 = (_e762 >> bitcast<u32>(2i));
+                                let _e768 = (_e762 & 3u);
+                                if (_e767 == 0u) {
+                                    phi_837_ = _e614.unnamed.root;
                                 } else {
-                                    phi_835_ = _e612.unnamed.first_primitive;
+                                    phi_837_ = _e614.unnamed.first_primitive;
                                 }
-                                let _e769 = phi_835_;
-                                if (_e765 == 0u) {
-                                    phi_845_ = _e681.unnamed.root;
+                                let _e771 = phi_837_;
+                                if (_e767 == 0u) {
+                                    phi_847_ = _e683.unnamed.root;
                                 } else {
-                                    phi_845_ = _e681.unnamed.first_primitive;
+                                    phi_847_ = _e683.unnamed.first_primitive;
                                 }
-                                let _e778 = phi_845_;
-                                if (_e765 == 0u) {
-                                    phi_855_ = _e750.unnamed.root;
+                                let _e780 = phi_847_;
+                                if (_e767 == 0u) {
+                                    phi_857_ = _e752.unnamed.root;
                                 } else {
-                                    phi_855_ = _e750.unnamed.first_primitive;
+                                    phi_857_ = _e752.unnamed.first_primitive;
                                 }
-                                let _e787 = phi_855_;
-                                let _e800 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e769 >> bitcast<u32>(((_e766 * 8u) & 31u))) & 255u)) * _e525) + (_e543 - _e305)), ((f32(((_e778 >> bitcast<u32>(((_e766 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e306)));
-                                let _e801 = core_intrinsics_maximum_number_nsz_f32_(_e800, ((f32(((_e787 >> bitcast<u32>(((_e766 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e307)));
-                                if (_e765 == 0u) {
-                                    phi_873_ = _e612.unnamed_1.root;
+                                let _e789 = phi_857_;
+                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e771 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e305)), ((f32(((_e780 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e306)));
+                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(_e802, ((f32(((_e789 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e307)));
+                                if (_e767 == 0u) {
+                                    phi_875_ = _e614.unnamed_1.root;
                                 } else {
-                                    phi_873_ = _e612.unnamed_1.first_primitive;
+                                    phi_875_ = _e614.unnamed_1.first_primitive;
                                 }
-                                let _e804 = phi_873_;
-                                if (_e765 == 0u) {
-                                    phi_883_ = _e681.unnamed_1.root;
+                                let _e806 = phi_875_;
+                                if (_e767 == 0u) {
+                                    phi_885_ = _e683.unnamed_1.root;
                                 } else {
-                                    phi_883_ = _e681.unnamed_1.first_primitive;
+                                    phi_885_ = _e683.unnamed_1.first_primitive;
                                 }
-                                let _e813 = phi_883_;
-                                if (_e765 == 0u) {
-                                    phi_893_ = _e750.unnamed_1.root;
+                                let _e815 = phi_885_;
+                                if (_e767 == 0u) {
+                                    phi_895_ = _e752.unnamed_1.root;
                                 } else {
-                                    phi_893_ = _e750.unnamed_1.first_primitive;
+                                    phi_895_ = _e752.unnamed_1.first_primitive;
                                 }
-                                let _e822 = phi_893_;
-                                let _e835 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e804 >> bitcast<u32>(((_e766 * 8u) & 31u))) & 255u)) * _e525) + (_e543 + _e305)), ((f32(((_e813 >> bitcast<u32>(((_e766 * 8u) & 31u))) & 255u)) * _e526) + (_e544 + _e306)));
-                                let _e836 = core_intrinsics_minimum_number_nsz_f32_(_e835, ((f32(((_e822 >> bitcast<u32>(((_e766 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e307)));
-                                if (_e801 <= _e836) {
-                                    if (_e801 <= _e108) {
-                                        if (_e836 >= 0f) {
-                                            if (_e765 == 0u) {
-                                                let _e843 = nodes.member[(0u + _e493)].links[2u];
-                                                phi_929_ = _e843;
+                                let _e824 = phi_895_;
+                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e305)), ((f32(((_e815 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e306)));
+                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e307)));
+                                if (_e803 <= _e838) {
+                                    if (_e803 <= _e108) {
+                                        if (_e838 >= 0f) {
+                                            if (_e767 == 0u) {
+                                                let _e845 = nodes.member[(0u + _e493)].links[2u];
+                                                phi_931_ = _e845;
                                             } else {
-                                                let _e846 = nodes.member[(0u + _e493)].links[3u];
-                                                phi_929_ = _e846;
+                                                let _e848 = nodes.member[(0u + _e493)].links[3u];
+                                                phi_931_ = _e848;
                                             }
-                                            let _e848 = phi_929_;
-                                            let _e853 = ((_e848 >> bitcast<u32>(((_e766 * 8u) & 31u))) & 255u);
-                                            let _e854 = (_e853 & 31u);
-                                            if (_e854 >= 24u) {
-                                                phi_942_ = (24u + ((_e854 - 24u) ^ _e355));
+                                            let _e850 = phi_931_;
+                                            let _e855 = ((_e850 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u);
+                                            let _e856 = (_e855 & 31u);
+                                            if (_e856 >= 24u) {
+                                                phi_944_ = (24u + ((_e856 - 24u) ^ _e355));
                                             } else {
-                                                phi_942_ = _e854;
+                                                phi_944_ = _e856;
                                             }
-                                            let _e860 = phi_942_;
-                                            phi_947_ = (_e762 | ((_e853 >> bitcast<u32>(5i)) << bitcast<u32>((_e860 & 31u))));
+                                            let _e862 = phi_944_;
+                                            phi_949_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
                                         } else {
-                                            phi_947_ = _e762;
+                                            phi_949_ = _e764;
                                         }
-                                        let _e868 = phi_947_;
-                                        phi_948_ = _e868;
+                                        let _e870 = phi_949_;
+                                        phi_950_ = _e870;
                                     } else {
-                                        phi_948_ = _e762;
+                                        phi_950_ = _e764;
                                     }
-                                    let _e870 = phi_948_;
-                                    phi_949_ = _e870;
+                                    let _e872 = phi_950_;
+                                    phi_951_ = _e872;
                                 } else {
-                                    phi_949_ = _e762;
+                                    phi_951_ = _e764;
                                 }
-                                let _e872 = phi_949_;
-                                phi_819_ = (_e760 + 1u);
-                                phi_822_ = _e872;
+                                let _e874 = phi_951_;
+                                phi_821_ = (_e762 + 1u);
+                                phi_824_ = _e874;
                             } else {
-                                phi_819_ = u32();
-                                phi_822_ = u32();
+                                phi_821_ = u32();
+                                phi_824_ = u32();
                             }
-                            let _e875 = phi_819_;
-                            let _e877 = phi_822_;
+                            let _e877 = phi_821_;
+                            let _e879 = phi_824_;
                             continue;
                             continuing {
-                                phi_818_ = _e875;
-                                phi_821_ = _e877;
-                                break if !(_e763);
+                                phi_820_ = _e877;
+                                phi_823_ = _e879;
+                                break if !(_e765);
                             }
                         }
-                        let _e881 = nodes.member[(0u + _e493)].links[0u];
-                        let _e885 = nodes.member[(0u + _e493)].frame[3u];
-                        let _e889 = local_1;
-                        if ((_e889 & 4278190080u) == 0u) {
+                        let _e883 = nodes.member[(0u + _e493)].links[0u];
+                        let _e887 = nodes.member[(0u + _e493)].frame[3u];
+                        let _e891 = local_1;
+                        if ((_e891 & 4278190080u) == 0u) {
                         } else {
-                            let _e893 = local.group_mask;
-                            if ((_e893 & 4278190080u) == 0u) {
+                            let _e895 = local.group_mask;
+                            if ((_e895 & 4278190080u) == 0u) {
                             } else {
-                                let _e897 = local.len;
-                                if (_e897 < 32u) {
-                                    let _e900 = local.group;
-                                    let _e902 = local.len;
-                                    if (_e902 < 32u) {
+                                let _e899 = local.len;
+                                if (_e899 < 32u) {
+                                    let _e902 = local.group;
+                                    let _e904 = local.len;
+                                    if (_e904 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e902)] = _e900;
-                                    let _e908 = local.group_mask;
-                                    let _e910 = local.len;
-                                    if (_e910 < 32u) {
+                                    local.first[(0u + _e904)] = _e902;
+                                    let _e910 = local.group_mask;
+                                    let _e912 = local.len;
+                                    if (_e912 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e910)] = _e908;
-                                    let _e917 = local.len;
-                                    local.len = (_e917 + 1u);
+                                    local.mask[(0u + _e912)] = _e910;
+                                    let _e919 = local.len;
+                                    local.len = (_e919 + 1u);
                                 }
                             }
-                            local.group = (0u + _e881);
-                            let _e921 = local_2;
-                            local.group_mask = ((_e921 & 4278190080u) | (_e885 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e883);
+                            let _e923 = local_2;
+                            local.group_mask = ((_e923 & 4278190080u) | (_e887 >> bitcast<u32>(24i)));
                         }
-                        let _e926 = local_3;
-                        phi_1007_ = (_e926 & 16777215u);
+                        let _e928 = local_3;
+                        phi_1009_ = (_e928 & 16777215u);
+                        phi_1012_ = _e495;
                         loop {
-                            let _e929 = phi_1007_;
-                            let _e930 = (_e929 == 0u);
-                            local_4 = _e930;
-                            local_8 = _e930;
-                            if _e930 {
-                                phi_1008_ = u32();
-                                phi_1618_ = false;
-                                phi_1619_ = false;
-                                phi_1620_ = false;
+                            let _e931 = phi_1009_;
+                            let _e933 = phi_1012_;
+                            local_6 = _e933;
+                            let _e934 = (_e931 == 0u);
+                            local_4 = _e934;
+                            local_7 = _e934;
+                            if _e934 {
+                                phi_1010_ = u32();
+                                phi_1013_ = bool();
+                                phi_1610_ = false;
                             } else {
-                                let _e933 = nodes.member[(0u + _e493)].links[1u];
-                                let _e938 = ((0u + _e933) + select(firstTrailingBit(_e929), 32u, (_e929 == 0u)));
-                                if (_e938 < arrayLength((&triangles.member))) {
+                                let _e937 = nodes.member[(0u + _e493)].links[1u];
+                                let _e942 = ((0u + _e937) + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
+                                if (_e942 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e945 = triangles.member[(0u + _e938)].v0_;
-                                let _e947 = (_e945.x - _e100);
-                                let _e949 = (_e945.y - _e102);
-                                let _e951 = (_e945.z - _e104);
+                                let _e949 = triangles.member[(0u + _e942)].v0_;
+                                let _e951 = (_e949.x - _e100);
+                                let _e953 = (_e949.y - _e102);
+                                let _e955 = (_e949.z - _e104);
                                 if (_e328 == 0u) {
-                                    phi_1053_ = vec3<f32>(_e949, _e951, _e947);
+                                    phi_1057_ = vec3<f32>(_e953, _e955, _e951);
                                 } else {
                                     if (_e328 == 1u) {
-                                        phi_1052_ = vec3<f32>(_e951, _e947, _e949);
+                                        phi_1056_ = vec3<f32>(_e955, _e951, _e953);
                                     } else {
-                                        phi_1052_ = (_e945 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1056_ = (_e949 - vec3<f32>(_e100, _e102, _e104));
                                     }
-                                    let _e959 = phi_1052_;
-                                    phi_1053_ = _e959;
+                                    let _e963 = phi_1056_;
+                                    phi_1057_ = _e963;
                                 }
-                                let _e961 = phi_1053_;
-                                let _e965 = (_e961.x - (_e339 * _e961.z));
-                                let _e969 = (_e961.y - (_e342 * _e961.z));
-                                let _e971 = triangles.member[(0u + _e938)].v1_;
-                                let _e973 = (_e971.x - _e100);
-                                let _e975 = (_e971.y - _e102);
-                                let _e977 = (_e971.z - _e104);
+                                let _e965 = phi_1057_;
+                                let _e969 = (_e965.x - (_e339 * _e965.z));
+                                let _e973 = (_e965.y - (_e342 * _e965.z));
+                                let _e975 = triangles.member[(0u + _e942)].v1_;
+                                let _e977 = (_e975.x - _e100);
+                                let _e979 = (_e975.y - _e102);
+                                let _e981 = (_e975.z - _e104);
                                 if (_e328 == 0u) {
-                                    phi_1083_ = vec3<f32>(_e975, _e977, _e973);
+                                    phi_1087_ = vec3<f32>(_e979, _e981, _e977);
                                 } else {
                                     if (_e328 == 1u) {
-                                        phi_1082_ = vec3<f32>(_e977, _e973, _e975);
+                                        phi_1086_ = vec3<f32>(_e981, _e977, _e979);
                                     } else {
-                                        phi_1082_ = (_e971 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1086_ = (_e975 - vec3<f32>(_e100, _e102, _e104));
                                     }
-                                    let _e985 = phi_1082_;
-                                    phi_1083_ = _e985;
+                                    let _e989 = phi_1086_;
+                                    phi_1087_ = _e989;
                                 }
-                                let _e987 = phi_1083_;
-                                let _e991 = (_e987.x - (_e339 * _e987.z));
-                                let _e995 = (_e987.y - (_e342 * _e987.z));
-                                let _e997 = triangles.member[(0u + _e938)].v2_;
-                                let _e999 = (_e997.x - _e100);
-                                let _e1001 = (_e997.y - _e102);
-                                let _e1003 = (_e997.z - _e104);
+                                let _e991 = phi_1087_;
+                                let _e995 = (_e991.x - (_e339 * _e991.z));
+                                let _e999 = (_e991.y - (_e342 * _e991.z));
+                                let _e1001 = triangles.member[(0u + _e942)].v2_;
+                                let _e1003 = (_e1001.x - _e100);
+                                let _e1005 = (_e1001.y - _e102);
+                                let _e1007 = (_e1001.z - _e104);
                                 if (_e328 == 0u) {
-                                    phi_1113_ = vec3<f32>(_e1001, _e1003, _e999);
+                                    phi_1117_ = vec3<f32>(_e1005, _e1007, _e1003);
                                 } else {
                                     if (_e328 == 1u) {
-                                        phi_1112_ = vec3<f32>(_e1003, _e999, _e1001);
+                                        phi_1116_ = vec3<f32>(_e1007, _e1003, _e1005);
                                     } else {
-                                        phi_1112_ = (_e997 - vec3<f32>(_e100, _e102, _e104));
+                                        phi_1116_ = (_e1001 - vec3<f32>(_e100, _e102, _e104));
                                     }
-                                    let _e1011 = phi_1112_;
-                                    phi_1113_ = _e1011;
+                                    let _e1015 = phi_1116_;
+                                    phi_1117_ = _e1015;
                                 }
-                                let _e1013 = phi_1113_;
-                                let _e1017 = (_e1013.x - (_e339 * _e1013.z));
-                                let _e1021 = (_e1013.y - (_e342 * _e1013.z));
-                                if (_e991 < _e1017) {
-                                    phi_1132_ = true;
+                                let _e1017 = phi_1117_;
+                                let _e1021 = (_e1017.x - (_e339 * _e1017.z));
+                                let _e1025 = (_e1017.y - (_e342 * _e1017.z));
+                                if (_e995 < _e1021) {
+                                    phi_1136_ = true;
                                 } else {
-                                    if (_e991 == _e1017) {
-                                        phi_1131_ = (_e995 < _e1021);
+                                    if (_e995 == _e1021) {
+                                        phi_1135_ = (_e999 < _e1025);
                                     } else {
-                                        phi_1131_ = false;
+                                        phi_1135_ = false;
                                     }
-                                    let _e1026 = phi_1131_;
-                                    phi_1132_ = _e1026;
+                                    let _e1030 = phi_1135_;
+                                    phi_1136_ = _e1030;
                                 }
-                                let _e1028 = phi_1132_;
-                                if _e1028 {
-                                    phi_1136_ = _e1021;
-                                    phi_1137_ = _e1017;
-                                    phi_1138_ = _e995;
-                                    phi_1139_ = _e991;
+                                let _e1032 = phi_1136_;
+                                if _e1032 {
+                                    phi_1140_ = _e1025;
+                                    phi_1141_ = _e1021;
+                                    phi_1142_ = _e999;
+                                    phi_1143_ = _e995;
                                 } else {
-                                    phi_1136_ = _e995;
-                                    phi_1137_ = _e991;
-                                    phi_1138_ = _e1021;
-                                    phi_1139_ = _e1017;
+                                    phi_1140_ = _e999;
+                                    phi_1141_ = _e995;
+                                    phi_1142_ = _e1025;
+                                    phi_1143_ = _e1021;
                                 }
-                                let _e1030 = phi_1136_;
-                                let _e1032 = phi_1137_;
-                                let _e1034 = phi_1138_;
-                                let _e1036 = phi_1139_;
-                                let _e1039 = ((_e1036 * _e1030) - (_e1034 * _e1032));
-                                if _e1028 {
-                                    phi_1147_ = -(_e1039);
+                                let _e1034 = phi_1140_;
+                                let _e1036 = phi_1141_;
+                                let _e1038 = phi_1142_;
+                                let _e1040 = phi_1143_;
+                                let _e1043 = ((_e1040 * _e1034) - (_e1038 * _e1036));
+                                if _e1032 {
+                                    phi_1151_ = -(_e1043);
                                 } else {
-                                    phi_1147_ = _e1039;
+                                    phi_1151_ = _e1043;
                                 }
-                                let _e1042 = phi_1147_;
-                                if (_e1017 < _e965) {
-                                    phi_1158_ = true;
+                                let _e1046 = phi_1151_;
+                                if (_e1021 < _e969) {
+                                    phi_1162_ = true;
                                 } else {
-                                    if (_e1017 == _e965) {
-                                        phi_1157_ = (_e1021 < _e969);
+                                    if (_e1021 == _e969) {
+                                        phi_1161_ = (_e1025 < _e973);
                                     } else {
-                                        phi_1157_ = false;
+                                        phi_1161_ = false;
                                     }
-                                    let _e1047 = phi_1157_;
-                                    phi_1158_ = _e1047;
+                                    let _e1051 = phi_1161_;
+                                    phi_1162_ = _e1051;
                                 }
-                                let _e1049 = phi_1158_;
-                                if _e1049 {
-                                    phi_1162_ = _e969;
-                                    phi_1163_ = _e965;
-                                    phi_1164_ = _e1021;
-                                    phi_1165_ = _e1017;
+                                let _e1053 = phi_1162_;
+                                if _e1053 {
+                                    phi_1166_ = _e973;
+                                    phi_1167_ = _e969;
+                                    phi_1168_ = _e1025;
+                                    phi_1169_ = _e1021;
                                 } else {
-                                    phi_1162_ = _e1021;
-                                    phi_1163_ = _e1017;
-                                    phi_1164_ = _e969;
-                                    phi_1165_ = _e965;
+                                    phi_1166_ = _e1025;
+                                    phi_1167_ = _e1021;
+                                    phi_1168_ = _e973;
+                                    phi_1169_ = _e969;
                                 }
-                                let _e1051 = phi_1162_;
-                                let _e1053 = phi_1163_;
-                                let _e1055 = phi_1164_;
-                                let _e1057 = phi_1165_;
-                                let _e1060 = ((_e1057 * _e1051) - (_e1055 * _e1053));
-                                if _e1049 {
-                                    phi_1173_ = -(_e1060);
+                                let _e1055 = phi_1166_;
+                                let _e1057 = phi_1167_;
+                                let _e1059 = phi_1168_;
+                                let _e1061 = phi_1169_;
+                                let _e1064 = ((_e1061 * _e1055) - (_e1059 * _e1057));
+                                if _e1053 {
+                                    phi_1177_ = -(_e1064);
                                 } else {
-                                    phi_1173_ = _e1060;
+                                    phi_1177_ = _e1064;
                                 }
-                                let _e1063 = phi_1173_;
-                                if (_e965 < _e991) {
-                                    phi_1184_ = true;
+                                let _e1067 = phi_1177_;
+                                if (_e969 < _e995) {
+                                    phi_1188_ = true;
                                 } else {
-                                    if (_e965 == _e991) {
-                                        phi_1183_ = (_e969 < _e995);
+                                    if (_e969 == _e995) {
+                                        phi_1187_ = (_e973 < _e999);
                                     } else {
-                                        phi_1183_ = false;
+                                        phi_1187_ = false;
                                     }
-                                    let _e1068 = phi_1183_;
-                                    phi_1184_ = _e1068;
+                                    let _e1072 = phi_1187_;
+                                    phi_1188_ = _e1072;
                                 }
-                                let _e1070 = phi_1184_;
-                                if _e1070 {
-                                    phi_1188_ = _e995;
-                                    phi_1189_ = _e991;
-                                    phi_1190_ = _e969;
-                                    phi_1191_ = _e965;
+                                let _e1074 = phi_1188_;
+                                if _e1074 {
+                                    phi_1192_ = _e999;
+                                    phi_1193_ = _e995;
+                                    phi_1194_ = _e973;
+                                    phi_1195_ = _e969;
                                 } else {
-                                    phi_1188_ = _e969;
-                                    phi_1189_ = _e965;
-                                    phi_1190_ = _e995;
-                                    phi_1191_ = _e991;
+                                    phi_1192_ = _e973;
+                                    phi_1193_ = _e969;
+                                    phi_1194_ = _e999;
+                                    phi_1195_ = _e995;
                                 }
-                                let _e1072 = phi_1188_;
-                                let _e1074 = phi_1189_;
-                                let _e1076 = phi_1190_;
-                                let _e1078 = phi_1191_;
-                                let _e1081 = ((_e1078 * _e1072) - (_e1076 * _e1074));
-                                if _e1070 {
-                                    phi_1199_ = -(_e1081);
+                                let _e1076 = phi_1192_;
+                                let _e1078 = phi_1193_;
+                                let _e1080 = phi_1194_;
+                                let _e1082 = phi_1195_;
+                                let _e1085 = ((_e1082 * _e1076) - (_e1080 * _e1078));
+                                if _e1074 {
+                                    phi_1203_ = -(_e1085);
                                 } else {
-                                    phi_1199_ = _e1081;
+                                    phi_1203_ = _e1085;
                                 }
-                                let _e1084 = phi_1199_;
-                                if (_e1042 >= 0f) {
-                                    if (_e1063 >= 0f) {
-                                        if (_e1084 >= 0f) {
-                                            phi_1214_ = ((_e1042 + _e1063) + _e1084);
-                                            phi_1215_ = false;
+                                let _e1088 = phi_1203_;
+                                if (_e1046 >= 0f) {
+                                    if (_e1067 >= 0f) {
+                                        if (_e1088 >= 0f) {
+                                            phi_1218_ = ((_e1046 + _e1067) + _e1088);
+                                            phi_1219_ = false;
                                         } else {
-                                            phi_1214_ = f32();
-                                            phi_1215_ = true;
+                                            phi_1218_ = f32();
+                                            phi_1219_ = true;
                                         }
-                                        let _e1091 = phi_1214_;
-                                        let _e1093 = phi_1215_;
-                                        phi_1216_ = _e1091;
-                                        phi_1217_ = _e1093;
+                                        let _e1095 = phi_1218_;
+                                        let _e1097 = phi_1219_;
+                                        phi_1220_ = _e1095;
+                                        phi_1221_ = _e1097;
                                     } else {
-                                        phi_1216_ = f32();
-                                        phi_1217_ = true;
+                                        phi_1220_ = f32();
+                                        phi_1221_ = true;
                                     }
-                                    let _e1095 = phi_1216_;
-                                    let _e1097 = phi_1217_;
-                                    phi_1218_ = _e1095;
-                                    phi_1219_ = _e1097;
+                                    let _e1099 = phi_1220_;
+                                    let _e1101 = phi_1221_;
+                                    phi_1222_ = _e1099;
+                                    phi_1223_ = _e1101;
                                 } else {
-                                    phi_1218_ = f32();
-                                    phi_1219_ = true;
+                                    phi_1222_ = f32();
+                                    phi_1223_ = true;
                                 }
-                                let _e1099 = phi_1218_;
-                                let _e1101 = phi_1219_;
-                                if _e1101 {
-                                    if (_e1042 <= 0f) {
-                                        if (_e1063 <= 0f) {
-                                            let _e1104 = (_e1084 <= 0f);
-                                            if _e1104 {
+                                let _e1103 = phi_1222_;
+                                let _e1105 = phi_1223_;
+                                if _e1105 {
+                                    if (_e1046 <= 0f) {
+                                        if (_e1067 <= 0f) {
+                                            let _e1108 = (_e1088 <= 0f);
+                                            if _e1108 {
                                             }
-                                            phi_1237_ = ((_e1042 + _e1063) + _e1084);
-                                            phi_1238_ = false;
-                                            phi_1239_ = _e1104;
+                                            phi_1241_ = ((_e1046 + _e1067) + _e1088);
+                                            phi_1242_ = false;
+                                            phi_1243_ = _e1108;
                                         } else {
-                                            phi_1237_ = f32();
-                                            phi_1238_ = true;
-                                            phi_1239_ = false;
+                                            phi_1241_ = f32();
+                                            phi_1242_ = true;
+                                            phi_1243_ = false;
                                         }
-                                        let _e1108 = phi_1237_;
-                                        let _e1110 = phi_1238_;
-                                        let _e1112 = phi_1239_;
-                                        phi_1240_ = _e1108;
-                                        phi_1241_ = _e1110;
-                                        phi_1242_ = _e1112;
+                                        let _e1112 = phi_1241_;
+                                        let _e1114 = phi_1242_;
+                                        let _e1116 = phi_1243_;
+                                        phi_1244_ = _e1112;
+                                        phi_1245_ = _e1114;
+                                        phi_1246_ = _e1116;
                                     } else {
-                                        phi_1240_ = f32();
-                                        phi_1241_ = true;
-                                        phi_1242_ = false;
-                                    }
-                                    let _e1114 = phi_1240_;
-                                    let _e1116 = phi_1241_;
-                                    let _e1118 = phi_1242_;
-                                    if _e1116 {
+                                        phi_1244_ = f32();
+                                        phi_1245_ = true;
                                         phi_1246_ = false;
-                                    } else {
-                                        phi_1246_ = _e1118;
                                     }
-                                    let _e1120 = phi_1246_;
-                                    phi_1247_ = _e1114;
-                                    phi_1248_ = _e1120;
-                                } else {
-                                    phi_1247_ = _e1099;
-                                    phi_1248_ = true;
-                                }
-                                let _e1122 = phi_1247_;
-                                let _e1124 = phi_1248_;
-                                if _e1124 {
-                                    let _e1125 = (_e1122 == 0f);
-                                    if _e1125 {
-                                        phi_1564_ = lt_bvh_triangle_Intersection();
-                                        phi_1565_ = false;
+                                    let _e1118 = phi_1244_;
+                                    let _e1120 = phi_1245_;
+                                    let _e1122 = phi_1246_;
+                                    if _e1120 {
+                                        phi_1250_ = false;
                                     } else {
-                                        let _e1127 = triangles.member[(0u + _e938)].v0_;
-                                        let _e1129 = (_e1127.x - _e100);
-                                        let _e1131 = (_e1127.y - _e102);
-                                        let _e1133 = (_e1127.z - _e104);
-                                        if (_e328 == 0u) {
-                                            phi_1277_ = vec3<f32>(_e1131, _e1133, _e1129);
-                                        } else {
-                                            if (_e328 == 1u) {
-                                                phi_1276_ = vec3<f32>(_e1133, _e1129, _e1131);
-                                            } else {
-                                                phi_1276_ = (_e1127 - vec3<f32>(_e100, _e102, _e104));
-                                            }
-                                            let _e1141 = phi_1276_;
-                                            phi_1277_ = _e1141;
-                                        }
-                                        let _e1143 = phi_1277_;
-                                        let _e1145 = triangles.member[(0u + _e938)].v1_;
-                                        let _e1147 = triangles.member[(0u + _e938)].v0_;
-                                        let _e1150 = (_e1145.x - _e1147.x);
-                                        let _e1153 = (_e1145.y - _e1147.y);
-                                        let _e1156 = (_e1145.z - _e1147.z);
-                                        if (_e328 == 0u) {
-                                            phi_1303_ = vec3<f32>(_e1153, _e1156, _e1150);
-                                        } else {
-                                            if (_e328 == 1u) {
-                                                phi_1302_ = vec3<f32>(_e1156, _e1150, _e1153);
-                                            } else {
-                                                phi_1302_ = (_e1145 - _e1147);
-                                            }
-                                            let _e1163 = phi_1302_;
-                                            phi_1303_ = _e1163;
-                                        }
-                                        let _e1165 = phi_1303_;
-                                        let _e1167 = triangles.member[(0u + _e938)].v2_;
-                                        let _e1169 = triangles.member[(0u + _e938)].v0_;
-                                        let _e1172 = (_e1167.x - _e1169.x);
-                                        let _e1175 = (_e1167.y - _e1169.y);
-                                        let _e1178 = (_e1167.z - _e1169.z);
-                                        if (_e328 == 0u) {
-                                            phi_1329_ = vec3<f32>(_e1175, _e1178, _e1172);
-                                        } else {
-                                            if (_e328 == 1u) {
-                                                phi_1328_ = vec3<f32>(_e1178, _e1172, _e1175);
-                                            } else {
-                                                phi_1328_ = (_e1167 - _e1169);
-                                            }
-                                            let _e1185 = phi_1328_;
-                                            phi_1329_ = _e1185;
-                                        }
-                                        let _e1187 = phi_1329_;
-                                        let _e1194 = ((_e1165.y * _e1187.z) - (_e1165.z * _e1187.y));
-                                        let _e1201 = ((_e1165.z * _e1187.x) - (_e1165.x * _e1187.z));
-                                        let _e1208 = ((_e1165.x * _e1187.y) - (_e1165.y * _e1187.x));
-                                        let _e1222 = (((1f / _e336.z) * (((_e1194 * _e1143.x) + (_e1201 * _e1143.y)) + (_e1208 * _e1143.z))) / (((_e1194 * _e339) + (_e1201 * _e342)) + _e1208));
-                                        if (_e1222 > 0f) {
-                                            if (_e1222 < _e108) {
-                                                let _e1226 = triangles.member[(0u + _e938)].v0_;
-                                                let _e1228 = triangles.member[(0u + _e938)].v1_;
-                                                if (_e1226.x < _e1228.x) {
-                                                    phi_1385_ = _e1226.x;
-                                                } else {
-                                                    phi_1385_ = _e1228.x;
-                                                }
-                                                let _e1235 = phi_1385_;
-                                                if (_e1226.y < _e1228.y) {
-                                                    phi_1394_ = _e1226.y;
-                                                } else {
-                                                    phi_1394_ = _e1228.y;
-                                                }
-                                                let _e1242 = phi_1394_;
-                                                if (_e1226.z < _e1228.z) {
-                                                    phi_1403_ = _e1226.z;
-                                                } else {
-                                                    phi_1403_ = _e1228.z;
-                                                }
-                                                let _e1249 = phi_1403_;
-                                                let _e1251 = triangles.member[(0u + _e938)].v2_;
-                                                if (_e1235 < _e1251.x) {
-                                                    phi_1412_ = _e1235;
-                                                } else {
-                                                    phi_1412_ = _e1251.x;
-                                                }
-                                                let _e1256 = phi_1412_;
-                                                if (_e1242 < _e1251.y) {
-                                                    phi_1419_ = _e1242;
-                                                } else {
-                                                    phi_1419_ = _e1251.y;
-                                                }
-                                                let _e1261 = phi_1419_;
-                                                if (_e1249 < _e1251.z) {
-                                                    phi_1426_ = _e1249;
-                                                } else {
-                                                    phi_1426_ = _e1251.z;
-                                                }
-                                                let _e1266 = phi_1426_;
-                                                let _e1268 = triangles.member[(0u + _e938)].v0_;
-                                                let _e1270 = triangles.member[(0u + _e938)].v1_;
-                                                if (_e1268.x > _e1270.x) {
-                                                    phi_1439_ = _e1268.x;
-                                                } else {
-                                                    phi_1439_ = _e1270.x;
-                                                }
-                                                let _e1277 = phi_1439_;
-                                                if (_e1268.y > _e1270.y) {
-                                                    phi_1448_ = _e1268.y;
-                                                } else {
-                                                    phi_1448_ = _e1270.y;
-                                                }
-                                                let _e1284 = phi_1448_;
-                                                if (_e1268.z > _e1270.z) {
-                                                    phi_1457_ = _e1268.z;
-                                                } else {
-                                                    phi_1457_ = _e1270.z;
-                                                }
-                                                let _e1291 = phi_1457_;
-                                                let _e1293 = triangles.member[(0u + _e938)].v2_;
-                                                if (_e1277 > _e1293.x) {
-                                                    phi_1466_ = _e1277;
-                                                } else {
-                                                    phi_1466_ = _e1293.x;
-                                                }
-                                                let _e1298 = phi_1466_;
-                                                if (_e1284 > _e1293.y) {
-                                                    phi_1473_ = _e1284;
-                                                } else {
-                                                    phi_1473_ = _e1293.y;
-                                                }
-                                                let _e1303 = phi_1473_;
-                                                if (_e1291 > _e1293.z) {
-                                                    phi_1480_ = _e1291;
-                                                } else {
-                                                    phi_1480_ = _e1293.z;
-                                                }
-                                                let _e1308 = phi_1480_;
-                                                let _e1312 = ((_e1256 - _e100) * _e257);
-                                                let _e1313 = ((_e1261 - _e102) * _e267);
-                                                let _e1314 = ((_e1266 - _e104) * _e277);
-                                                let _e1318 = ((_e1298 - _e100) * _e257);
-                                                let _e1319 = ((_e1303 - _e102) * _e267);
-                                                let _e1320 = ((_e1308 - _e104) * _e277);
-                                                if (_e1312 < _e1318) {
-                                                    phi_1497_ = _e1312;
-                                                } else {
-                                                    phi_1497_ = _e1318;
-                                                }
-                                                let _e1323 = phi_1497_;
-                                                if (_e1313 < _e1319) {
-                                                    phi_1502_ = _e1313;
-                                                } else {
-                                                    phi_1502_ = _e1319;
-                                                }
-                                                let _e1326 = phi_1502_;
-                                                if (_e1314 < _e1320) {
-                                                    phi_1507_ = _e1314;
-                                                } else {
-                                                    phi_1507_ = _e1320;
-                                                }
-                                                let _e1329 = phi_1507_;
-                                                if (_e1312 > _e1318) {
-                                                    phi_1515_ = _e1312;
-                                                } else {
-                                                    phi_1515_ = _e1318;
-                                                }
-                                                let _e1335 = phi_1515_;
-                                                if (_e1313 > _e1319) {
-                                                    phi_1520_ = _e1313;
-                                                } else {
-                                                    phi_1520_ = _e1319;
-                                                }
-                                                let _e1338 = phi_1520_;
-                                                if (_e1314 > _e1320) {
-                                                    phi_1525_ = _e1314;
-                                                } else {
-                                                    phi_1525_ = _e1320;
-                                                }
-                                                let _e1341 = phi_1525_;
-                                                let _e1345 = core_intrinsics_maximum_number_nsz_f32_((_e1323 - _e312), (_e1326 - _e313));
-                                                let _e1346 = core_intrinsics_maximum_number_nsz_f32_(_e1345, (_e1329 - _e314));
-                                                let _e1347 = core_intrinsics_minimum_number_nsz_f32_((_e1335 + _e312), (_e1338 + _e313));
-                                                let _e1348 = core_intrinsics_minimum_number_nsz_f32_(_e1347, (_e1341 + _e314));
-                                                if (_e1346 > -300000000000000000000000000000000000000f) {
-                                                    phi_1537_ = _e1346;
-                                                } else {
-                                                    phi_1537_ = -300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1351 = phi_1537_;
-                                                if (_e1348 < 300000000000000000000000000000000000000f) {
-                                                    phi_1542_ = _e1348;
-                                                } else {
-                                                    phi_1542_ = 300000000000000000000000000000000000000f;
-                                                }
-                                                let _e1354 = phi_1542_;
-                                                if (_e1222 < _e1351) {
-                                                    phi_1547_ = _e1351;
-                                                } else {
-                                                    phi_1547_ = _e1222;
-                                                }
-                                                let _e1357 = phi_1547_;
-                                                if (_e1357 > _e1354) {
-                                                    phi_1552_ = _e1354;
-                                                } else {
-                                                    phi_1552_ = _e1357;
-                                                }
-                                                let _e1360 = phi_1552_;
-                                                phi_1557_ = lt_bvh_triangle_Intersection(_e1360, (_e1063 / _e1122), (_e1084 / _e1122), (_e1351 <= _e1354));
-                                                phi_1558_ = false;
-                                            } else {
-                                                phi_1557_ = lt_bvh_triangle_Intersection();
-                                                phi_1558_ = true;
-                                            }
-                                            let _e1366 = phi_1557_;
-                                            let _e1368 = phi_1558_;
-                                            phi_1559_ = _e1366;
-                                            phi_1560_ = _e1368;
-                                        } else {
-                                            phi_1559_ = lt_bvh_triangle_Intersection();
-                                            phi_1560_ = true;
-                                        }
-                                        let _e1370 = phi_1559_;
-                                        let _e1372 = phi_1560_;
-                                        if _e1372 {
-                                        }
-                                        phi_1564_ = _e1370;
-                                        phi_1565_ = _e1372;
+                                        phi_1250_ = _e1122;
                                     }
-                                    let _e1374 = phi_1564_;
-                                    let _e1376 = phi_1565_;
-                                    phi_1566_ = _e1374;
-                                    phi_1567_ = _e1125;
-                                    phi_1568_ = _e1376;
+                                    let _e1124 = phi_1250_;
+                                    phi_1251_ = _e1118;
+                                    phi_1252_ = _e1124;
                                 } else {
-                                    phi_1566_ = lt_bvh_triangle_Intersection();
-                                    phi_1567_ = true;
-                                    phi_1568_ = false;
+                                    phi_1251_ = _e1103;
+                                    phi_1252_ = true;
                                 }
-                                let _e1378 = phi_1566_;
-                                let _e1380 = phi_1567_;
-                                let _e1382 = phi_1568_;
-                                if _e1380 {
-                                    phi_1572_ = true;
+                                let _e1126 = phi_1251_;
+                                let _e1128 = phi_1252_;
+                                if _e1128 {
+                                    let _e1129 = (_e1126 == 0f);
+                                    if _e1129 {
+                                        phi_1568_ = lt_bvh_triangle_Intersection();
+                                        phi_1569_ = false;
+                                    } else {
+                                        let _e1131 = triangles.member[(0u + _e942)].v0_;
+                                        let _e1133 = (_e1131.x - _e100);
+                                        let _e1135 = (_e1131.y - _e102);
+                                        let _e1137 = (_e1131.z - _e104);
+                                        if (_e328 == 0u) {
+                                            phi_1281_ = vec3<f32>(_e1135, _e1137, _e1133);
+                                        } else {
+                                            if (_e328 == 1u) {
+                                                phi_1280_ = vec3<f32>(_e1137, _e1133, _e1135);
+                                            } else {
+                                                phi_1280_ = (_e1131 - vec3<f32>(_e100, _e102, _e104));
+                                            }
+                                            let _e1145 = phi_1280_;
+                                            phi_1281_ = _e1145;
+                                        }
+                                        let _e1147 = phi_1281_;
+                                        let _e1149 = triangles.member[(0u + _e942)].v1_;
+                                        let _e1151 = triangles.member[(0u + _e942)].v0_;
+                                        let _e1154 = (_e1149.x - _e1151.x);
+                                        let _e1157 = (_e1149.y - _e1151.y);
+                                        let _e1160 = (_e1149.z - _e1151.z);
+                                        if (_e328 == 0u) {
+                                            phi_1307_ = vec3<f32>(_e1157, _e1160, _e1154);
+                                        } else {
+                                            if (_e328 == 1u) {
+                                                phi_1306_ = vec3<f32>(_e1160, _e1154, _e1157);
+                                            } else {
+                                                phi_1306_ = (_e1149 - _e1151);
+                                            }
+                                            let _e1167 = phi_1306_;
+                                            phi_1307_ = _e1167;
+                                        }
+                                        let _e1169 = phi_1307_;
+                                        let _e1171 = triangles.member[(0u + _e942)].v2_;
+                                        let _e1173 = triangles.member[(0u + _e942)].v0_;
+                                        let _e1176 = (_e1171.x - _e1173.x);
+                                        let _e1179 = (_e1171.y - _e1173.y);
+                                        let _e1182 = (_e1171.z - _e1173.z);
+                                        if (_e328 == 0u) {
+                                            phi_1333_ = vec3<f32>(_e1179, _e1182, _e1176);
+                                        } else {
+                                            if (_e328 == 1u) {
+                                                phi_1332_ = vec3<f32>(_e1182, _e1176, _e1179);
+                                            } else {
+                                                phi_1332_ = (_e1171 - _e1173);
+                                            }
+                                            let _e1189 = phi_1332_;
+                                            phi_1333_ = _e1189;
+                                        }
+                                        let _e1191 = phi_1333_;
+                                        let _e1198 = ((_e1169.y * _e1191.z) - (_e1169.z * _e1191.y));
+                                        let _e1205 = ((_e1169.z * _e1191.x) - (_e1169.x * _e1191.z));
+                                        let _e1212 = ((_e1169.x * _e1191.y) - (_e1169.y * _e1191.x));
+                                        let _e1226 = (((1f / _e336.z) * (((_e1198 * _e1147.x) + (_e1205 * _e1147.y)) + (_e1212 * _e1147.z))) / (((_e1198 * _e339) + (_e1205 * _e342)) + _e1212));
+                                        if (_e1226 > 0f) {
+                                            if (_e1226 < _e108) {
+                                                let _e1230 = triangles.member[(0u + _e942)].v0_;
+                                                let _e1232 = triangles.member[(0u + _e942)].v1_;
+                                                if (_e1230.x < _e1232.x) {
+                                                    phi_1389_ = _e1230.x;
+                                                } else {
+                                                    phi_1389_ = _e1232.x;
+                                                }
+                                                let _e1239 = phi_1389_;
+                                                if (_e1230.y < _e1232.y) {
+                                                    phi_1398_ = _e1230.y;
+                                                } else {
+                                                    phi_1398_ = _e1232.y;
+                                                }
+                                                let _e1246 = phi_1398_;
+                                                if (_e1230.z < _e1232.z) {
+                                                    phi_1407_ = _e1230.z;
+                                                } else {
+                                                    phi_1407_ = _e1232.z;
+                                                }
+                                                let _e1253 = phi_1407_;
+                                                let _e1255 = triangles.member[(0u + _e942)].v2_;
+                                                if (_e1239 < _e1255.x) {
+                                                    phi_1416_ = _e1239;
+                                                } else {
+                                                    phi_1416_ = _e1255.x;
+                                                }
+                                                let _e1260 = phi_1416_;
+                                                if (_e1246 < _e1255.y) {
+                                                    phi_1423_ = _e1246;
+                                                } else {
+                                                    phi_1423_ = _e1255.y;
+                                                }
+                                                let _e1265 = phi_1423_;
+                                                if (_e1253 < _e1255.z) {
+                                                    phi_1430_ = _e1253;
+                                                } else {
+                                                    phi_1430_ = _e1255.z;
+                                                }
+                                                let _e1270 = phi_1430_;
+                                                let _e1272 = triangles.member[(0u + _e942)].v0_;
+                                                let _e1274 = triangles.member[(0u + _e942)].v1_;
+                                                if (_e1272.x > _e1274.x) {
+                                                    phi_1443_ = _e1272.x;
+                                                } else {
+                                                    phi_1443_ = _e1274.x;
+                                                }
+                                                let _e1281 = phi_1443_;
+                                                if (_e1272.y > _e1274.y) {
+                                                    phi_1452_ = _e1272.y;
+                                                } else {
+                                                    phi_1452_ = _e1274.y;
+                                                }
+                                                let _e1288 = phi_1452_;
+                                                if (_e1272.z > _e1274.z) {
+                                                    phi_1461_ = _e1272.z;
+                                                } else {
+                                                    phi_1461_ = _e1274.z;
+                                                }
+                                                let _e1295 = phi_1461_;
+                                                let _e1297 = triangles.member[(0u + _e942)].v2_;
+                                                if (_e1281 > _e1297.x) {
+                                                    phi_1470_ = _e1281;
+                                                } else {
+                                                    phi_1470_ = _e1297.x;
+                                                }
+                                                let _e1302 = phi_1470_;
+                                                if (_e1288 > _e1297.y) {
+                                                    phi_1477_ = _e1288;
+                                                } else {
+                                                    phi_1477_ = _e1297.y;
+                                                }
+                                                let _e1307 = phi_1477_;
+                                                if (_e1295 > _e1297.z) {
+                                                    phi_1484_ = _e1295;
+                                                } else {
+                                                    phi_1484_ = _e1297.z;
+                                                }
+                                                let _e1312 = phi_1484_;
+                                                let _e1316 = ((_e1260 - _e100) * _e257);
+                                                let _e1317 = ((_e1265 - _e102) * _e267);
+                                                let _e1318 = ((_e1270 - _e104) * _e277);
+                                                let _e1322 = ((_e1302 - _e100) * _e257);
+                                                let _e1323 = ((_e1307 - _e102) * _e267);
+                                                let _e1324 = ((_e1312 - _e104) * _e277);
+                                                if (_e1316 < _e1322) {
+                                                    phi_1501_ = _e1316;
+                                                } else {
+                                                    phi_1501_ = _e1322;
+                                                }
+                                                let _e1327 = phi_1501_;
+                                                if (_e1317 < _e1323) {
+                                                    phi_1506_ = _e1317;
+                                                } else {
+                                                    phi_1506_ = _e1323;
+                                                }
+                                                let _e1330 = phi_1506_;
+                                                if (_e1318 < _e1324) {
+                                                    phi_1511_ = _e1318;
+                                                } else {
+                                                    phi_1511_ = _e1324;
+                                                }
+                                                let _e1333 = phi_1511_;
+                                                if (_e1316 > _e1322) {
+                                                    phi_1519_ = _e1316;
+                                                } else {
+                                                    phi_1519_ = _e1322;
+                                                }
+                                                let _e1339 = phi_1519_;
+                                                if (_e1317 > _e1323) {
+                                                    phi_1524_ = _e1317;
+                                                } else {
+                                                    phi_1524_ = _e1323;
+                                                }
+                                                let _e1342 = phi_1524_;
+                                                if (_e1318 > _e1324) {
+                                                    phi_1529_ = _e1318;
+                                                } else {
+                                                    phi_1529_ = _e1324;
+                                                }
+                                                let _e1345 = phi_1529_;
+                                                let _e1349 = core_intrinsics_maximum_number_nsz_f32_((_e1327 - _e312), (_e1330 - _e313));
+                                                let _e1350 = core_intrinsics_maximum_number_nsz_f32_(_e1349, (_e1333 - _e314));
+                                                let _e1351 = core_intrinsics_minimum_number_nsz_f32_((_e1339 + _e312), (_e1342 + _e313));
+                                                let _e1352 = core_intrinsics_minimum_number_nsz_f32_(_e1351, (_e1345 + _e314));
+                                                if (_e1350 > -300000000000000000000000000000000000000f) {
+                                                    phi_1541_ = _e1350;
+                                                } else {
+                                                    phi_1541_ = -300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1355 = phi_1541_;
+                                                if (_e1352 < 300000000000000000000000000000000000000f) {
+                                                    phi_1546_ = _e1352;
+                                                } else {
+                                                    phi_1546_ = 300000000000000000000000000000000000000f;
+                                                }
+                                                let _e1358 = phi_1546_;
+                                                if (_e1226 < _e1355) {
+                                                    phi_1551_ = _e1355;
+                                                } else {
+                                                    phi_1551_ = _e1226;
+                                                }
+                                                let _e1361 = phi_1551_;
+                                                if (_e1361 > _e1358) {
+                                                    phi_1556_ = _e1358;
+                                                } else {
+                                                    phi_1556_ = _e1361;
+                                                }
+                                                let _e1364 = phi_1556_;
+                                                phi_1561_ = lt_bvh_triangle_Intersection(_e1364, (_e1067 / _e1126), (_e1088 / _e1126), (_e1355 <= _e1358));
+                                                phi_1562_ = false;
+                                            } else {
+                                                phi_1561_ = lt_bvh_triangle_Intersection();
+                                                phi_1562_ = true;
+                                            }
+                                            let _e1370 = phi_1561_;
+                                            let _e1372 = phi_1562_;
+                                            phi_1563_ = _e1370;
+                                            phi_1564_ = _e1372;
+                                        } else {
+                                            phi_1563_ = lt_bvh_triangle_Intersection();
+                                            phi_1564_ = true;
+                                        }
+                                        let _e1374 = phi_1563_;
+                                        let _e1376 = phi_1564_;
+                                        if _e1376 {
+                                        }
+                                        phi_1568_ = _e1374;
+                                        phi_1569_ = _e1376;
+                                    }
+                                    let _e1378 = phi_1568_;
+                                    let _e1380 = phi_1569_;
+                                    phi_1570_ = _e1378;
+                                    phi_1571_ = _e1129;
+                                    phi_1572_ = _e1380;
                                 } else {
-                                    phi_1572_ = _e1382;
+                                    phi_1570_ = lt_bvh_triangle_Intersection();
+                                    phi_1571_ = true;
+                                    phi_1572_ = false;
                                 }
-                                let _e1384 = phi_1572_;
+                                let _e1382 = phi_1570_;
+                                let _e1384 = phi_1571_;
+                                let _e1386 = phi_1572_;
                                 if _e1384 {
-                                    phi_1576_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_1576_ = true;
                                 } else {
-                                    phi_1576_ = _e1378;
+                                    phi_1576_ = _e1386;
                                 }
-                                let _e1386 = phi_1576_;
-                                if _e1386.is_hit {
-                                    if (_e1386.t > 0f) {
-                                        if (_e1386.t < _e108) {
-                                            let _e1393 = triangles.member[(0u + _e938)].i0_;
-                                            let _e1395 = ((_e1393 & 2147483648u) == 0u);
-                                            if _e1395 {
-                                                phi_1602_ = false;
-                                                phi_1603_ = false;
+                                let _e1388 = phi_1576_;
+                                if _e1388 {
+                                    phi_1580_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                } else {
+                                    phi_1580_ = _e1382;
+                                }
+                                let _e1390 = phi_1580_;
+                                if _e1390.is_hit {
+                                    if (_e1390.t > 0f) {
+                                        if (_e1390.t < _e108) {
+                                            if true {
+                                                phi_1600_ = false;
                                             } else {
-                                                if true {
-                                                    phi_1601_ = false;
-                                                } else {
-                                                    phi_1601_ = true;
-                                                }
-                                                let _e1397 = phi_1601_;
-                                                phi_1602_ = _e1397;
-                                                phi_1603_ = true;
+                                                phi_1600_ = true;
                                             }
-                                            let _e1399 = phi_1602_;
-                                            let _e1401 = phi_1603_;
-                                            phi_1604_ = _e1399;
-                                            phi_1605_ = _e1395;
-                                            phi_1606_ = _e1401;
+                                            let _e1399 = phi_1600_;
+                                            phi_1601_ = true;
+                                            phi_1602_ = _e1399;
                                         } else {
-                                            phi_1604_ = true;
-                                            phi_1605_ = false;
-                                            phi_1606_ = false;
+                                            phi_1601_ = _e933;
+                                            phi_1602_ = true;
                                         }
-                                        let _e1403 = phi_1604_;
-                                        let _e1405 = phi_1605_;
-                                        let _e1407 = phi_1606_;
-                                        phi_1607_ = _e1403;
-                                        phi_1608_ = _e1405;
-                                        phi_1609_ = _e1407;
+                                        let _e1401 = phi_1601_;
+                                        let _e1403 = phi_1602_;
+                                        phi_1603_ = _e1401;
+                                        phi_1604_ = _e1403;
                                     } else {
-                                        phi_1607_ = true;
-                                        phi_1608_ = false;
-                                        phi_1609_ = false;
+                                        phi_1603_ = _e933;
+                                        phi_1604_ = true;
                                     }
-                                    let _e1409 = phi_1607_;
-                                    let _e1411 = phi_1608_;
-                                    let _e1413 = phi_1609_;
-                                    phi_1610_ = _e1409;
-                                    phi_1611_ = _e1411;
-                                    phi_1612_ = _e1413;
+                                    let _e1405 = phi_1603_;
+                                    let _e1407 = phi_1604_;
+                                    phi_1605_ = _e1405;
+                                    phi_1606_ = _e1407;
                                 } else {
-                                    phi_1610_ = true;
-                                    phi_1611_ = false;
-                                    phi_1612_ = false;
+                                    phi_1605_ = _e933;
+                                    phi_1606_ = true;
                                 }
-                                let _e1415 = phi_1610_;
-                                let _e1417 = phi_1611_;
-                                let _e1419 = phi_1612_;
-                                if _e1415 {
-                                    phi_1616_ = false;
-                                    phi_1617_ = false;
-                                } else {
-                                    phi_1616_ = _e1417;
-                                    phi_1617_ = _e1419;
+                                let _e1409 = phi_1605_;
+                                let _e1411 = phi_1606_;
+                                if _e1411 {
                                 }
-                                let _e1421 = phi_1616_;
-                                let _e1423 = phi_1617_;
-                                phi_1008_ = (_e929 & (_e929 - 1u));
-                                phi_1618_ = _e1415;
-                                phi_1619_ = _e1421;
-                                phi_1620_ = _e1423;
+                                phi_1010_ = (_e931 & (_e931 - 1u));
+                                phi_1013_ = _e1409;
+                                phi_1610_ = _e1411;
                             }
-                            let _e1425 = phi_1008_;
-                            let _e1427 = phi_1618_;
-                            let _e1429 = phi_1619_;
-                            let _e1431 = phi_1620_;
-                            local_6 = _e1429;
-                            local_7 = _e1431;
+                            let _e1413 = phi_1010_;
+                            let _e1415 = phi_1013_;
+                            let _e1417 = phi_1610_;
                             continue;
                             continuing {
-                                phi_1007_ = _e1425;
-                                break if !(_e1427);
+                                phi_1009_ = _e1413;
+                                phi_1012_ = _e1415;
+                                break if !(_e1417);
                             }
                         }
-                        let _e1434 = local_4;
-                        if _e1434 {
-                            let _e1436 = local.group_mask;
-                            if ((_e1436 & 4278190080u) == 0u) {
-                                let _e1440 = local.len;
-                                if (_e1440 == 0u) {
-                                    phi_1662_ = false;
+                        let _e1420 = local_4;
+                        if _e1420 {
+                            let _e1422 = local.group_mask;
+                            if ((_e1422 & 4278190080u) == 0u) {
+                                let _e1426 = local.len;
+                                if (_e1426 == 0u) {
+                                    phi_1652_ = false;
                                 } else {
-                                    let _e1444 = local.len;
-                                    local.len = (_e1444 - 1u);
-                                    let _e1447 = local.len;
-                                    if (_e1447 < 32u) {
+                                    let _e1430 = local.len;
+                                    local.len = (_e1430 - 1u);
+                                    let _e1433 = local.len;
+                                    if (_e1433 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1452 = local.first[(0u + _e1447)];
-                                    local.group = _e1452;
-                                    let _e1455 = local.len;
-                                    if (_e1455 < 32u) {
+                                    let _e1438 = local.first[(0u + _e1433)];
+                                    local.group = _e1438;
+                                    let _e1441 = local.len;
+                                    if (_e1441 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1460 = local.mask[(0u + _e1455)];
-                                    local.group_mask = _e1460;
-                                    phi_1662_ = true;
+                                    let _e1446 = local.mask[(0u + _e1441)];
+                                    local.group_mask = _e1446;
+                                    phi_1652_ = true;
                                 }
-                                let _e1463 = phi_1662_;
-                                phi_1663_ = _e1463;
+                                let _e1449 = phi_1652_;
+                                phi_1653_ = _e1449;
                             } else {
-                                phi_1663_ = true;
+                                phi_1653_ = true;
                             }
-                            let _e1465 = phi_1663_;
-                            if _e1465 {
-                                let _e1467 = local.group_mask;
-                                let _e1473 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1467)), 32u, (_e1467 == 0u)));
+                            let _e1451 = phi_1653_;
+                            if _e1451 {
+                                let _e1453 = local.group_mask;
+                                let _e1459 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1453)), 32u, (_e1453 == 0u)));
+                                let _e1463 = local.group_mask;
                                 let _e1477 = local.group_mask;
-                                let _e1491 = local.group_mask;
-                                local.group_mask = (_e1491 & ~((1u << bitcast<u32>((_e1473 & 31u)))));
-                                let _e1494 = local.group;
-                                phi_1694_ = (_e1494 + countOneBits(((_e1477 & ~((4294967295u << bitcast<u32>((((_e1473 - 24u) ^ _e355) & 31u))))) & 255u)));
+                                local.group_mask = (_e1477 & ~((1u << bitcast<u32>((_e1459 & 31u)))));
+                                let _e1480 = local.group;
+                                phi_1684_ = (_e1480 + countOneBits(((_e1463 & ~((4294967295u << bitcast<u32>((((_e1459 - 24u) ^ _e355) & 31u))))) & 255u)));
                             } else {
-                                phi_1694_ = 4294967295u;
+                                phi_1684_ = 4294967295u;
                             }
-                            let _e1497 = phi_1694_;
-                            phi_1695_ = _e1497;
-                            phi_1696_ = false;
-                            phi_1697_ = false;
+                            let _e1483 = phi_1684_;
+                            phi_1685_ = _e1483;
                         } else {
-                            phi_1695_ = u32();
-                            let _e1712 = local_6;
-                            phi_1696_ = _e1712;
-                            let _e1715 = local_7;
-                            phi_1697_ = _e1715;
+                            phi_1685_ = u32();
                         }
-                        let _e1499 = phi_1695_;
-                        let _e1501 = phi_1696_;
-                        let _e1503 = phi_1697_;
-                        phi_678_ = _e1499;
-                        let _e1719 = local_8;
-                        phi_1698_ = _e1719;
-                        phi_1699_ = false;
-                        phi_1700_ = _e1501;
-                        phi_1701_ = _e1503;
+                        let _e1485 = phi_1685_;
+                        phi_678_ = _e1485;
+                        let _e1683 = local_6;
+                        phi_681_ = _e1683;
+                        let _e1686 = local_7;
+                        phi_1686_ = _e1686;
+                        phi_1687_ = false;
                     } else {
                         phi_678_ = u32();
-                        phi_1698_ = false;
-                        phi_1699_ = true;
-                        phi_1700_ = false;
-                        phi_1701_ = false;
+                        phi_681_ = bool();
+                        phi_1686_ = false;
+                        phi_1687_ = true;
                     }
-                    let _e1505 = phi_678_;
-                    let _e1507 = phi_1698_;
-                    let _e1509 = phi_1699_;
-                    let _e1511 = phi_1700_;
-                    let _e1513 = phi_1701_;
-                    local_5 = _e1509;
-                    local_9 = _e1511;
-                    local_10 = _e1513;
+                    let _e1487 = phi_678_;
+                    let _e1489 = phi_681_;
+                    let _e1491 = phi_1686_;
+                    let _e1493 = phi_1687_;
+                    local_5 = _e1493;
                     continue;
                     continuing {
-                        phi_677_ = _e1505;
-                        break if !(_e1507);
+                        phi_677_ = _e1487;
+                        phi_680_ = _e1489;
+                        break if !(_e1491);
                     }
                 }
-                let _e1516 = local_5;
-                if _e1516 {
-                    phi_1705_ = false;
-                    phi_1706_ = false;
+                let _e1496 = local_5;
+                if _e1496 {
+                    phi_1691_ = false;
                 } else {
-                    let _e1726 = local_9;
-                    phi_1705_ = _e1726;
-                    let _e1729 = local_10;
-                    phi_1706_ = _e1729;
+                    phi_1691_ = true;
                 }
-                let _e1518 = phi_1705_;
-                let _e1520 = phi_1706_;
-                if _e1518 {
-                    phi_1710_ = true;
+                let _e1498 = phi_1691_;
+                if _e1498 {
+                    phi_1695_ = true;
                 } else {
-                    phi_1710_ = _e1520;
+                    let _e1692 = local_8;
+                    phi_1695_ = _e1692;
                 }
-                let _e1522 = phi_1710_;
-                if _e1522 {
-                    phi_1714_ = true;
-                } else {
-                    phi_1714_ = false;
-                }
-                let _e1524 = phi_1714_;
-                phi_1715_ = _e1524;
+                let _e1500 = phi_1695_;
+                phi_1696_ = _e1500;
             }
-            let _e1526 = phi_1715_;
-            phi_1716_ = _e1526;
-            phi_1717_ = _e181;
+            let _e1502 = phi_1696_;
+            phi_1697_ = _e1502;
+            phi_1698_ = _e181;
         } else {
-            phi_1716_ = bool();
-            phi_1717_ = true;
+            phi_1697_ = bool();
+            phi_1698_ = true;
         }
-        let _e1528 = phi_1716_;
-        let _e1530 = phi_1717_;
-        if _e1530 {
-            phi_1721_ = false;
+        let _e1504 = phi_1697_;
+        let _e1506 = phi_1698_;
+        if _e1506 {
+            phi_1702_ = false;
         } else {
-            phi_1721_ = _e1528;
+            phi_1702_ = _e1504;
         }
-        let _e1532 = phi_1721_;
-        if _e1532 {
-            phi_1725_ = 0f;
+        let _e1508 = phi_1702_;
+        if _e1508 {
+            phi_1706_ = 0f;
         } else {
-            phi_1725_ = 1f;
+            phi_1706_ = 1f;
         }
-        let _e1534 = phi_1725_;
+        let _e1510 = phi_1706_;
         if (_e79 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79)] = _e1534;
+        visibility.member[(0u + _e79)] = _e1510;
     }
     return;
 }

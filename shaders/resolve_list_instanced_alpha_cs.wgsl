@@ -30,11 +30,48 @@ struct texture_TextureView {
     flags: u32,
 }
 
+struct lt_bvh_traverse_Stack {
+    first: array<u32, 32>,
+    mask: array<u32, 32>,
+    len: u32,
+    group: u32,
+    group_mask: u32,
+}
+
 struct lt_math_LightProjection {
     row_x: vec4<f32>,
     row_y: vec4<f32>,
     row_z: vec4<f32>,
     row_w: vec4<f32>,
+}
+
+struct abi_ShadowParams {
+    projection: lt_math_LightProjection,
+    light: vec4<f32>,
+    test: vec4<f32>,
+    size: vec2<u32>,
+    map_size: u32,
+    epsilon: f32,
+    root: u32,
+    pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
+}
+
+struct type_32 {
+    member: abi_ShadowParams,
+}
+
+struct lt_bvh_Node {
+    frame: vec4<u32>,
+    links: vec4<u32>,
+    x: vec4<u32>,
+    y: vec4<u32>,
+    z: vec4<u32>,
+}
+
+struct type_37 {
+    member: array<lt_bvh_Node>,
 }
 
 struct lt_bvh_Triangle {
@@ -46,7 +83,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_31 {
+struct type_41 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -58,7 +95,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_35 {
+struct type_45 {
     member: array<abi_Vertex>,
 }
 
@@ -70,11 +107,24 @@ struct abi_Material {
     alpha_size: u32,
     color_offset: u32,
     color_size: u32,
-    pad: vec2<u32>,
+    transmission: f32,
+    pad: u32,
 }
 
-struct type_39 {
+struct type_49 {
     member: array<abi_Material>,
+}
+
+struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
+}
+
+struct lt_bvh_triangle_Intersection {
+    t: f32,
+    u: f32,
+    v: f32,
+    is_hit: bool,
 }
 
 struct texture_TexelQuad {
@@ -99,57 +149,8 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_50 {
+struct type_63 {
     member: array<lt_bvh_Instance>,
-}
-
-struct lt_bvh_traverse_Stack {
-    first: array<u32, 32>,
-    mask: array<u32, 32>,
-    len: u32,
-    group: u32,
-    group_mask: u32,
-}
-
-struct lt_bvh_Node {
-    frame: vec4<u32>,
-    links: vec4<u32>,
-    x: vec4<u32>,
-    y: vec4<u32>,
-    z: vec4<u32>,
-}
-
-struct type_59 {
-    member: array<lt_bvh_Node>,
-}
-
-struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_bvh_traverse_Tree,
-    unnamed_1: lt_bvh_traverse_Tree,
-}
-
-struct lt_bvh_triangle_Intersection {
-    t: f32,
-    u: f32,
-    v: f32,
-    is_hit: bool,
-}
-
-struct abi_ShadowParams {
-    projection: lt_math_LightProjection,
-    light: vec4<f32>,
-    test: vec4<f32>,
-    size: vec2<u32>,
-    map_size: u32,
-    epsilon: f32,
-    root: u32,
-    pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
-}
-
-struct type_65 {
-    member: abi_ShadowParams,
 }
 
 var<private> id_1: vec3<u32>;
@@ -157,414 +158,414 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
-@group(0) @binding(6) 
-var<storage> instances: type_50;
 @group(0) @binding(0) 
-var<uniform> p: type_65;
+var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_59;
+var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_31;
+var<storage> triangles: type_41;
+@group(0) @binding(6) 
+var<storage> instances: type_63;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(7) 
-var<storage> vertices: type_35;
+var<storage> vertices: type_45;
 @group(0) @binding(8) 
-var<storage> materials: type_39;
+var<storage> materials: type_49;
 @group(0) @binding(9) 
 var<storage> alpha_texels: type_13;
 
-fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_234_: f32;
-    var phi_239_: f32;
-    var phi_240_: bool;
-    var phi_241_: f32;
-    var phi_242_: bool;
-    var phi_246_: f32;
-    var phi_272_: f32;
-    var phi_277_: f32;
-    var phi_278_: bool;
-    var phi_279_: f32;
-    var phi_280_: bool;
-    var phi_284_: f32;
-    var phi_292_: f32;
-    var phi_293_: f32;
-    var phi_294_: f32;
-    var phi_303_: f32;
-    var phi_304_: f32;
-    var phi_322_: u32;
-    var phi_336_: u32;
-    var phi_343_: u32;
-    var phi_348_: u32;
-    var phi_354_: u32;
-    var phi_359_: u32;
-    var phi_361_: texture_Axis;
-    var phi_389_: f32;
-    var phi_394_: f32;
-    var phi_395_: bool;
-    var phi_396_: f32;
-    var phi_397_: bool;
-    var phi_401_: f32;
-    var phi_427_: f32;
-    var phi_432_: f32;
-    var phi_433_: bool;
-    var phi_434_: f32;
-    var phi_435_: bool;
-    var phi_439_: f32;
-    var phi_447_: f32;
-    var phi_448_: f32;
-    var phi_449_: f32;
-    var phi_458_: f32;
-    var phi_459_: f32;
-    var phi_477_: u32;
-    var phi_491_: u32;
-    var phi_498_: u32;
-    var phi_503_: u32;
-    var phi_509_: u32;
-    var phi_514_: u32;
-    var phi_516_: texture_Axis;
+fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
+    var phi_204_: bool;
+    var phi_208_: f32;
 
-    let _e70 = (*param).size;
+    if (param != param) {
+        phi_204_ = true;
+    } else {
+        let _e69 = (param_1 >= param);
+        if _e69 {
+        }
+        phi_204_ = _e69;
+    }
+    let _e71 = phi_204_;
+    if _e71 {
+        phi_208_ = param_1;
+    } else {
+        phi_208_ = param;
+    }
+    let _e73 = phi_208_;
+    return _e73;
+}
+
+fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
+    var phi_220_: bool;
+    var phi_224_: f32;
+
+    if (param_2 != param_2) {
+        phi_220_ = true;
+    } else {
+        let _e69 = (param_3 <= param_2);
+        if _e69 {
+        }
+        phi_220_ = _e69;
+    }
+    let _e71 = phi_220_;
+    if _e71 {
+        phi_224_ = param_3;
+    } else {
+        phi_224_ = param_2;
+    }
+    let _e73 = phi_224_;
+    return _e73;
+}
+
+fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureView>, param_5: f32, param_6: f32) -> texture_TexelQuad {
+    var phi_266_: f32;
+    var phi_271_: f32;
+    var phi_272_: bool;
+    var phi_273_: f32;
+    var phi_274_: bool;
+    var phi_278_: f32;
+    var phi_304_: f32;
+    var phi_309_: f32;
+    var phi_310_: bool;
+    var phi_311_: f32;
+    var phi_312_: bool;
+    var phi_316_: f32;
+    var phi_324_: f32;
+    var phi_325_: f32;
+    var phi_326_: f32;
+    var phi_335_: f32;
+    var phi_336_: f32;
+    var phi_354_: u32;
+    var phi_368_: u32;
+    var phi_375_: u32;
+    var phi_380_: u32;
+    var phi_386_: u32;
+    var phi_391_: u32;
+    var phi_393_: texture_Axis;
+    var phi_421_: f32;
+    var phi_426_: f32;
+    var phi_427_: bool;
+    var phi_428_: f32;
+    var phi_429_: bool;
+    var phi_433_: f32;
+    var phi_459_: f32;
+    var phi_464_: f32;
+    var phi_465_: bool;
+    var phi_466_: f32;
+    var phi_467_: bool;
+    var phi_471_: f32;
+    var phi_479_: f32;
+    var phi_480_: f32;
+    var phi_481_: f32;
+    var phi_490_: f32;
+    var phi_491_: f32;
+    var phi_509_: u32;
+    var phi_523_: u32;
+    var phi_530_: u32;
+    var phi_535_: u32;
+    var phi_541_: u32;
+    var phi_546_: u32;
+    var phi_548_: texture_Axis;
+
+    let _e70 = (*param_4).size;
     let _e71 = (_e70 & 65535u);
-    let _e73 = (*param).size;
+    let _e73 = (*param_4).size;
     let _e75 = (_e73 >> bitcast<u32>(16i));
-    let _e77 = (*param).flags;
+    let _e77 = (*param_4).flags;
     let _e79 = ((_e77 & 4u) != 0u);
-    let _e81 = (*param).flags;
+    let _e81 = (*param_4).flags;
     let _e84 = ((_e81 >> bitcast<u32>(4u)) & 3u);
     if (_e84 == 0u) {
-        if (param_1 > -8388608f) {
-            let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
-            if (_e97 > param_1) {
-                phi_234_ = 1f;
+        if (param_5 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(param_5), i32(-2147483648), (param_5 < bitcast<f32>(3472883712u))), 2147483647i, (param_5 > bitcast<f32>(1325400063u))), (param_5 == param_5)));
+            if (_e97 > param_5) {
+                phi_266_ = 1f;
             } else {
-                phi_234_ = 0f;
+                phi_266_ = 0f;
             }
-            let _e100 = phi_234_;
-            if (param_1 < 8388608f) {
-                phi_239_ = (_e97 - _e100);
-                phi_240_ = false;
+            let _e100 = phi_266_;
+            if (param_5 < 8388608f) {
+                phi_271_ = (_e97 - _e100);
+                phi_272_ = false;
             } else {
-                phi_239_ = f32();
-                phi_240_ = true;
+                phi_271_ = f32();
+                phi_272_ = true;
             }
-            let _e103 = phi_239_;
-            let _e105 = phi_240_;
-            phi_241_ = _e103;
-            phi_242_ = _e105;
+            let _e103 = phi_271_;
+            let _e105 = phi_272_;
+            phi_273_ = _e103;
+            phi_274_ = _e105;
         } else {
-            phi_241_ = f32();
-            phi_242_ = true;
+            phi_273_ = f32();
+            phi_274_ = true;
         }
-        let _e107 = phi_241_;
-        let _e109 = phi_242_;
+        let _e107 = phi_273_;
+        let _e109 = phi_274_;
         if _e109 {
-            phi_246_ = param_1;
+            phi_278_ = param_5;
         } else {
-            phi_246_ = _e107;
+            phi_278_ = _e107;
         }
-        let _e111 = phi_246_;
-        phi_294_ = (param_1 - _e111);
+        let _e111 = phi_278_;
+        phi_326_ = (param_5 - _e111);
     } else {
         if (_e84 == 1u) {
-            let _e114 = (param_1 * 0.5f);
+            let _e114 = (param_5 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_272_ = 1f;
+                    phi_304_ = 1f;
                 } else {
-                    phi_272_ = 0f;
+                    phi_304_ = 0f;
                 }
-                let _e129 = phi_272_;
+                let _e129 = phi_304_;
                 if (_e114 < 8388608f) {
-                    phi_277_ = (_e126 - _e129);
-                    phi_278_ = false;
+                    phi_309_ = (_e126 - _e129);
+                    phi_310_ = false;
                 } else {
-                    phi_277_ = f32();
-                    phi_278_ = true;
+                    phi_309_ = f32();
+                    phi_310_ = true;
                 }
-                let _e132 = phi_277_;
-                let _e134 = phi_278_;
-                phi_279_ = _e132;
-                phi_280_ = _e134;
+                let _e132 = phi_309_;
+                let _e134 = phi_310_;
+                phi_311_ = _e132;
+                phi_312_ = _e134;
             } else {
-                phi_279_ = f32();
-                phi_280_ = true;
+                phi_311_ = f32();
+                phi_312_ = true;
             }
-            let _e136 = phi_279_;
-            let _e138 = phi_280_;
+            let _e136 = phi_311_;
+            let _e138 = phi_312_;
             if _e138 {
-                phi_284_ = _e114;
+                phi_316_ = _e114;
             } else {
-                phi_284_ = _e136;
+                phi_316_ = _e136;
             }
-            let _e140 = phi_284_;
-            let _e142 = (param_1 - (2f * _e140));
+            let _e140 = phi_316_;
+            let _e142 = (param_5 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_292_ = (2f - _e142);
+                phi_324_ = (2f - _e142);
             } else {
-                phi_292_ = _e142;
+                phi_324_ = _e142;
             }
-            let _e146 = phi_292_;
-            phi_293_ = _e146;
+            let _e146 = phi_324_;
+            phi_325_ = _e146;
         } else {
-            phi_293_ = param_1;
+            phi_325_ = param_5;
         }
-        let _e148 = phi_293_;
-        phi_294_ = _e148;
+        let _e148 = phi_325_;
+        phi_326_ = _e148;
     }
-    let _e150 = phi_294_;
+    let _e150 = phi_326_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_303_ = _e150;
+            phi_335_ = _e150;
         } else {
-            phi_303_ = 1f;
+            phi_335_ = 1f;
         }
-        let _e154 = phi_303_;
-        phi_304_ = _e154;
+        let _e154 = phi_335_;
+        phi_336_ = _e154;
     } else {
-        phi_304_ = 0f;
+        phi_336_ = 0f;
     }
-    let _e156 = phi_304_;
+    let _e156 = phi_336_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_322_ = _e157;
+            phi_354_ = _e157;
         } else {
-            phi_322_ = _e166;
+            phi_354_ = _e166;
         }
-        let _e169 = phi_322_;
-        phi_361_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_354_;
+        phi_393_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_336_ = _e71;
+            phi_368_ = _e71;
         } else {
-            phi_336_ = _e178;
+            phi_368_ = _e178;
         }
-        let _e181 = phi_336_;
+        let _e181 = phi_368_;
         if (_e84 == 0u) {
-            phi_343_ = _e157;
+            phi_375_ = _e157;
         } else {
-            phi_343_ = 0u;
+            phi_375_ = 0u;
         }
-        let _e186 = phi_343_;
+        let _e186 = phi_375_;
         if (_e84 == 0u) {
-            phi_348_ = 0u;
+            phi_380_ = 0u;
         } else {
-            phi_348_ = _e157;
+            phi_380_ = _e157;
         }
-        let _e189 = phi_348_;
+        let _e189 = phi_380_;
         if (_e181 == 0u) {
-            phi_354_ = _e186;
+            phi_386_ = _e186;
         } else {
-            phi_354_ = (_e181 - 1u);
+            phi_386_ = (_e181 - 1u);
         }
-        let _e193 = phi_354_;
+        let _e193 = phi_386_;
         if (_e181 > _e157) {
-            phi_359_ = _e189;
+            phi_391_ = _e189;
         } else {
-            phi_359_ = _e181;
+            phi_391_ = _e181;
         }
-        let _e196 = phi_359_;
-        phi_361_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_391_;
+        phi_393_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_361_;
-    let _e201 = (*param).flags;
+    let _e199 = phi_393_;
+    let _e201 = (*param_4).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
-        if (param_2 > -8388608f) {
-            let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
-            if (_e217 > param_2) {
-                phi_389_ = 1f;
+        if (param_6 > -8388608f) {
+            let _e217 = f32(select(0i, select(select(i32(param_6), i32(-2147483648), (param_6 < bitcast<f32>(3472883712u))), 2147483647i, (param_6 > bitcast<f32>(1325400063u))), (param_6 == param_6)));
+            if (_e217 > param_6) {
+                phi_421_ = 1f;
             } else {
-                phi_389_ = 0f;
+                phi_421_ = 0f;
             }
-            let _e220 = phi_389_;
-            if (param_2 < 8388608f) {
-                phi_394_ = (_e217 - _e220);
-                phi_395_ = false;
+            let _e220 = phi_421_;
+            if (param_6 < 8388608f) {
+                phi_426_ = (_e217 - _e220);
+                phi_427_ = false;
             } else {
-                phi_394_ = f32();
-                phi_395_ = true;
+                phi_426_ = f32();
+                phi_427_ = true;
             }
-            let _e223 = phi_394_;
-            let _e225 = phi_395_;
-            phi_396_ = _e223;
-            phi_397_ = _e225;
+            let _e223 = phi_426_;
+            let _e225 = phi_427_;
+            phi_428_ = _e223;
+            phi_429_ = _e225;
         } else {
-            phi_396_ = f32();
-            phi_397_ = true;
+            phi_428_ = f32();
+            phi_429_ = true;
         }
-        let _e227 = phi_396_;
-        let _e229 = phi_397_;
+        let _e227 = phi_428_;
+        let _e229 = phi_429_;
         if _e229 {
-            phi_401_ = param_2;
+            phi_433_ = param_6;
         } else {
-            phi_401_ = _e227;
+            phi_433_ = _e227;
         }
-        let _e231 = phi_401_;
-        phi_449_ = (param_2 - _e231);
+        let _e231 = phi_433_;
+        phi_481_ = (param_6 - _e231);
     } else {
         if (_e204 == 1u) {
-            let _e234 = (param_2 * 0.5f);
+            let _e234 = (param_6 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_427_ = 1f;
+                    phi_459_ = 1f;
                 } else {
-                    phi_427_ = 0f;
+                    phi_459_ = 0f;
                 }
-                let _e249 = phi_427_;
+                let _e249 = phi_459_;
                 if (_e234 < 8388608f) {
-                    phi_432_ = (_e246 - _e249);
-                    phi_433_ = false;
+                    phi_464_ = (_e246 - _e249);
+                    phi_465_ = false;
                 } else {
-                    phi_432_ = f32();
-                    phi_433_ = true;
+                    phi_464_ = f32();
+                    phi_465_ = true;
                 }
-                let _e252 = phi_432_;
-                let _e254 = phi_433_;
-                phi_434_ = _e252;
-                phi_435_ = _e254;
+                let _e252 = phi_464_;
+                let _e254 = phi_465_;
+                phi_466_ = _e252;
+                phi_467_ = _e254;
             } else {
-                phi_434_ = f32();
-                phi_435_ = true;
+                phi_466_ = f32();
+                phi_467_ = true;
             }
-            let _e256 = phi_434_;
-            let _e258 = phi_435_;
+            let _e256 = phi_466_;
+            let _e258 = phi_467_;
             if _e258 {
-                phi_439_ = _e234;
+                phi_471_ = _e234;
             } else {
-                phi_439_ = _e256;
+                phi_471_ = _e256;
             }
-            let _e260 = phi_439_;
-            let _e262 = (param_2 - (2f * _e260));
+            let _e260 = phi_471_;
+            let _e262 = (param_6 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_447_ = (2f - _e262);
+                phi_479_ = (2f - _e262);
             } else {
-                phi_447_ = _e262;
+                phi_479_ = _e262;
             }
-            let _e266 = phi_447_;
-            phi_448_ = _e266;
+            let _e266 = phi_479_;
+            phi_480_ = _e266;
         } else {
-            phi_448_ = param_2;
+            phi_480_ = param_6;
         }
-        let _e268 = phi_448_;
-        phi_449_ = _e268;
+        let _e268 = phi_480_;
+        phi_481_ = _e268;
     }
-    let _e270 = phi_449_;
+    let _e270 = phi_481_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_458_ = _e270;
+            phi_490_ = _e270;
         } else {
-            phi_458_ = 1f;
+            phi_490_ = 1f;
         }
-        let _e274 = phi_458_;
-        phi_459_ = _e274;
+        let _e274 = phi_490_;
+        phi_491_ = _e274;
     } else {
-        phi_459_ = 0f;
+        phi_491_ = 0f;
     }
-    let _e276 = phi_459_;
+    let _e276 = phi_491_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_477_ = _e277;
+            phi_509_ = _e277;
         } else {
-            phi_477_ = _e286;
+            phi_509_ = _e286;
         }
-        let _e289 = phi_477_;
-        phi_516_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_509_;
+        phi_548_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_491_ = _e75;
+            phi_523_ = _e75;
         } else {
-            phi_491_ = _e298;
+            phi_523_ = _e298;
         }
-        let _e301 = phi_491_;
+        let _e301 = phi_523_;
         if (_e204 == 0u) {
-            phi_498_ = _e277;
+            phi_530_ = _e277;
         } else {
-            phi_498_ = 0u;
+            phi_530_ = 0u;
         }
-        let _e306 = phi_498_;
+        let _e306 = phi_530_;
         if (_e204 == 0u) {
-            phi_503_ = 0u;
+            phi_535_ = 0u;
         } else {
-            phi_503_ = _e277;
+            phi_535_ = _e277;
         }
-        let _e309 = phi_503_;
+        let _e309 = phi_535_;
         if (_e301 == 0u) {
-            phi_509_ = _e306;
+            phi_541_ = _e306;
         } else {
-            phi_509_ = (_e301 - 1u);
+            phi_541_ = (_e301 - 1u);
         }
-        let _e313 = phi_509_;
+        let _e313 = phi_541_;
         if (_e301 > _e277) {
-            phi_514_ = _e309;
+            phi_546_ = _e309;
         } else {
-            phi_514_ = _e301;
+            phi_546_ = _e301;
         }
-        let _e316 = phi_514_;
-        phi_516_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_546_;
+        phi_548_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_516_;
-    let _e323 = (*param).offset;
-    let _e330 = (*param).offset;
-    let _e337 = (*param).offset;
-    let _e344 = (*param).offset;
+    let _e319 = phi_548_;
+    let _e323 = (*param_4).offset;
+    let _e330 = (*param_4).offset;
+    let _e337 = (*param_4).offset;
+    let _e344 = (*param_4).offset;
     return texture_TexelQuad(array<u32, 4>(((_e323 + (_e319.low * _e71)) + _e199.low), ((_e330 + (_e319.low * _e71)) + _e199.high), ((_e337 + (_e319.high * _e71)) + _e199.low), ((_e344 + (_e319.high * _e71)) + _e199.high)), vec4<f32>(((1f - _e199.fraction) * (1f - _e319.fraction)), (_e199.fraction * (1f - _e319.fraction)), ((1f - _e199.fraction) * _e319.fraction), (_e199.fraction * _e319.fraction)));
-}
-
-fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_575_: bool;
-    var phi_579_: f32;
-
-    if (param_3 != param_3) {
-        phi_575_ = true;
-    } else {
-        let _e69 = (param_4 >= param_3);
-        if _e69 {
-        }
-        phi_575_ = _e69;
-    }
-    let _e71 = phi_575_;
-    if _e71 {
-        phi_579_ = param_4;
-    } else {
-        phi_579_ = param_3;
-    }
-    let _e73 = phi_579_;
-    return _e73;
-}
-
-fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_591_: bool;
-    var phi_595_: f32;
-
-    if (param_5 != param_5) {
-        phi_591_ = true;
-    } else {
-        let _e69 = (param_6 <= param_5);
-        if _e69 {
-        }
-        phi_591_ = _e69;
-    }
-    let _e71 = phi_591_;
-    if _e71 {
-        phi_595_ = param_6;
-    } else {
-        phi_595_ = param_5;
-    }
-    let _e73 = phi_595_;
-    return _e73;
 }
 
 fn function_() {
@@ -611,41 +612,39 @@ fn function_() {
     var phi_1058_: bool;
     var phi_1089_: u32;
     var phi_1091_: u32;
-    var phi_1172_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1199_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1226_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1232_: u32;
-    var phi_1235_: u32;
-    var phi_1249_: u32;
-    var phi_1259_: u32;
-    var phi_1269_: u32;
-    var phi_1287_: u32;
-    var phi_1297_: u32;
-    var phi_1307_: u32;
-    var phi_1343_: u32;
-    var phi_1356_: u32;
-    var phi_1361_: u32;
-    var phi_1362_: u32;
+    var phi_1094_: bool;
+    var phi_1174_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1201_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1228_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1234_: u32;
+    var phi_1237_: u32;
+    var phi_1251_: u32;
+    var phi_1261_: u32;
+    var phi_1271_: u32;
+    var phi_1289_: u32;
+    var phi_1299_: u32;
+    var phi_1309_: u32;
+    var phi_1345_: u32;
+    var phi_1358_: u32;
     var phi_1363_: u32;
-    var phi_1233_: u32;
-    var phi_1236_: u32;
+    var phi_1364_: u32;
+    var phi_1365_: u32;
+    var phi_1235_: u32;
+    var phi_1238_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1421_: u32;
-    var phi_1471_: f32;
-    var phi_1476_: f32;
-    var phi_1481_: f32;
-    var phi_1489_: f32;
-    var phi_1494_: f32;
-    var phi_1499_: f32;
-    var phi_1643_: bool;
-    var phi_1644_: bool;
-    var phi_1645_: bool;
+    var phi_1423_: u32;
+    var phi_1426_: bool;
+    var phi_1475_: f32;
+    var phi_1480_: f32;
+    var phi_1485_: f32;
+    var phi_1493_: f32;
+    var phi_1498_: f32;
+    var phi_1503_: f32;
+    var phi_1647_: bool;
+    var phi_1648_: bool;
     var phi_1649_: bool;
-    var phi_1650_: bool;
-    var phi_1651_: bool;
-    var phi_1652_: bool;
     var phi_1653_: bool;
     var phi_1654_: bool;
     var phi_1655_: bool;
@@ -660,203 +659,209 @@ fn function_() {
     var phi_1664_: bool;
     var phi_1665_: bool;
     var phi_1666_: bool;
+    var phi_1667_: bool;
+    var phi_1668_: bool;
+    var phi_1669_: bool;
     var phi_1670_: bool;
     var phi_1674_: bool;
-    var phi_1744_: f32;
-    var phi_1751_: f32;
-    var phi_1758_: f32;
-    var phi_1765_: f32;
-    var phi_1772_: f32;
-    var phi_1779_: f32;
-    var phi_1796_: f32;
-    var phi_1801_: f32;
-    var phi_1806_: f32;
-    var phi_1834_: bool;
-    var phi_1835_: bool;
-    var phi_1843_: u32;
-    var phi_1844_: u32;
-    var phi_1855_: vec3<f32>;
-    var phi_1856_: vec3<f32>;
-    var phi_1869_: u32;
-    var phi_1874_: u32;
-    var phi_1879_: u32;
-    var phi_1993_: bool;
-    var phi_1994_: bool;
-    var phi_2025_: u32;
-    var phi_2027_: u32;
-    var phi_2108_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2135_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2162_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2168_: u32;
-    var phi_2171_: u32;
-    var phi_2185_: u32;
-    var phi_2195_: u32;
-    var phi_2205_: u32;
-    var phi_2223_: u32;
-    var phi_2233_: u32;
-    var phi_2243_: u32;
-    var phi_2279_: u32;
-    var phi_2292_: u32;
-    var phi_2297_: u32;
+    var phi_1678_: bool;
+    var phi_1748_: f32;
+    var phi_1755_: f32;
+    var phi_1762_: f32;
+    var phi_1769_: f32;
+    var phi_1776_: f32;
+    var phi_1783_: f32;
+    var phi_1800_: f32;
+    var phi_1805_: f32;
+    var phi_1810_: f32;
+    var phi_1838_: bool;
+    var phi_1839_: bool;
+    var phi_1847_: u32;
+    var phi_1848_: u32;
+    var phi_1859_: vec3<f32>;
+    var phi_1860_: vec3<f32>;
+    var phi_1873_: u32;
+    var phi_1878_: u32;
+    var phi_1883_: u32;
+    var phi_1997_: bool;
+    var phi_1998_: bool;
+    var phi_2029_: u32;
+    var phi_2031_: u32;
+    var phi_2034_: bool;
+    var phi_2114_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2141_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2168_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2174_: u32;
+    var phi_2177_: u32;
+    var phi_2191_: u32;
+    var phi_2201_: u32;
+    var phi_2211_: u32;
+    var phi_2229_: u32;
+    var phi_2239_: u32;
+    var phi_2249_: u32;
+    var phi_2285_: u32;
     var phi_2298_: u32;
-    var phi_2299_: u32;
-    var phi_2169_: u32;
-    var phi_2172_: u32;
+    var phi_2303_: u32;
+    var phi_2304_: u32;
+    var phi_2305_: u32;
+    var phi_2175_: u32;
+    var phi_2178_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2357_: u32;
-    var phi_2402_: vec3<f32>;
-    var phi_2403_: vec3<f32>;
-    var phi_2432_: vec3<f32>;
-    var phi_2433_: vec3<f32>;
-    var phi_2462_: vec3<f32>;
-    var phi_2463_: vec3<f32>;
-    var phi_2481_: bool;
-    var phi_2482_: bool;
-    var phi_2486_: f32;
-    var phi_2487_: f32;
-    var phi_2488_: f32;
-    var phi_2489_: f32;
+    var phi_2363_: u32;
+    var phi_2366_: bool;
+    var phi_2410_: vec3<f32>;
+    var phi_2411_: vec3<f32>;
+    var phi_2440_: vec3<f32>;
+    var phi_2441_: vec3<f32>;
+    var phi_2470_: vec3<f32>;
+    var phi_2471_: vec3<f32>;
+    var phi_2489_: bool;
+    var phi_2490_: bool;
+    var phi_2494_: f32;
+    var phi_2495_: f32;
+    var phi_2496_: f32;
     var phi_2497_: f32;
-    var phi_2507_: bool;
-    var phi_2508_: bool;
-    var phi_2512_: f32;
-    var phi_2513_: f32;
-    var phi_2514_: f32;
-    var phi_2515_: f32;
+    var phi_2505_: f32;
+    var phi_2515_: bool;
+    var phi_2516_: bool;
+    var phi_2520_: f32;
+    var phi_2521_: f32;
+    var phi_2522_: f32;
     var phi_2523_: f32;
-    var phi_2533_: bool;
-    var phi_2534_: bool;
-    var phi_2538_: f32;
-    var phi_2539_: f32;
-    var phi_2540_: f32;
-    var phi_2541_: f32;
+    var phi_2531_: f32;
+    var phi_2541_: bool;
+    var phi_2542_: bool;
+    var phi_2546_: f32;
+    var phi_2547_: f32;
+    var phi_2548_: f32;
     var phi_2549_: f32;
-    var phi_2564_: f32;
-    var phi_2565_: bool;
-    var phi_2566_: f32;
-    var phi_2567_: bool;
-    var phi_2568_: f32;
-    var phi_2569_: bool;
-    var phi_2587_: f32;
-    var phi_2588_: bool;
-    var phi_2589_: bool;
-    var phi_2590_: f32;
-    var phi_2591_: bool;
-    var phi_2592_: bool;
+    var phi_2557_: f32;
+    var phi_2572_: f32;
+    var phi_2573_: bool;
+    var phi_2574_: f32;
+    var phi_2575_: bool;
+    var phi_2576_: f32;
+    var phi_2577_: bool;
+    var phi_2595_: f32;
     var phi_2596_: bool;
-    var phi_2597_: f32;
-    var phi_2598_: bool;
-    var phi_2626_: vec3<f32>;
-    var phi_2627_: vec3<f32>;
-    var phi_2652_: vec3<f32>;
-    var phi_2653_: vec3<f32>;
-    var phi_2678_: vec3<f32>;
-    var phi_2679_: vec3<f32>;
-    var phi_2735_: f32;
-    var phi_2744_: f32;
-    var phi_2753_: f32;
-    var phi_2762_: f32;
-    var phi_2769_: f32;
-    var phi_2776_: f32;
-    var phi_2789_: f32;
-    var phi_2798_: f32;
-    var phi_2807_: f32;
-    var phi_2816_: f32;
-    var phi_2823_: f32;
-    var phi_2830_: f32;
-    var phi_2847_: f32;
-    var phi_2852_: f32;
-    var phi_2857_: f32;
+    var phi_2597_: bool;
+    var phi_2598_: f32;
+    var phi_2599_: bool;
+    var phi_2600_: bool;
+    var phi_2604_: bool;
+    var phi_2605_: f32;
+    var phi_2606_: bool;
+    var phi_2634_: vec3<f32>;
+    var phi_2635_: vec3<f32>;
+    var phi_2660_: vec3<f32>;
+    var phi_2661_: vec3<f32>;
+    var phi_2686_: vec3<f32>;
+    var phi_2687_: vec3<f32>;
+    var phi_2743_: f32;
+    var phi_2752_: f32;
+    var phi_2761_: f32;
+    var phi_2770_: f32;
+    var phi_2777_: f32;
+    var phi_2784_: f32;
+    var phi_2797_: f32;
+    var phi_2806_: f32;
+    var phi_2815_: f32;
+    var phi_2824_: f32;
+    var phi_2831_: f32;
+    var phi_2838_: f32;
+    var phi_2855_: f32;
+    var phi_2860_: f32;
     var phi_2865_: f32;
-    var phi_2870_: f32;
-    var phi_2875_: f32;
-    var phi_2887_: f32;
-    var phi_2892_: f32;
-    var phi_2897_: f32;
-    var phi_2902_: f32;
-    var phi_2907_: lt_bvh_triangle_Intersection;
-    var phi_2908_: bool;
-    var phi_2909_: lt_bvh_triangle_Intersection;
-    var phi_2910_: bool;
-    var phi_2914_: lt_bvh_triangle_Intersection;
-    var phi_2915_: bool;
-    var phi_2916_: lt_bvh_triangle_Intersection;
-    var phi_2917_: bool;
+    var phi_2873_: f32;
+    var phi_2878_: f32;
+    var phi_2883_: f32;
+    var phi_2895_: f32;
+    var phi_2900_: f32;
+    var phi_2905_: f32;
+    var phi_2910_: f32;
+    var phi_2915_: lt_bvh_triangle_Intersection;
+    var phi_2916_: bool;
+    var phi_2917_: lt_bvh_triangle_Intersection;
     var phi_2918_: bool;
-    var phi_2922_: bool;
-    var phi_2926_: lt_bvh_triangle_Intersection;
-    var phi_3140_: f32;
-    var phi_3143_: bool;
-    var phi_3144_: bool;
-    var phi_3148_: bool;
-    var phi_3149_: bool;
-    var phi_3150_: bool;
+    var phi_2922_: lt_bvh_triangle_Intersection;
+    var phi_2923_: bool;
+    var phi_2924_: lt_bvh_triangle_Intersection;
+    var phi_2925_: bool;
+    var phi_2926_: bool;
+    var phi_2930_: bool;
+    var phi_2934_: lt_bvh_triangle_Intersection;
+    var phi_3148_: f32;
     var phi_3151_: bool;
     var phi_3152_: bool;
     var phi_3153_: bool;
-    var phi_3154_: bool;
-    var phi_3155_: bool;
-    var phi_3156_: bool;
     var phi_3157_: bool;
     var phi_3158_: bool;
     var phi_3159_: bool;
+    var phi_3160_: bool;
+    var phi_3161_: bool;
+    var phi_3162_: bool;
     var phi_3163_: bool;
     var phi_3164_: bool;
-    var phi_2358_: u32;
     var phi_3165_: bool;
     var phi_3166_: bool;
-    var phi_3167_: bool;
+    var phi_2364_: u32;
+    var phi_2367_: bool;
+    var phi_3170_: bool;
+    var phi_3171_: bool;
     var local_9: bool;
-    var phi_3209_: bool;
-    var phi_3210_: bool;
-    var phi_3241_: u32;
-    var phi_3242_: u32;
-    var phi_3243_: bool;
-    var phi_3244_: bool;
-    var phi_2028_: u32;
-    var phi_3245_: bool;
-    var phi_3246_: bool;
+    var phi_3213_: bool;
+    var phi_3214_: bool;
+    var phi_3245_: u32;
+    var phi_3246_: u32;
+    var phi_2032_: u32;
+    var phi_2035_: bool;
     var phi_3247_: bool;
     var phi_3248_: bool;
+    var phi_3249_: bool;
     var local_10: bool;
-    var phi_3252_: bool;
     var phi_3253_: bool;
     var phi_3257_: bool;
-    var phi_3261_: bool;
-    var phi_3262_: bool;
-    var phi_3263_: bool;
+    var phi_3258_: bool;
+    var phi_3259_: bool;
+    var phi_3260_: bool;
     var phi_3264_: bool;
     var phi_3268_: bool;
+    var phi_3269_: bool;
+    var phi_3270_: bool;
+    var phi_3271_: bool;
     var phi_3272_: bool;
     var phi_3273_: bool;
     var phi_3274_: bool;
-    var phi_3275_: bool;
-    var phi_1422_: u32;
-    var phi_3279_: bool;
+    var phi_1424_: u32;
+    var phi_1427_: bool;
+    var phi_3278_: bool;
     var local_11: bool;
+    var phi_3320_: bool;
     var phi_3321_: bool;
-    var phi_3322_: bool;
+    var phi_3352_: u32;
     var phi_3353_: u32;
-    var phi_3354_: u32;
     var phi_1092_: u32;
+    var phi_1095_: bool;
+    var phi_3354_: bool;
     var phi_3355_: bool;
-    var phi_3356_: bool;
     var local_12: bool;
-    var phi_3360_: bool;
+    var phi_3359_: bool;
+    var phi_3363_: bool;
     var phi_3364_: bool;
     var phi_3365_: bool;
-    var phi_3366_: bool;
-    var phi_3367_: bool;
-    var phi_3371_: bool;
-    var phi_3375_: f32;
+    var phi_3369_: bool;
+    var phi_3370_: bool;
+    var phi_3374_: bool;
+    var phi_3378_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
     var local_17: bool;
     var local_18: bool;
+    var local_19: bool;
 
     let _e69 = id_1;
     let _e76 = arrayLength((&nodes.member));
@@ -1008,7 +1013,7 @@ fn function_() {
         if _e212 {
             let _e213 = (_e112 >= _e76);
             if _e213 {
-                phi_3365_ = bool();
+                phi_3363_ = false;
             } else {
                 if (_e112 < _e76) {
                 } else {
@@ -1158,1690 +1163,1698 @@ fn function_() {
                 }
                 let _e493 = phi_1089_;
                 phi_1091_ = _e493;
+                phi_1094_ = false;
                 loop {
                     let _e495 = phi_1091_;
+                    let _e497 = phi_1094_;
                     if (_e495 != 4294967295u) {
                         if (_e495 < _e76) {
                         } else {
                             return;
                         }
-                        let _e502 = nodes.member[(0u + _e495)].frame[3u];
-                        let _e527 = (bitcast<f32>((((_e502 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
-                        let _e528 = (bitcast<f32>((((_e502 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
-                        let _e529 = (bitcast<f32>((((_e502 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
-                        let _e532 = nodes.member[(0u + _e495)].frame[0u];
-                        let _e536 = nodes.member[(0u + _e495)].frame[1u];
-                        let _e540 = nodes.member[(0u + _e495)].frame[2u];
-                        let _e545 = ((bitcast<f32>(_e532) - _e133) * _e289);
-                        let _e546 = ((bitcast<f32>(_e536) - _e135) * _e299);
-                        let _e547 = ((bitcast<f32>(_e540) - _e137) * _e309);
-                        let _e555 = nodes.member[(0u + _e495)].x;
+                        let _e504 = nodes.member[(0u + _e495)].frame[3u];
+                        let _e529 = (bitcast<f32>((((_e504 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
+                        let _e530 = (bitcast<f32>((((_e504 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
+                        let _e531 = (bitcast<f32>((((_e504 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
+                        let _e534 = nodes.member[(0u + _e495)].frame[0u];
+                        let _e538 = nodes.member[(0u + _e495)].frame[1u];
+                        let _e542 = nodes.member[(0u + _e495)].frame[2u];
+                        let _e547 = ((bitcast<f32>(_e534) - _e133) * _e289);
+                        let _e548 = ((bitcast<f32>(_e538) - _e135) * _e299);
+                        let _e549 = ((bitcast<f32>(_e542) - _e137) * _e309);
+                        let _e557 = nodes.member[(0u + _e495)].x;
                         if (_e289 < 0f) {
-                            let _e566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e566.unnamed.root, _e555.w), _e566.unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e572.unnamed, lt_bvh_traverse_Tree(_e555.x, _e572.unnamed_1.first_primitive));
-                            phi_1172_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
+                            let _e568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e557.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e568.unnamed.root, _e557.w), _e568.unnamed_1);
+                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e574.unnamed, lt_bvh_traverse_Tree(_e557.x, _e574.unnamed_1.first_primitive));
+                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_bvh_traverse_Tree(_e580.unnamed_1.root, _e557.y));
                         } else {
-                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e555.y), _e594.unnamed_1);
-                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e555.z, _e600.unnamed_1.first_primitive));
-                            phi_1172_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
+                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e557.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e596.unnamed.root, _e557.y), _e596.unnamed_1);
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e557.z, _e602.unnamed_1.first_primitive));
+                            phi_1174_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_bvh_traverse_Tree(_e608.unnamed_1.root, _e557.w));
                         }
-                        let _e614 = phi_1172_;
-                        let _e624 = nodes.member[(0u + _e495)].y;
+                        let _e616 = phi_1174_;
+                        let _e626 = nodes.member[(0u + _e495)].y;
                         if (_e299 < 0f) {
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.unnamed.root, _e624.w), _e635.unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e624.x, _e641.unnamed_1.first_primitive));
-                            phi_1199_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
+                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e626.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e637.unnamed.root, _e626.w), _e637.unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_bvh_traverse_Tree(_e626.x, _e643.unnamed_1.first_primitive));
+                            phi_1201_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e649.unnamed_1.root, _e626.y));
                         } else {
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e624.y), _e663.unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e624.z, _e669.unnamed_1.first_primitive));
-                            phi_1199_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e626.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.unnamed.root, _e626.y), _e665.unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e626.z, _e671.unnamed_1.first_primitive));
+                            phi_1201_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e677.unnamed_1.root, _e626.w));
                         }
-                        let _e683 = phi_1199_;
-                        let _e693 = nodes.member[(0u + _e495)].z;
+                        let _e685 = phi_1201_;
+                        let _e695 = nodes.member[(0u + _e495)].z;
                         if (_e309 < 0f) {
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e693.w), _e704.unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e693.x, _e710.unnamed_1.first_primitive));
-                            phi_1226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
+                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e695.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.unnamed.root, _e695.w), _e706.unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e695.x, _e712.unnamed_1.first_primitive));
+                            phi_1228_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e718.unnamed_1.root, _e695.y));
                         } else {
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e693.y), _e732.unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e693.z, _e738.unnamed_1.first_primitive));
-                            phi_1226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e695.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.unnamed.root, _e695.y), _e734.unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e695.z, _e740.unnamed_1.first_primitive));
+                            phi_1228_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e746.unnamed_1.root, _e695.w));
                         }
-                        let _e752 = phi_1226_;
-                        phi_1232_ = 0u;
-                        phi_1235_ = 0u;
+                        let _e754 = phi_1228_;
+                        phi_1234_ = 0u;
+                        phi_1237_ = 0u;
                         loop {
-                            let _e762 = phi_1232_;
-                            let _e764 = phi_1235_;
-                            local_3 = _e764;
-                            local_4 = _e764;
-                            local_5 = _e764;
-                            let _e765 = (_e762 < 8u);
-                            if _e765 {
-                                let _e767 = (_e762 >> bitcast<u32>(2i));
-                                let _e768 = (_e762 & 3u);
-                                if (_e767 == 0u) {
-                                    phi_1249_ = _e614.unnamed.root;
+                            let _e764 = phi_1234_;
+                            let _e766 = phi_1237_;
+                            local_3 = _e766;
+                            local_4 = _e766;
+                            local_5 = _e766;
+                            let _e767 = (_e764 < 8u);
+                            if _e767 {
+                                let _e769 = (_e764 >> bitcast<u32>(2i));
+                                let _e770 = (_e764 & 3u);
+                                if (_e769 == 0u) {
+                                    phi_1251_ = _e616.unnamed.root;
                                 } else {
-                                    phi_1249_ = _e614.unnamed.first_primitive;
+                                    phi_1251_ = _e616.unnamed.first_primitive;
                                 }
-                                let _e771 = phi_1249_;
-                                if (_e767 == 0u) {
-                                    phi_1259_ = _e683.unnamed.root;
+                                let _e773 = phi_1251_;
+                                if (_e769 == 0u) {
+                                    phi_1261_ = _e685.unnamed.root;
                                 } else {
-                                    phi_1259_ = _e683.unnamed.first_primitive;
+                                    phi_1261_ = _e685.unnamed.first_primitive;
                                 }
-                                let _e780 = phi_1259_;
-                                if (_e767 == 0u) {
-                                    phi_1269_ = _e752.unnamed.root;
+                                let _e782 = phi_1261_;
+                                if (_e769 == 0u) {
+                                    phi_1271_ = _e754.unnamed.root;
                                 } else {
-                                    phi_1269_ = _e752.unnamed.first_primitive;
+                                    phi_1271_ = _e754.unnamed.first_primitive;
                                 }
-                                let _e789 = phi_1269_;
-                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e771 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e337)), ((f32(((_e780 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e338)));
-                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(_e802, ((f32(((_e789 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e339)));
-                                if (_e767 == 0u) {
-                                    phi_1287_ = _e614.unnamed_1.root;
+                                let _e791 = phi_1271_;
+                                let _e804 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e773 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e337)), ((f32(((_e782 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e338)));
+                                let _e805 = core_intrinsics_maximum_number_nsz_f32_(_e804, ((f32(((_e791 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)));
+                                if (_e769 == 0u) {
+                                    phi_1289_ = _e616.unnamed_1.root;
                                 } else {
-                                    phi_1287_ = _e614.unnamed_1.first_primitive;
+                                    phi_1289_ = _e616.unnamed_1.first_primitive;
                                 }
-                                let _e806 = phi_1287_;
-                                if (_e767 == 0u) {
-                                    phi_1297_ = _e683.unnamed_1.root;
+                                let _e808 = phi_1289_;
+                                if (_e769 == 0u) {
+                                    phi_1299_ = _e685.unnamed_1.root;
                                 } else {
-                                    phi_1297_ = _e683.unnamed_1.first_primitive;
+                                    phi_1299_ = _e685.unnamed_1.first_primitive;
                                 }
-                                let _e815 = phi_1297_;
-                                if (_e767 == 0u) {
-                                    phi_1307_ = _e752.unnamed_1.root;
+                                let _e817 = phi_1299_;
+                                if (_e769 == 0u) {
+                                    phi_1309_ = _e754.unnamed_1.root;
                                 } else {
-                                    phi_1307_ = _e752.unnamed_1.first_primitive;
+                                    phi_1309_ = _e754.unnamed_1.first_primitive;
                                 }
-                                let _e824 = phi_1307_;
-                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e337)), ((f32(((_e815 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e338)));
-                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e339)));
-                                if (_e803 <= _e838) {
-                                    if (_e803 <= _e141) {
-                                        if (_e838 >= 0f) {
-                                            if (_e767 == 0u) {
-                                                let _e845 = nodes.member[(0u + _e495)].links[2u];
-                                                phi_1343_ = _e845;
+                                let _e826 = phi_1309_;
+                                let _e839 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e808 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e337)), ((f32(((_e817 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e338)));
+                                let _e840 = core_intrinsics_minimum_number_nsz_f32_(_e839, ((f32(((_e826 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)));
+                                if (_e805 <= _e840) {
+                                    if (_e805 <= _e141) {
+                                        if (_e840 >= 0f) {
+                                            if (_e769 == 0u) {
+                                                let _e847 = nodes.member[(0u + _e495)].links[2u];
+                                                phi_1345_ = _e847;
                                             } else {
-                                                let _e848 = nodes.member[(0u + _e495)].links[3u];
-                                                phi_1343_ = _e848;
+                                                let _e850 = nodes.member[(0u + _e495)].links[3u];
+                                                phi_1345_ = _e850;
                                             }
-                                            let _e850 = phi_1343_;
-                                            let _e855 = ((_e850 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u);
-                                            let _e856 = (_e855 & 31u);
-                                            if (_e856 >= 24u) {
-                                                phi_1356_ = (24u + ((_e856 - 24u) ^ _e357));
+                                            let _e852 = phi_1345_;
+                                            let _e857 = ((_e852 >> bitcast<u32>(((_e770 * 8u) & 31u))) & 255u);
+                                            let _e858 = (_e857 & 31u);
+                                            if (_e858 >= 24u) {
+                                                phi_1358_ = (24u + ((_e858 - 24u) ^ _e357));
                                             } else {
-                                                phi_1356_ = _e856;
+                                                phi_1358_ = _e858;
                                             }
-                                            let _e862 = phi_1356_;
-                                            phi_1361_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
+                                            let _e864 = phi_1358_;
+                                            phi_1363_ = (_e766 | ((_e857 >> bitcast<u32>(5i)) << bitcast<u32>((_e864 & 31u))));
                                         } else {
-                                            phi_1361_ = _e764;
+                                            phi_1363_ = _e766;
                                         }
-                                        let _e870 = phi_1361_;
-                                        phi_1362_ = _e870;
+                                        let _e872 = phi_1363_;
+                                        phi_1364_ = _e872;
                                     } else {
-                                        phi_1362_ = _e764;
+                                        phi_1364_ = _e766;
                                     }
-                                    let _e872 = phi_1362_;
-                                    phi_1363_ = _e872;
+                                    let _e874 = phi_1364_;
+                                    phi_1365_ = _e874;
                                 } else {
-                                    phi_1363_ = _e764;
+                                    phi_1365_ = _e766;
                                 }
-                                let _e874 = phi_1363_;
-                                phi_1233_ = (_e762 + 1u);
-                                phi_1236_ = _e874;
+                                let _e876 = phi_1365_;
+                                phi_1235_ = (_e764 + 1u);
+                                phi_1238_ = _e876;
                             } else {
-                                phi_1233_ = u32();
-                                phi_1236_ = u32();
+                                phi_1235_ = u32();
+                                phi_1238_ = u32();
                             }
-                            let _e877 = phi_1233_;
-                            let _e879 = phi_1236_;
+                            let _e879 = phi_1235_;
+                            let _e881 = phi_1238_;
                             continue;
                             continuing {
-                                phi_1232_ = _e877;
-                                phi_1235_ = _e879;
-                                break if !(_e765);
+                                phi_1234_ = _e879;
+                                phi_1237_ = _e881;
+                                break if !(_e767);
                             }
                         }
-                        let _e883 = nodes.member[(0u + _e495)].links[0u];
-                        let _e887 = nodes.member[(0u + _e495)].frame[3u];
-                        let _e891 = local_3;
-                        if ((_e891 & 4278190080u) == 0u) {
+                        let _e885 = nodes.member[(0u + _e495)].links[0u];
+                        let _e889 = nodes.member[(0u + _e495)].frame[3u];
+                        let _e893 = local_3;
+                        if ((_e893 & 4278190080u) == 0u) {
                         } else {
-                            let _e895 = local_2.group_mask;
-                            if ((_e895 & 4278190080u) == 0u) {
+                            let _e897 = local_2.group_mask;
+                            if ((_e897 & 4278190080u) == 0u) {
                             } else {
-                                let _e899 = local_2.len;
-                                if (_e899 < 32u) {
-                                    let _e902 = local_2.group;
-                                    let _e904 = local_2.len;
-                                    if (_e904 < 32u) {
+                                let _e901 = local_2.len;
+                                if (_e901 < 32u) {
+                                    let _e904 = local_2.group;
+                                    let _e906 = local_2.len;
+                                    if (_e906 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e904)] = _e902;
-                                    let _e910 = local_2.group_mask;
-                                    let _e912 = local_2.len;
-                                    if (_e912 < 32u) {
+                                    local_2.first[(0u + _e906)] = _e904;
+                                    let _e912 = local_2.group_mask;
+                                    let _e914 = local_2.len;
+                                    if (_e914 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e912)] = _e910;
-                                    let _e919 = local_2.len;
-                                    local_2.len = (_e919 + 1u);
+                                    local_2.mask[(0u + _e914)] = _e912;
+                                    let _e921 = local_2.len;
+                                    local_2.len = (_e921 + 1u);
                                 }
                             }
-                            local_2.group = (_e112 + _e883);
-                            let _e923 = local_4;
-                            local_2.group_mask = ((_e923 & 4278190080u) | (_e887 >> bitcast<u32>(24i)));
+                            local_2.group = (_e112 + _e885);
+                            let _e925 = local_4;
+                            local_2.group_mask = ((_e925 & 4278190080u) | (_e889 >> bitcast<u32>(24i)));
                         }
-                        let _e928 = local_5;
-                        phi_1421_ = (_e928 & 16777215u);
+                        let _e930 = local_5;
+                        phi_1423_ = (_e930 & 16777215u);
+                        phi_1426_ = _e497;
                         loop {
-                            let _e931 = phi_1421_;
-                            let _e932 = (_e931 == 0u);
-                            local_11 = _e932;
-                            local_18 = _e932;
-                            if _e932 {
-                                phi_1422_ = u32();
-                                phi_3279_ = false;
+                            let _e933 = phi_1423_;
+                            let _e935 = phi_1426_;
+                            local_18 = _e935;
+                            let _e936 = (_e933 == 0u);
+                            local_11 = _e936;
+                            local_19 = _e936;
+                            if _e936 {
+                                phi_1424_ = u32();
+                                phi_1427_ = bool();
+                                phi_3278_ = false;
                             } else {
-                                let _e935 = nodes.member[(0u + _e495)].links[1u];
-                                let _e939 = (_e935 + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
-                                if (_e939 < arrayLength((&instances.member))) {
+                                let _e939 = nodes.member[(0u + _e495)].links[1u];
+                                let _e943 = (_e939 + select(firstTrailingBit(_e933), 32u, (_e933 == 0u)));
+                                if (_e943 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e946 = instances.member[(0u + _e939)].low_world;
-                                let _e948 = instances.member[(0u + _e939)].high_world;
-                                let _e955 = ((_e946.x - _e133) * _e289);
-                                let _e956 = ((_e946.y - _e135) * _e299);
-                                let _e957 = ((_e946.z - _e137) * _e309);
-                                let _e964 = ((_e948.x - _e133) * _e289);
-                                let _e965 = ((_e948.y - _e135) * _e299);
-                                let _e966 = ((_e948.z - _e137) * _e309);
-                                if (_e955 < _e964) {
-                                    phi_1471_ = _e955;
+                                let _e950 = instances.member[(0u + _e943)].low_world;
+                                let _e952 = instances.member[(0u + _e943)].high_world;
+                                let _e959 = ((_e950.x - _e133) * _e289);
+                                let _e960 = ((_e950.y - _e135) * _e299);
+                                let _e961 = ((_e950.z - _e137) * _e309);
+                                let _e968 = ((_e952.x - _e133) * _e289);
+                                let _e969 = ((_e952.y - _e135) * _e299);
+                                let _e970 = ((_e952.z - _e137) * _e309);
+                                if (_e959 < _e968) {
+                                    phi_1475_ = _e959;
                                 } else {
-                                    phi_1471_ = _e964;
+                                    phi_1475_ = _e968;
                                 }
-                                let _e969 = phi_1471_;
-                                if (_e956 < _e965) {
-                                    phi_1476_ = _e956;
+                                let _e973 = phi_1475_;
+                                if (_e960 < _e969) {
+                                    phi_1480_ = _e960;
                                 } else {
-                                    phi_1476_ = _e965;
+                                    phi_1480_ = _e969;
                                 }
-                                let _e972 = phi_1476_;
-                                if (_e957 < _e966) {
-                                    phi_1481_ = _e957;
+                                let _e976 = phi_1480_;
+                                if (_e961 < _e970) {
+                                    phi_1485_ = _e961;
                                 } else {
-                                    phi_1481_ = _e966;
+                                    phi_1485_ = _e970;
                                 }
-                                let _e975 = phi_1481_;
-                                if (_e955 > _e964) {
-                                    phi_1489_ = _e955;
+                                let _e979 = phi_1485_;
+                                if (_e959 > _e968) {
+                                    phi_1493_ = _e959;
                                 } else {
-                                    phi_1489_ = _e964;
+                                    phi_1493_ = _e968;
                                 }
-                                let _e981 = phi_1489_;
-                                if (_e956 > _e965) {
-                                    phi_1494_ = _e956;
+                                let _e985 = phi_1493_;
+                                if (_e960 > _e969) {
+                                    phi_1498_ = _e960;
                                 } else {
-                                    phi_1494_ = _e965;
+                                    phi_1498_ = _e969;
                                 }
-                                let _e984 = phi_1494_;
-                                if (_e957 > _e966) {
-                                    phi_1499_ = _e957;
+                                let _e988 = phi_1498_;
+                                if (_e961 > _e970) {
+                                    phi_1503_ = _e961;
                                 } else {
-                                    phi_1499_ = _e966;
+                                    phi_1503_ = _e970;
                                 }
-                                let _e987 = phi_1499_;
-                                let _e991 = core_intrinsics_maximum_number_nsz_f32_((_e969 - _e344), (_e972 - _e345));
-                                let _e992 = core_intrinsics_maximum_number_nsz_f32_(_e991, (_e975 - _e346));
-                                let _e993 = core_intrinsics_minimum_number_nsz_f32_((_e981 + _e344), (_e984 + _e345));
-                                let _e994 = core_intrinsics_minimum_number_nsz_f32_(_e993, (_e987 + _e346));
-                                if (_e992 <= _e994) {
-                                    if (_e992 <= _e141) {
-                                        if (_e994 >= 0f) {
-                                            let _e1000 = instances.member[(0u + _e939)].world_to_object[0u];
-                                            let _e1011 = ((((_e1000.x * _e133) + (_e1000.y * _e135)) + (_e1000.z * _e137)) + (_e1000.w * 1f));
-                                            let _e1013 = instances.member[(0u + _e939)].world_to_object[1u];
-                                            let _e1024 = ((((_e1013.x * _e133) + (_e1013.y * _e135)) + (_e1013.z * _e137)) + (_e1013.w * 1f));
-                                            let _e1026 = instances.member[(0u + _e939)].world_to_object[2u];
-                                            let _e1037 = ((((_e1026.x * _e133) + (_e1026.y * _e135)) + (_e1026.z * _e137)) + (_e1026.w * 1f));
-                                            let _e1040 = instances.member[(0u + _e939)].world_to_object[0u];
-                                            let _e1051 = ((((_e1040.x * _e149) + (_e1040.y * _e150)) + (_e1040.z * _e151)) + (_e1040.w * 0f));
-                                            let _e1053 = instances.member[(0u + _e939)].world_to_object[1u];
-                                            let _e1064 = ((((_e1053.x * _e149) + (_e1053.y * _e150)) + (_e1053.z * _e151)) + (_e1053.w * 0f));
-                                            let _e1066 = instances.member[(0u + _e939)].world_to_object[2u];
-                                            let _e1077 = ((((_e1066.x * _e149) + (_e1066.y * _e150)) + (_e1066.z * _e151)) + (_e1066.w * 0f));
-                                            let _e1080 = instances.member[(0u + _e939)].root;
-                                            let _e1082 = instances.member[(0u + _e939)].first_triangle;
-                                            let _e1086 = abs(_e1051);
-                                            let _e1087 = abs(_e1064);
-                                            let _e1088 = abs(_e1077);
-                                            if (abs(_e1011) < 1000000000000000f) {
-                                                if (abs(_e1024) < 1000000000000000f) {
-                                                    if (abs(_e1037) < 1000000000000000f) {
-                                                        if (_e1086 < 1000000000000000f) {
-                                                            if (_e1087 < 1000000000000000f) {
-                                                                if (_e1088 < 1000000000000000f) {
-                                                                    if (_e1086 > 0f) {
-                                                                        phi_1644_ = bool();
-                                                                        phi_1645_ = true;
-                                                                    } else {
-                                                                        let _e1096 = (_e1087 > 0f);
-                                                                        if _e1096 {
-                                                                            phi_1643_ = bool();
-                                                                        } else {
-                                                                            phi_1643_ = (_e1088 > 0f);
-                                                                        }
-                                                                        let _e1099 = phi_1643_;
-                                                                        phi_1644_ = _e1099;
-                                                                        phi_1645_ = _e1096;
-                                                                    }
-                                                                    let _e1101 = phi_1644_;
-                                                                    let _e1103 = phi_1645_;
-                                                                    if _e1103 {
+                                let _e991 = phi_1503_;
+                                let _e995 = core_intrinsics_maximum_number_nsz_f32_((_e973 - _e344), (_e976 - _e345));
+                                let _e996 = core_intrinsics_maximum_number_nsz_f32_(_e995, (_e979 - _e346));
+                                let _e997 = core_intrinsics_minimum_number_nsz_f32_((_e985 + _e344), (_e988 + _e345));
+                                let _e998 = core_intrinsics_minimum_number_nsz_f32_(_e997, (_e991 + _e346));
+                                if (_e996 <= _e998) {
+                                    if (_e996 <= _e141) {
+                                        if (_e998 >= 0f) {
+                                            let _e1004 = instances.member[(0u + _e943)].world_to_object[0u];
+                                            let _e1015 = ((((_e1004.x * _e133) + (_e1004.y * _e135)) + (_e1004.z * _e137)) + (_e1004.w * 1f));
+                                            let _e1017 = instances.member[(0u + _e943)].world_to_object[1u];
+                                            let _e1028 = ((((_e1017.x * _e133) + (_e1017.y * _e135)) + (_e1017.z * _e137)) + (_e1017.w * 1f));
+                                            let _e1030 = instances.member[(0u + _e943)].world_to_object[2u];
+                                            let _e1041 = ((((_e1030.x * _e133) + (_e1030.y * _e135)) + (_e1030.z * _e137)) + (_e1030.w * 1f));
+                                            let _e1044 = instances.member[(0u + _e943)].world_to_object[0u];
+                                            let _e1055 = ((((_e1044.x * _e149) + (_e1044.y * _e150)) + (_e1044.z * _e151)) + (_e1044.w * 0f));
+                                            let _e1057 = instances.member[(0u + _e943)].world_to_object[1u];
+                                            let _e1068 = ((((_e1057.x * _e149) + (_e1057.y * _e150)) + (_e1057.z * _e151)) + (_e1057.w * 0f));
+                                            let _e1070 = instances.member[(0u + _e943)].world_to_object[2u];
+                                            let _e1081 = ((((_e1070.x * _e149) + (_e1070.y * _e150)) + (_e1070.z * _e151)) + (_e1070.w * 0f));
+                                            let _e1084 = instances.member[(0u + _e943)].root;
+                                            let _e1086 = instances.member[(0u + _e943)].first_triangle;
+                                            let _e1090 = abs(_e1055);
+                                            let _e1091 = abs(_e1068);
+                                            let _e1092 = abs(_e1081);
+                                            if (abs(_e1015) < 1000000000000000f) {
+                                                if (abs(_e1028) < 1000000000000000f) {
+                                                    if (abs(_e1041) < 1000000000000000f) {
+                                                        if (_e1090 < 1000000000000000f) {
+                                                            if (_e1091 < 1000000000000000f) {
+                                                                if (_e1092 < 1000000000000000f) {
+                                                                    if (_e1090 > 0f) {
+                                                                        phi_1648_ = bool();
                                                                         phi_1649_ = true;
                                                                     } else {
-                                                                        phi_1649_ = _e1101;
+                                                                        let _e1100 = (_e1091 > 0f);
+                                                                        if _e1100 {
+                                                                            phi_1647_ = bool();
+                                                                        } else {
+                                                                            phi_1647_ = (_e1092 > 0f);
+                                                                        }
+                                                                        let _e1103 = phi_1647_;
+                                                                        phi_1648_ = _e1103;
+                                                                        phi_1649_ = _e1100;
                                                                     }
-                                                                    let _e1105 = phi_1649_;
-                                                                    phi_1650_ = _e1105;
-                                                                    phi_1651_ = false;
+                                                                    let _e1105 = phi_1648_;
+                                                                    let _e1107 = phi_1649_;
+                                                                    if _e1107 {
+                                                                        phi_1653_ = true;
+                                                                    } else {
+                                                                        phi_1653_ = _e1105;
+                                                                    }
+                                                                    let _e1109 = phi_1653_;
+                                                                    phi_1654_ = _e1109;
+                                                                    phi_1655_ = false;
                                                                 } else {
-                                                                    phi_1650_ = bool();
-                                                                    phi_1651_ = true;
+                                                                    phi_1654_ = bool();
+                                                                    phi_1655_ = true;
                                                                 }
-                                                                let _e1107 = phi_1650_;
-                                                                let _e1109 = phi_1651_;
-                                                                phi_1652_ = _e1107;
-                                                                phi_1653_ = false;
-                                                                phi_1654_ = _e1109;
+                                                                let _e1111 = phi_1654_;
+                                                                let _e1113 = phi_1655_;
+                                                                phi_1656_ = _e1111;
+                                                                phi_1657_ = false;
+                                                                phi_1658_ = _e1113;
                                                             } else {
-                                                                phi_1652_ = bool();
-                                                                phi_1653_ = true;
-                                                                phi_1654_ = false;
+                                                                phi_1656_ = bool();
+                                                                phi_1657_ = true;
+                                                                phi_1658_ = false;
                                                             }
-                                                            let _e1111 = phi_1652_;
-                                                            let _e1113 = phi_1653_;
-                                                            let _e1115 = phi_1654_;
-                                                            phi_1655_ = _e1111;
-                                                            phi_1656_ = _e1113;
-                                                            phi_1657_ = _e1115;
+                                                            let _e1115 = phi_1656_;
+                                                            let _e1117 = phi_1657_;
+                                                            let _e1119 = phi_1658_;
+                                                            phi_1659_ = _e1115;
+                                                            phi_1660_ = _e1117;
+                                                            phi_1661_ = _e1119;
                                                         } else {
-                                                            phi_1655_ = bool();
-                                                            phi_1656_ = true;
-                                                            phi_1657_ = false;
+                                                            phi_1659_ = bool();
+                                                            phi_1660_ = true;
+                                                            phi_1661_ = false;
                                                         }
-                                                        let _e1117 = phi_1655_;
-                                                        let _e1119 = phi_1656_;
-                                                        let _e1121 = phi_1657_;
-                                                        phi_1658_ = _e1117;
-                                                        phi_1659_ = _e1119;
-                                                        phi_1660_ = _e1121;
+                                                        let _e1121 = phi_1659_;
+                                                        let _e1123 = phi_1660_;
+                                                        let _e1125 = phi_1661_;
+                                                        phi_1662_ = _e1121;
+                                                        phi_1663_ = _e1123;
+                                                        phi_1664_ = _e1125;
                                                     } else {
-                                                        phi_1658_ = bool();
-                                                        phi_1659_ = true;
-                                                        phi_1660_ = false;
+                                                        phi_1662_ = bool();
+                                                        phi_1663_ = true;
+                                                        phi_1664_ = false;
                                                     }
-                                                    let _e1123 = phi_1658_;
-                                                    let _e1125 = phi_1659_;
-                                                    let _e1127 = phi_1660_;
-                                                    phi_1661_ = _e1123;
-                                                    phi_1662_ = _e1125;
-                                                    phi_1663_ = _e1127;
+                                                    let _e1127 = phi_1662_;
+                                                    let _e1129 = phi_1663_;
+                                                    let _e1131 = phi_1664_;
+                                                    phi_1665_ = _e1127;
+                                                    phi_1666_ = _e1129;
+                                                    phi_1667_ = _e1131;
                                                 } else {
-                                                    phi_1661_ = bool();
-                                                    phi_1662_ = true;
-                                                    phi_1663_ = false;
+                                                    phi_1665_ = bool();
+                                                    phi_1666_ = true;
+                                                    phi_1667_ = false;
                                                 }
-                                                let _e1129 = phi_1661_;
-                                                let _e1131 = phi_1662_;
-                                                let _e1133 = phi_1663_;
-                                                phi_1664_ = _e1129;
-                                                phi_1665_ = _e1131;
-                                                phi_1666_ = _e1133;
+                                                let _e1133 = phi_1665_;
+                                                let _e1135 = phi_1666_;
+                                                let _e1137 = phi_1667_;
+                                                phi_1668_ = _e1133;
+                                                phi_1669_ = _e1135;
+                                                phi_1670_ = _e1137;
                                             } else {
-                                                phi_1664_ = bool();
-                                                phi_1665_ = true;
-                                                phi_1666_ = false;
+                                                phi_1668_ = bool();
+                                                phi_1669_ = true;
+                                                phi_1670_ = false;
                                             }
-                                            let _e1135 = phi_1664_;
-                                            let _e1137 = phi_1665_;
-                                            let _e1139 = phi_1666_;
-                                            if _e1137 {
-                                                phi_1670_ = true;
-                                            } else {
-                                                phi_1670_ = _e1139;
-                                            }
-                                            let _e1141 = phi_1670_;
+                                            let _e1139 = phi_1668_;
+                                            let _e1141 = phi_1669_;
+                                            let _e1143 = phi_1670_;
                                             if _e1141 {
-                                                phi_1674_ = false;
+                                                phi_1674_ = true;
                                             } else {
-                                                phi_1674_ = _e1135;
+                                                phi_1674_ = _e1143;
                                             }
-                                            let _e1143 = phi_1674_;
-                                            if _e1143 {
-                                                let _e1144 = (_e1080 >= _e76);
-                                                if _e1144 {
-                                                    phi_3262_ = bool();
+                                            let _e1145 = phi_1674_;
+                                            if _e1145 {
+                                                phi_1678_ = false;
+                                            } else {
+                                                phi_1678_ = _e1139;
+                                            }
+                                            let _e1147 = phi_1678_;
+                                            if _e1147 {
+                                                let _e1148 = (_e1084 >= _e76);
+                                                if _e1148 {
+                                                    phi_3258_ = bool();
                                                 } else {
-                                                    if (_e1080 < _e76) {
+                                                    if (_e1084 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1150 = nodes.member[(0u + _e1080)].frame[0u];
-                                                    let _e1154 = nodes.member[(0u + _e1080)].frame[1u];
-                                                    let _e1158 = nodes.member[(0u + _e1080)].frame[2u];
-                                                    let _e1162 = nodes.member[(0u + _e1080)].frame[0u];
-                                                    let _e1166 = nodes.member[(0u + _e1080)].frame[1u];
-                                                    let _e1170 = nodes.member[(0u + _e1080)].frame[2u];
-                                                    let _e1174 = nodes.member[(0u + _e1080)].frame[3u];
-                                                    let _e1208 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1051), abs(_e1064));
-                                                    let _e1209 = core_intrinsics_maximum_number_nsz_f32_(_e1208, abs(_e1077));
-                                                    let _e1210 = (_e1209 * 0.0000000000009094947f);
-                                                    if (abs(_e1051) < _e1210) {
-                                                        phi_1744_ = _e1210;
+                                                    let _e1154 = nodes.member[(0u + _e1084)].frame[0u];
+                                                    let _e1158 = nodes.member[(0u + _e1084)].frame[1u];
+                                                    let _e1162 = nodes.member[(0u + _e1084)].frame[2u];
+                                                    let _e1166 = nodes.member[(0u + _e1084)].frame[0u];
+                                                    let _e1170 = nodes.member[(0u + _e1084)].frame[1u];
+                                                    let _e1174 = nodes.member[(0u + _e1084)].frame[2u];
+                                                    let _e1178 = nodes.member[(0u + _e1084)].frame[3u];
+                                                    let _e1212 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1055), abs(_e1068));
+                                                    let _e1213 = core_intrinsics_maximum_number_nsz_f32_(_e1212, abs(_e1081));
+                                                    let _e1214 = (_e1213 * 0.0000000000009094947f);
+                                                    if (abs(_e1055) < _e1214) {
+                                                        phi_1748_ = _e1214;
                                                     } else {
-                                                        phi_1744_ = abs(_e1051);
+                                                        phi_1748_ = abs(_e1055);
                                                     }
-                                                    let _e1215 = phi_1744_;
-                                                    if (_e1051 < 0f) {
-                                                        phi_1751_ = (-1f / _e1215);
+                                                    let _e1219 = phi_1748_;
+                                                    if (_e1055 < 0f) {
+                                                        phi_1755_ = (-1f / _e1219);
                                                     } else {
-                                                        phi_1751_ = (1f / _e1215);
+                                                        phi_1755_ = (1f / _e1219);
                                                     }
-                                                    let _e1220 = phi_1751_;
-                                                    if (abs(_e1064) < _e1210) {
-                                                        phi_1758_ = _e1210;
+                                                    let _e1224 = phi_1755_;
+                                                    if (abs(_e1068) < _e1214) {
+                                                        phi_1762_ = _e1214;
                                                     } else {
-                                                        phi_1758_ = abs(_e1064);
+                                                        phi_1762_ = abs(_e1068);
                                                     }
-                                                    let _e1225 = phi_1758_;
-                                                    if (_e1064 < 0f) {
-                                                        phi_1765_ = (-1f / _e1225);
+                                                    let _e1229 = phi_1762_;
+                                                    if (_e1068 < 0f) {
+                                                        phi_1769_ = (-1f / _e1229);
                                                     } else {
-                                                        phi_1765_ = (1f / _e1225);
+                                                        phi_1769_ = (1f / _e1229);
                                                     }
-                                                    let _e1230 = phi_1765_;
-                                                    if (abs(_e1077) < _e1210) {
-                                                        phi_1772_ = _e1210;
+                                                    let _e1234 = phi_1769_;
+                                                    if (abs(_e1081) < _e1214) {
+                                                        phi_1776_ = _e1214;
                                                     } else {
-                                                        phi_1772_ = abs(_e1077);
+                                                        phi_1776_ = abs(_e1081);
                                                     }
-                                                    let _e1235 = phi_1772_;
-                                                    if (_e1077 < 0f) {
-                                                        phi_1779_ = (-1f / _e1235);
+                                                    let _e1239 = phi_1776_;
+                                                    if (_e1081 < 0f) {
+                                                        phi_1783_ = (-1f / _e1239);
                                                     } else {
-                                                        phi_1779_ = (1f / _e1235);
+                                                        phi_1783_ = (1f / _e1239);
                                                     }
-                                                    let _e1240 = phi_1779_;
-                                                    let _e1244 = abs((bitcast<f32>(_e1150) - _e1011));
-                                                    let _e1245 = abs((bitcast<f32>(_e1154) - _e1024));
-                                                    let _e1246 = abs((bitcast<f32>(_e1158) - _e1037));
-                                                    let _e1250 = abs(((bitcast<f32>(_e1162) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1011));
-                                                    let _e1251 = abs(((bitcast<f32>(_e1166) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1024));
-                                                    let _e1252 = abs(((bitcast<f32>(_e1170) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1037));
-                                                    if (_e1244 > _e1250) {
-                                                        phi_1796_ = _e1244;
+                                                    let _e1244 = phi_1783_;
+                                                    let _e1248 = abs((bitcast<f32>(_e1154) - _e1015));
+                                                    let _e1249 = abs((bitcast<f32>(_e1158) - _e1028));
+                                                    let _e1250 = abs((bitcast<f32>(_e1162) - _e1041));
+                                                    let _e1254 = abs(((bitcast<f32>(_e1166) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1015));
+                                                    let _e1255 = abs(((bitcast<f32>(_e1170) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1028));
+                                                    let _e1256 = abs(((bitcast<f32>(_e1174) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1041));
+                                                    if (_e1248 > _e1254) {
+                                                        phi_1800_ = _e1248;
                                                     } else {
-                                                        phi_1796_ = _e1250;
+                                                        phi_1800_ = _e1254;
                                                     }
-                                                    let _e1255 = phi_1796_;
-                                                    if (_e1245 > _e1251) {
-                                                        phi_1801_ = _e1245;
+                                                    let _e1259 = phi_1800_;
+                                                    if (_e1249 > _e1255) {
+                                                        phi_1805_ = _e1249;
                                                     } else {
-                                                        phi_1801_ = _e1251;
+                                                        phi_1805_ = _e1255;
                                                     }
-                                                    let _e1258 = phi_1801_;
-                                                    if (_e1246 > _e1252) {
-                                                        phi_1806_ = _e1246;
+                                                    let _e1262 = phi_1805_;
+                                                    if (_e1250 > _e1256) {
+                                                        phi_1810_ = _e1250;
                                                     } else {
-                                                        phi_1806_ = _e1252;
+                                                        phi_1810_ = _e1256;
                                                     }
-                                                    let _e1261 = phi_1806_;
-                                                    let _e1262 = core_intrinsics_maximum_number_nsz_f32_(_e1255, _e1258);
-                                                    let _e1263 = core_intrinsics_maximum_number_nsz_f32_(_e1262, _e1261);
-                                                    let _e1267 = (_e1263 * 0.0000019073486f);
-                                                    let _e1268 = (abs(_e1220) * _e1267);
-                                                    let _e1269 = (abs(_e1230) * _e1267);
-                                                    let _e1270 = (abs(_e1240) * _e1267);
-                                                    let _e1274 = (_e1263 * 0.0000009536743f);
-                                                    let _e1275 = (abs(_e1220) * _e1274);
-                                                    let _e1276 = (abs(_e1230) * _e1274);
-                                                    let _e1277 = (abs(_e1240) * _e1274);
-                                                    let _e1278 = abs(_e1051);
-                                                    let _e1279 = abs(_e1064);
-                                                    let _e1280 = abs(_e1077);
-                                                    if (_e1278 >= _e1279) {
-                                                        if (_e1278 >= _e1280) {
-                                                            phi_1834_ = false;
+                                                    let _e1265 = phi_1810_;
+                                                    let _e1266 = core_intrinsics_maximum_number_nsz_f32_(_e1259, _e1262);
+                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1266, _e1265);
+                                                    let _e1271 = (_e1267 * 0.0000019073486f);
+                                                    let _e1272 = (abs(_e1224) * _e1271);
+                                                    let _e1273 = (abs(_e1234) * _e1271);
+                                                    let _e1274 = (abs(_e1244) * _e1271);
+                                                    let _e1278 = (_e1267 * 0.0000009536743f);
+                                                    let _e1279 = (abs(_e1224) * _e1278);
+                                                    let _e1280 = (abs(_e1234) * _e1278);
+                                                    let _e1281 = (abs(_e1244) * _e1278);
+                                                    let _e1282 = abs(_e1055);
+                                                    let _e1283 = abs(_e1068);
+                                                    let _e1284 = abs(_e1081);
+                                                    if (_e1282 >= _e1283) {
+                                                        if (_e1282 >= _e1284) {
+                                                            phi_1838_ = false;
                                                         } else {
-                                                            phi_1834_ = true;
+                                                            phi_1838_ = true;
                                                         }
-                                                        let _e1284 = phi_1834_;
-                                                        phi_1835_ = _e1284;
+                                                        let _e1288 = phi_1838_;
+                                                        phi_1839_ = _e1288;
                                                     } else {
-                                                        phi_1835_ = true;
+                                                        phi_1839_ = true;
                                                     }
-                                                    let _e1286 = phi_1835_;
-                                                    if _e1286 {
-                                                        if (_e1279 >= _e1280) {
-                                                            phi_1843_ = 1u;
+                                                    let _e1290 = phi_1839_;
+                                                    if _e1290 {
+                                                        if (_e1283 >= _e1284) {
+                                                            phi_1847_ = 1u;
                                                         } else {
-                                                            phi_1843_ = 2u;
+                                                            phi_1847_ = 2u;
                                                         }
-                                                        let _e1289 = phi_1843_;
-                                                        phi_1844_ = _e1289;
+                                                        let _e1293 = phi_1847_;
+                                                        phi_1848_ = _e1293;
                                                     } else {
-                                                        phi_1844_ = 0u;
+                                                        phi_1848_ = 0u;
                                                     }
-                                                    let _e1291 = phi_1844_;
-                                                    if (_e1291 == 0u) {
-                                                        phi_1856_ = vec3<f32>(_e1064, _e1077, _e1051);
+                                                    let _e1295 = phi_1848_;
+                                                    if (_e1295 == 0u) {
+                                                        phi_1860_ = vec3<f32>(_e1068, _e1081, _e1055);
                                                     } else {
-                                                        if (_e1291 == 1u) {
-                                                            phi_1855_ = vec3<f32>(_e1077, _e1051, _e1064);
+                                                        if (_e1295 == 1u) {
+                                                            phi_1859_ = vec3<f32>(_e1081, _e1055, _e1068);
                                                         } else {
-                                                            phi_1855_ = vec3<f32>(_e1051, _e1064, _e1077);
+                                                            phi_1859_ = vec3<f32>(_e1055, _e1068, _e1081);
                                                         }
-                                                        let _e1297 = phi_1855_;
-                                                        phi_1856_ = _e1297;
+                                                        let _e1301 = phi_1859_;
+                                                        phi_1860_ = _e1301;
                                                     }
-                                                    let _e1299 = phi_1856_;
-                                                    let _e1302 = (_e1299.x / _e1299.z);
-                                                    let _e1305 = (_e1299.y / _e1299.z);
-                                                    if (_e1220 < 0f) {
-                                                        phi_1869_ = 0u;
+                                                    let _e1303 = phi_1860_;
+                                                    let _e1306 = (_e1303.x / _e1303.z);
+                                                    let _e1309 = (_e1303.y / _e1303.z);
+                                                    if (_e1224 < 0f) {
+                                                        phi_1873_ = 0u;
                                                     } else {
-                                                        phi_1869_ = 1u;
+                                                        phi_1873_ = 1u;
                                                     }
-                                                    let _e1310 = phi_1869_;
-                                                    if (_e1230 < 0f) {
-                                                        phi_1874_ = 0u;
+                                                    let _e1314 = phi_1873_;
+                                                    if (_e1234 < 0f) {
+                                                        phi_1878_ = 0u;
                                                     } else {
-                                                        phi_1874_ = 2u;
+                                                        phi_1878_ = 2u;
                                                     }
-                                                    let _e1313 = phi_1874_;
-                                                    if (_e1240 < 0f) {
-                                                        phi_1879_ = 0u;
+                                                    let _e1317 = phi_1878_;
+                                                    if (_e1244 < 0f) {
+                                                        phi_1883_ = 0u;
                                                     } else {
-                                                        phi_1879_ = 4u;
+                                                        phi_1883_ = 4u;
                                                     }
-                                                    let _e1316 = phi_1879_;
-                                                    let _e1318 = ((_e1310 | _e1313) | _e1316);
-                                                    let _e1319 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1080, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1319.first[0], _e1319.first[1], _e1319.first[2], _e1319.first[3], _e1319.first[4], _e1319.first[5], _e1319.first[6], _e1319.first[7], _e1319.first[8], _e1319.first[9], _e1319.first[10], _e1319.first[11], _e1319.first[12], _e1319.first[13], _e1319.first[14], _e1319.first[15], _e1319.first[16], _e1319.first[17], _e1319.first[18], _e1319.first[19], _e1319.first[20], _e1319.first[21], _e1319.first[22], _e1319.first[23], _e1319.first[24], _e1319.first[25], _e1319.first[26], _e1319.first[27], _e1319.first[28], _e1319.first[29], _e1319.first[30], _e1319.first[31]), array<u32, 32>(_e1319.mask[0], _e1319.mask[1], _e1319.mask[2], _e1319.mask[3], _e1319.mask[4], _e1319.mask[5], _e1319.mask[6], _e1319.mask[7], _e1319.mask[8], _e1319.mask[9], _e1319.mask[10], _e1319.mask[11], _e1319.mask[12], _e1319.mask[13], _e1319.mask[14], _e1319.mask[15], _e1319.mask[16], _e1319.mask[17], _e1319.mask[18], _e1319.mask[19], _e1319.mask[20], _e1319.mask[21], _e1319.mask[22], _e1319.mask[23], _e1319.mask[24], _e1319.mask[25], _e1319.mask[26], _e1319.mask[27], _e1319.mask[28], _e1319.mask[29], _e1319.mask[30], _e1319.mask[31]), _e1319.len, _e1319.group, _e1319.group_mask);
-                                                    let _e1393 = local_1.group_mask;
-                                                    if ((_e1393 & 4278190080u) == 0u) {
-                                                        let _e1397 = local_1.len;
-                                                        if (_e1397 == 0u) {
-                                                            phi_1993_ = false;
+                                                    let _e1320 = phi_1883_;
+                                                    let _e1322 = ((_e1314 | _e1317) | _e1320);
+                                                    let _e1323 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1084, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1323.first[0], _e1323.first[1], _e1323.first[2], _e1323.first[3], _e1323.first[4], _e1323.first[5], _e1323.first[6], _e1323.first[7], _e1323.first[8], _e1323.first[9], _e1323.first[10], _e1323.first[11], _e1323.first[12], _e1323.first[13], _e1323.first[14], _e1323.first[15], _e1323.first[16], _e1323.first[17], _e1323.first[18], _e1323.first[19], _e1323.first[20], _e1323.first[21], _e1323.first[22], _e1323.first[23], _e1323.first[24], _e1323.first[25], _e1323.first[26], _e1323.first[27], _e1323.first[28], _e1323.first[29], _e1323.first[30], _e1323.first[31]), array<u32, 32>(_e1323.mask[0], _e1323.mask[1], _e1323.mask[2], _e1323.mask[3], _e1323.mask[4], _e1323.mask[5], _e1323.mask[6], _e1323.mask[7], _e1323.mask[8], _e1323.mask[9], _e1323.mask[10], _e1323.mask[11], _e1323.mask[12], _e1323.mask[13], _e1323.mask[14], _e1323.mask[15], _e1323.mask[16], _e1323.mask[17], _e1323.mask[18], _e1323.mask[19], _e1323.mask[20], _e1323.mask[21], _e1323.mask[22], _e1323.mask[23], _e1323.mask[24], _e1323.mask[25], _e1323.mask[26], _e1323.mask[27], _e1323.mask[28], _e1323.mask[29], _e1323.mask[30], _e1323.mask[31]), _e1323.len, _e1323.group, _e1323.group_mask);
+                                                    let _e1397 = local_1.group_mask;
+                                                    if ((_e1397 & 4278190080u) == 0u) {
+                                                        let _e1401 = local_1.len;
+                                                        if (_e1401 == 0u) {
+                                                            phi_1997_ = false;
                                                         } else {
-                                                            let _e1401 = local_1.len;
-                                                            local_1.len = (_e1401 - 1u);
-                                                            let _e1404 = local_1.len;
-                                                            if (_e1404 < 32u) {
+                                                            let _e1405 = local_1.len;
+                                                            local_1.len = (_e1405 - 1u);
+                                                            let _e1408 = local_1.len;
+                                                            if (_e1408 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1409 = local_1.first[(0u + _e1404)];
-                                                            local_1.group = _e1409;
-                                                            let _e1412 = local_1.len;
-                                                            if (_e1412 < 32u) {
+                                                            let _e1413 = local_1.first[(0u + _e1408)];
+                                                            local_1.group = _e1413;
+                                                            let _e1416 = local_1.len;
+                                                            if (_e1416 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1417 = local_1.mask[(0u + _e1412)];
-                                                            local_1.group_mask = _e1417;
-                                                            phi_1993_ = true;
+                                                            let _e1421 = local_1.mask[(0u + _e1416)];
+                                                            local_1.group_mask = _e1421;
+                                                            phi_1997_ = true;
                                                         }
-                                                        let _e1420 = phi_1993_;
-                                                        phi_1994_ = _e1420;
+                                                        let _e1424 = phi_1997_;
+                                                        phi_1998_ = _e1424;
                                                     } else {
-                                                        phi_1994_ = true;
+                                                        phi_1998_ = true;
                                                     }
-                                                    let _e1422 = phi_1994_;
-                                                    if _e1422 {
-                                                        let _e1424 = local_1.group_mask;
-                                                        let _e1430 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1424)), 32u, (_e1424 == 0u)));
-                                                        let _e1434 = local_1.group_mask;
-                                                        let _e1448 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1448 & ~((1u << bitcast<u32>((_e1430 & 31u)))));
-                                                        let _e1451 = local_1.group;
-                                                        phi_2025_ = (_e1451 + countOneBits(((_e1434 & ~((4294967295u << bitcast<u32>((((_e1430 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1426 = phi_1998_;
+                                                    if _e1426 {
+                                                        let _e1428 = local_1.group_mask;
+                                                        let _e1434 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1428)), 32u, (_e1428 == 0u)));
+                                                        let _e1438 = local_1.group_mask;
+                                                        let _e1452 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1452 & ~((1u << bitcast<u32>((_e1434 & 31u)))));
+                                                        let _e1455 = local_1.group;
+                                                        phi_2029_ = (_e1455 + countOneBits(((_e1438 & ~((4294967295u << bitcast<u32>((((_e1434 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2025_ = 4294967295u;
+                                                        phi_2029_ = 4294967295u;
                                                     }
-                                                    let _e1454 = phi_2025_;
-                                                    phi_2027_ = _e1454;
+                                                    let _e1458 = phi_2029_;
+                                                    phi_2031_ = _e1458;
+                                                    phi_2034_ = _e935;
                                                     loop {
-                                                        let _e1456 = phi_2027_;
-                                                        if (_e1456 != 4294967295u) {
-                                                            if (_e1456 < _e76) {
+                                                        let _e1460 = phi_2031_;
+                                                        let _e1462 = phi_2034_;
+                                                        local_17 = _e1462;
+                                                        if (_e1460 != 4294967295u) {
+                                                            if (_e1460 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1463 = nodes.member[(0u + _e1456)].frame[3u];
-                                                            let _e1488 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1220);
-                                                            let _e1489 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1230);
-                                                            let _e1490 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1240);
-                                                            let _e1493 = nodes.member[(0u + _e1456)].frame[0u];
-                                                            let _e1497 = nodes.member[(0u + _e1456)].frame[1u];
-                                                            let _e1501 = nodes.member[(0u + _e1456)].frame[2u];
-                                                            let _e1506 = ((bitcast<f32>(_e1493) - _e1011) * _e1220);
-                                                            let _e1507 = ((bitcast<f32>(_e1497) - _e1024) * _e1230);
-                                                            let _e1508 = ((bitcast<f32>(_e1501) - _e1037) * _e1240);
-                                                            let _e1516 = nodes.member[(0u + _e1456)].x;
-                                                            if (_e1220 < 0f) {
-                                                                let _e1527 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1533 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.unnamed.root, _e1516.w), _e1527.unnamed_1);
-                                                                let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1533.unnamed, lt_bvh_traverse_Tree(_e1516.x, _e1533.unnamed_1.first_primitive));
-                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1539.unnamed_1.root, _e1516.y));
+                                                            let _e1469 = nodes.member[(0u + _e1460)].frame[3u];
+                                                            let _e1494 = (bitcast<f32>((((_e1469 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1224);
+                                                            let _e1495 = (bitcast<f32>((((_e1469 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1234);
+                                                            let _e1496 = (bitcast<f32>((((_e1469 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1244);
+                                                            let _e1499 = nodes.member[(0u + _e1460)].frame[0u];
+                                                            let _e1503 = nodes.member[(0u + _e1460)].frame[1u];
+                                                            let _e1507 = nodes.member[(0u + _e1460)].frame[2u];
+                                                            let _e1512 = ((bitcast<f32>(_e1499) - _e1015) * _e1224);
+                                                            let _e1513 = ((bitcast<f32>(_e1503) - _e1028) * _e1234);
+                                                            let _e1514 = ((bitcast<f32>(_e1507) - _e1041) * _e1244);
+                                                            let _e1522 = nodes.member[(0u + _e1460)].x;
+                                                            if (_e1224 < 0f) {
+                                                                let _e1533 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1522.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1533.unnamed.root, _e1522.w), _e1533.unnamed_1);
+                                                                let _e1545 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1522.x, _e1539.unnamed_1.first_primitive));
+                                                                phi_2114_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1545.unnamed, lt_bvh_traverse_Tree(_e1545.unnamed_1.root, _e1522.y));
                                                             } else {
-                                                                let _e1555 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1555.unnamed.root, _e1516.y), _e1555.unnamed_1);
-                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1561.unnamed, lt_bvh_traverse_Tree(_e1516.z, _e1561.unnamed_1.first_primitive));
-                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1567.unnamed_1.root, _e1516.w));
+                                                                let _e1561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1522.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1561.unnamed.root, _e1522.y), _e1561.unnamed_1);
+                                                                let _e1573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1522.z, _e1567.unnamed_1.first_primitive));
+                                                                phi_2114_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1573.unnamed, lt_bvh_traverse_Tree(_e1573.unnamed_1.root, _e1522.w));
                                                             }
-                                                            let _e1575 = phi_2108_;
-                                                            let _e1585 = nodes.member[(0u + _e1456)].y;
-                                                            if (_e1230 < 0f) {
-                                                                let _e1596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.unnamed.root, _e1585.w), _e1596.unnamed_1);
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1602.unnamed, lt_bvh_traverse_Tree(_e1585.x, _e1602.unnamed_1.first_primitive));
-                                                                phi_2135_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1608.unnamed_1.root, _e1585.y));
+                                                            let _e1581 = phi_2114_;
+                                                            let _e1591 = nodes.member[(0u + _e1460)].y;
+                                                            if (_e1234 < 0f) {
+                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1602.unnamed.root, _e1591.w), _e1602.unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1591.x, _e1608.unnamed_1.first_primitive));
+                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_bvh_traverse_Tree(_e1614.unnamed_1.root, _e1591.y));
                                                             } else {
-                                                                let _e1624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1624.unnamed.root, _e1585.y), _e1624.unnamed_1);
-                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1630.unnamed, lt_bvh_traverse_Tree(_e1585.z, _e1630.unnamed_1.first_primitive));
-                                                                phi_2135_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1636.unnamed_1.root, _e1585.w));
+                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1630.unnamed.root, _e1591.y), _e1630.unnamed_1);
+                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1591.z, _e1636.unnamed_1.first_primitive));
+                                                                phi_2141_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_bvh_traverse_Tree(_e1642.unnamed_1.root, _e1591.w));
                                                             }
-                                                            let _e1644 = phi_2135_;
-                                                            let _e1654 = nodes.member[(0u + _e1456)].z;
-                                                            if (_e1240 < 0f) {
-                                                                let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.unnamed.root, _e1654.w), _e1665.unnamed_1);
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_bvh_traverse_Tree(_e1654.x, _e1671.unnamed_1.first_primitive));
-                                                                phi_2162_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1677.unnamed_1.root, _e1654.y));
+                                                            let _e1650 = phi_2141_;
+                                                            let _e1660 = nodes.member[(0u + _e1460)].z;
+                                                            if (_e1244 < 0f) {
+                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1671.unnamed.root, _e1660.w), _e1671.unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1660.x, _e1677.unnamed_1.first_primitive));
+                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1683.unnamed_1.root, _e1660.y));
                                                             } else {
-                                                                let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1693.unnamed.root, _e1654.y), _e1693.unnamed_1);
-                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_bvh_traverse_Tree(_e1654.z, _e1699.unnamed_1.first_primitive));
-                                                                phi_2162_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1705.unnamed_1.root, _e1654.w));
+                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1699.unnamed.root, _e1660.y), _e1699.unnamed_1);
+                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1660.z, _e1705.unnamed_1.first_primitive));
+                                                                phi_2168_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_bvh_traverse_Tree(_e1711.unnamed_1.root, _e1660.w));
                                                             }
-                                                            let _e1713 = phi_2162_;
-                                                            phi_2168_ = 0u;
-                                                            phi_2171_ = 0u;
+                                                            let _e1719 = phi_2168_;
+                                                            phi_2174_ = 0u;
+                                                            phi_2177_ = 0u;
                                                             loop {
-                                                                let _e1723 = phi_2168_;
-                                                                let _e1725 = phi_2171_;
-                                                                local_6 = _e1725;
-                                                                local_7 = _e1725;
-                                                                local_8 = _e1725;
-                                                                let _e1726 = (_e1723 < 8u);
-                                                                if _e1726 {
-                                                                    let _e1728 = (_e1723 >> bitcast<u32>(2i));
-                                                                    let _e1729 = (_e1723 & 3u);
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2185_ = _e1575.unnamed.root;
+                                                                let _e1729 = phi_2174_;
+                                                                let _e1731 = phi_2177_;
+                                                                local_6 = _e1731;
+                                                                local_7 = _e1731;
+                                                                local_8 = _e1731;
+                                                                let _e1732 = (_e1729 < 8u);
+                                                                if _e1732 {
+                                                                    let _e1734 = (_e1729 >> bitcast<u32>(2i));
+                                                                    let _e1735 = (_e1729 & 3u);
+                                                                    if (_e1734 == 0u) {
+                                                                        phi_2191_ = _e1581.unnamed.root;
                                                                     } else {
-                                                                        phi_2185_ = _e1575.unnamed.first_primitive;
+                                                                        phi_2191_ = _e1581.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1732 = phi_2185_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2195_ = _e1644.unnamed.root;
+                                                                    let _e1738 = phi_2191_;
+                                                                    if (_e1734 == 0u) {
+                                                                        phi_2201_ = _e1650.unnamed.root;
                                                                     } else {
-                                                                        phi_2195_ = _e1644.unnamed.first_primitive;
+                                                                        phi_2201_ = _e1650.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1741 = phi_2195_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2205_ = _e1713.unnamed.root;
+                                                                    let _e1747 = phi_2201_;
+                                                                    if (_e1734 == 0u) {
+                                                                        phi_2211_ = _e1719.unnamed.root;
                                                                     } else {
-                                                                        phi_2205_ = _e1713.unnamed.first_primitive;
+                                                                        phi_2211_ = _e1719.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1750 = phi_2205_;
-                                                                    let _e1763 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1732 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1268)), ((f32(((_e1741 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1269)));
-                                                                    let _e1764 = core_intrinsics_maximum_number_nsz_f32_(_e1763, ((f32(((_e1750 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1270)));
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2223_ = _e1575.unnamed_1.root;
+                                                                    let _e1756 = phi_2211_;
+                                                                    let _e1769 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1738 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1272)), ((f32(((_e1747 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1273)));
+                                                                    let _e1770 = core_intrinsics_maximum_number_nsz_f32_(_e1769, ((f32(((_e1756 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 - _e1274)));
+                                                                    if (_e1734 == 0u) {
+                                                                        phi_2229_ = _e1581.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2223_ = _e1575.unnamed_1.first_primitive;
+                                                                        phi_2229_ = _e1581.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1767 = phi_2223_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2233_ = _e1644.unnamed_1.root;
+                                                                    let _e1773 = phi_2229_;
+                                                                    if (_e1734 == 0u) {
+                                                                        phi_2239_ = _e1650.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2233_ = _e1644.unnamed_1.first_primitive;
+                                                                        phi_2239_ = _e1650.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1776 = phi_2233_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2243_ = _e1713.unnamed_1.root;
+                                                                    let _e1782 = phi_2239_;
+                                                                    if (_e1734 == 0u) {
+                                                                        phi_2249_ = _e1719.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2243_ = _e1713.unnamed_1.first_primitive;
+                                                                        phi_2249_ = _e1719.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1785 = phi_2243_;
-                                                                    let _e1798 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1767 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1268)), ((f32(((_e1776 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1269)));
-                                                                    let _e1799 = core_intrinsics_minimum_number_nsz_f32_(_e1798, ((f32(((_e1785 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1270)));
-                                                                    if (_e1764 <= _e1799) {
-                                                                        if (_e1764 <= _e141) {
-                                                                            if (_e1799 >= 0f) {
-                                                                                if (_e1728 == 0u) {
-                                                                                    let _e1806 = nodes.member[(0u + _e1456)].links[2u];
-                                                                                    phi_2279_ = _e1806;
+                                                                    let _e1791 = phi_2249_;
+                                                                    let _e1804 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1773 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1272)), ((f32(((_e1782 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1273)));
+                                                                    let _e1805 = core_intrinsics_minimum_number_nsz_f32_(_e1804, ((f32(((_e1791 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u)) * _e1496) + (_e1514 + _e1274)));
+                                                                    if (_e1770 <= _e1805) {
+                                                                        if (_e1770 <= _e141) {
+                                                                            if (_e1805 >= 0f) {
+                                                                                if (_e1734 == 0u) {
+                                                                                    let _e1812 = nodes.member[(0u + _e1460)].links[2u];
+                                                                                    phi_2285_ = _e1812;
                                                                                 } else {
-                                                                                    let _e1809 = nodes.member[(0u + _e1456)].links[3u];
-                                                                                    phi_2279_ = _e1809;
+                                                                                    let _e1815 = nodes.member[(0u + _e1460)].links[3u];
+                                                                                    phi_2285_ = _e1815;
                                                                                 }
-                                                                                let _e1811 = phi_2279_;
-                                                                                let _e1816 = ((_e1811 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u);
-                                                                                let _e1817 = (_e1816 & 31u);
-                                                                                if (_e1817 >= 24u) {
-                                                                                    phi_2292_ = (24u + ((_e1817 - 24u) ^ _e1318));
+                                                                                let _e1817 = phi_2285_;
+                                                                                let _e1822 = ((_e1817 >> bitcast<u32>(((_e1735 * 8u) & 31u))) & 255u);
+                                                                                let _e1823 = (_e1822 & 31u);
+                                                                                if (_e1823 >= 24u) {
+                                                                                    phi_2298_ = (24u + ((_e1823 - 24u) ^ _e1322));
                                                                                 } else {
-                                                                                    phi_2292_ = _e1817;
+                                                                                    phi_2298_ = _e1823;
                                                                                 }
-                                                                                let _e1823 = phi_2292_;
-                                                                                phi_2297_ = (_e1725 | ((_e1816 >> bitcast<u32>(5i)) << bitcast<u32>((_e1823 & 31u))));
+                                                                                let _e1829 = phi_2298_;
+                                                                                phi_2303_ = (_e1731 | ((_e1822 >> bitcast<u32>(5i)) << bitcast<u32>((_e1829 & 31u))));
                                                                             } else {
-                                                                                phi_2297_ = _e1725;
+                                                                                phi_2303_ = _e1731;
                                                                             }
-                                                                            let _e1831 = phi_2297_;
-                                                                            phi_2298_ = _e1831;
+                                                                            let _e1837 = phi_2303_;
+                                                                            phi_2304_ = _e1837;
                                                                         } else {
-                                                                            phi_2298_ = _e1725;
+                                                                            phi_2304_ = _e1731;
                                                                         }
-                                                                        let _e1833 = phi_2298_;
-                                                                        phi_2299_ = _e1833;
+                                                                        let _e1839 = phi_2304_;
+                                                                        phi_2305_ = _e1839;
                                                                     } else {
-                                                                        phi_2299_ = _e1725;
+                                                                        phi_2305_ = _e1731;
                                                                     }
-                                                                    let _e1835 = phi_2299_;
-                                                                    phi_2169_ = (_e1723 + 1u);
-                                                                    phi_2172_ = _e1835;
+                                                                    let _e1841 = phi_2305_;
+                                                                    phi_2175_ = (_e1729 + 1u);
+                                                                    phi_2178_ = _e1841;
                                                                 } else {
-                                                                    phi_2169_ = u32();
-                                                                    phi_2172_ = u32();
+                                                                    phi_2175_ = u32();
+                                                                    phi_2178_ = u32();
                                                                 }
-                                                                let _e1838 = phi_2169_;
-                                                                let _e1840 = phi_2172_;
+                                                                let _e1844 = phi_2175_;
+                                                                let _e1846 = phi_2178_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2168_ = _e1838;
-                                                                    phi_2171_ = _e1840;
-                                                                    break if !(_e1726);
+                                                                    phi_2174_ = _e1844;
+                                                                    phi_2177_ = _e1846;
+                                                                    break if !(_e1732);
                                                                 }
                                                             }
-                                                            let _e1844 = nodes.member[(0u + _e1456)].links[0u];
-                                                            let _e1848 = nodes.member[(0u + _e1456)].frame[3u];
-                                                            let _e1852 = local_6;
-                                                            if ((_e1852 & 4278190080u) == 0u) {
+                                                            let _e1850 = nodes.member[(0u + _e1460)].links[0u];
+                                                            let _e1854 = nodes.member[(0u + _e1460)].frame[3u];
+                                                            let _e1858 = local_6;
+                                                            if ((_e1858 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1856 = local_1.group_mask;
-                                                                if ((_e1856 & 4278190080u) == 0u) {
+                                                                let _e1862 = local_1.group_mask;
+                                                                if ((_e1862 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1860 = local_1.len;
-                                                                    if (_e1860 < 32u) {
-                                                                        let _e1863 = local_1.group;
-                                                                        let _e1865 = local_1.len;
-                                                                        if (_e1865 < 32u) {
+                                                                    let _e1866 = local_1.len;
+                                                                    if (_e1866 < 32u) {
+                                                                        let _e1869 = local_1.group;
+                                                                        let _e1871 = local_1.len;
+                                                                        if (_e1871 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1865)] = _e1863;
-                                                                        let _e1871 = local_1.group_mask;
-                                                                        let _e1873 = local_1.len;
-                                                                        if (_e1873 < 32u) {
+                                                                        local_1.first[(0u + _e1871)] = _e1869;
+                                                                        let _e1877 = local_1.group_mask;
+                                                                        let _e1879 = local_1.len;
+                                                                        if (_e1879 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1873)] = _e1871;
-                                                                        let _e1880 = local_1.len;
-                                                                        local_1.len = (_e1880 + 1u);
+                                                                        local_1.mask[(0u + _e1879)] = _e1877;
+                                                                        let _e1886 = local_1.len;
+                                                                        local_1.len = (_e1886 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1080 + _e1844);
-                                                                let _e1884 = local_7;
-                                                                local_1.group_mask = ((_e1884 & 4278190080u) | (_e1848 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1084 + _e1850);
+                                                                let _e1890 = local_7;
+                                                                local_1.group_mask = ((_e1890 & 4278190080u) | (_e1854 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1889 = local_8;
-                                                            phi_2357_ = (_e1889 & 16777215u);
+                                                            let _e1895 = local_8;
+                                                            phi_2363_ = (_e1895 & 16777215u);
+                                                            phi_2366_ = _e1462;
                                                             loop {
-                                                                let _e1892 = phi_2357_;
-                                                                let _e1893 = (_e1892 == 0u);
-                                                                local_9 = _e1893;
-                                                                local_15 = _e1893;
-                                                                if _e1893 {
-                                                                    phi_2358_ = u32();
-                                                                    phi_3165_ = false;
-                                                                    phi_3166_ = false;
-                                                                    phi_3167_ = false;
+                                                                let _e1898 = phi_2363_;
+                                                                let _e1900 = phi_2366_;
+                                                                local_13 = _e1900;
+                                                                let _e1901 = (_e1898 == 0u);
+                                                                local_9 = _e1901;
+                                                                local_15 = _e1901;
+                                                                if _e1901 {
+                                                                    phi_2364_ = u32();
+                                                                    phi_2367_ = bool();
+                                                                    phi_3170_ = bool();
+                                                                    phi_3171_ = false;
                                                                 } else {
-                                                                    let _e1896 = nodes.member[(0u + _e1456)].links[1u];
-                                                                    let _e1901 = ((_e1082 + _e1896) + select(firstTrailingBit(_e1892), 32u, (_e1892 == 0u)));
-                                                                    if (_e1901 < _e79) {
+                                                                    let _e1904 = nodes.member[(0u + _e1460)].links[1u];
+                                                                    let _e1909 = ((_e1086 + _e1904) + select(firstTrailingBit(_e1898), 32u, (_e1898 == 0u)));
+                                                                    if (_e1909 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1908 = triangles.member[(0u + _e1901)].v0_;
-                                                                    let _e1910 = (_e1908.x - _e1011);
-                                                                    let _e1912 = (_e1908.y - _e1024);
-                                                                    let _e1914 = (_e1908.z - _e1037);
-                                                                    if (_e1291 == 0u) {
-                                                                        phi_2403_ = vec3<f32>(_e1912, _e1914, _e1910);
+                                                                    let _e1916 = triangles.member[(0u + _e1909)].v0_;
+                                                                    let _e1918 = (_e1916.x - _e1015);
+                                                                    let _e1920 = (_e1916.y - _e1028);
+                                                                    let _e1922 = (_e1916.z - _e1041);
+                                                                    if (_e1295 == 0u) {
+                                                                        phi_2411_ = vec3<f32>(_e1920, _e1922, _e1918);
                                                                     } else {
-                                                                        if (_e1291 == 1u) {
-                                                                            phi_2402_ = vec3<f32>(_e1914, _e1910, _e1912);
+                                                                        if (_e1295 == 1u) {
+                                                                            phi_2410_ = vec3<f32>(_e1922, _e1918, _e1920);
                                                                         } else {
-                                                                            phi_2402_ = (_e1908 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2410_ = (_e1916 - vec3<f32>(_e1015, _e1028, _e1041));
                                                                         }
-                                                                        let _e1922 = phi_2402_;
-                                                                        phi_2403_ = _e1922;
+                                                                        let _e1930 = phi_2410_;
+                                                                        phi_2411_ = _e1930;
                                                                     }
-                                                                    let _e1924 = phi_2403_;
-                                                                    let _e1928 = (_e1924.x - (_e1302 * _e1924.z));
-                                                                    let _e1932 = (_e1924.y - (_e1305 * _e1924.z));
-                                                                    let _e1934 = triangles.member[(0u + _e1901)].v1_;
-                                                                    let _e1936 = (_e1934.x - _e1011);
-                                                                    let _e1938 = (_e1934.y - _e1024);
-                                                                    let _e1940 = (_e1934.z - _e1037);
-                                                                    if (_e1291 == 0u) {
-                                                                        phi_2433_ = vec3<f32>(_e1938, _e1940, _e1936);
+                                                                    let _e1932 = phi_2411_;
+                                                                    let _e1936 = (_e1932.x - (_e1306 * _e1932.z));
+                                                                    let _e1940 = (_e1932.y - (_e1309 * _e1932.z));
+                                                                    let _e1942 = triangles.member[(0u + _e1909)].v1_;
+                                                                    let _e1944 = (_e1942.x - _e1015);
+                                                                    let _e1946 = (_e1942.y - _e1028);
+                                                                    let _e1948 = (_e1942.z - _e1041);
+                                                                    if (_e1295 == 0u) {
+                                                                        phi_2441_ = vec3<f32>(_e1946, _e1948, _e1944);
                                                                     } else {
-                                                                        if (_e1291 == 1u) {
-                                                                            phi_2432_ = vec3<f32>(_e1940, _e1936, _e1938);
+                                                                        if (_e1295 == 1u) {
+                                                                            phi_2440_ = vec3<f32>(_e1948, _e1944, _e1946);
                                                                         } else {
-                                                                            phi_2432_ = (_e1934 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2440_ = (_e1942 - vec3<f32>(_e1015, _e1028, _e1041));
                                                                         }
-                                                                        let _e1948 = phi_2432_;
-                                                                        phi_2433_ = _e1948;
+                                                                        let _e1956 = phi_2440_;
+                                                                        phi_2441_ = _e1956;
                                                                     }
-                                                                    let _e1950 = phi_2433_;
-                                                                    let _e1954 = (_e1950.x - (_e1302 * _e1950.z));
-                                                                    let _e1958 = (_e1950.y - (_e1305 * _e1950.z));
-                                                                    let _e1960 = triangles.member[(0u + _e1901)].v2_;
-                                                                    let _e1962 = (_e1960.x - _e1011);
-                                                                    let _e1964 = (_e1960.y - _e1024);
-                                                                    let _e1966 = (_e1960.z - _e1037);
-                                                                    if (_e1291 == 0u) {
-                                                                        phi_2463_ = vec3<f32>(_e1964, _e1966, _e1962);
+                                                                    let _e1958 = phi_2441_;
+                                                                    let _e1962 = (_e1958.x - (_e1306 * _e1958.z));
+                                                                    let _e1966 = (_e1958.y - (_e1309 * _e1958.z));
+                                                                    let _e1968 = triangles.member[(0u + _e1909)].v2_;
+                                                                    let _e1970 = (_e1968.x - _e1015);
+                                                                    let _e1972 = (_e1968.y - _e1028);
+                                                                    let _e1974 = (_e1968.z - _e1041);
+                                                                    if (_e1295 == 0u) {
+                                                                        phi_2471_ = vec3<f32>(_e1972, _e1974, _e1970);
                                                                     } else {
-                                                                        if (_e1291 == 1u) {
-                                                                            phi_2462_ = vec3<f32>(_e1966, _e1962, _e1964);
+                                                                        if (_e1295 == 1u) {
+                                                                            phi_2470_ = vec3<f32>(_e1974, _e1970, _e1972);
                                                                         } else {
-                                                                            phi_2462_ = (_e1960 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2470_ = (_e1968 - vec3<f32>(_e1015, _e1028, _e1041));
                                                                         }
-                                                                        let _e1974 = phi_2462_;
-                                                                        phi_2463_ = _e1974;
+                                                                        let _e1982 = phi_2470_;
+                                                                        phi_2471_ = _e1982;
                                                                     }
-                                                                    let _e1976 = phi_2463_;
-                                                                    let _e1980 = (_e1976.x - (_e1302 * _e1976.z));
-                                                                    let _e1984 = (_e1976.y - (_e1305 * _e1976.z));
-                                                                    if (_e1954 < _e1980) {
-                                                                        phi_2482_ = true;
+                                                                    let _e1984 = phi_2471_;
+                                                                    let _e1988 = (_e1984.x - (_e1306 * _e1984.z));
+                                                                    let _e1992 = (_e1984.y - (_e1309 * _e1984.z));
+                                                                    if (_e1962 < _e1988) {
+                                                                        phi_2490_ = true;
                                                                     } else {
-                                                                        if (_e1954 == _e1980) {
-                                                                            phi_2481_ = (_e1958 < _e1984);
+                                                                        if (_e1962 == _e1988) {
+                                                                            phi_2489_ = (_e1966 < _e1992);
                                                                         } else {
-                                                                            phi_2481_ = false;
+                                                                            phi_2489_ = false;
                                                                         }
-                                                                        let _e1989 = phi_2481_;
-                                                                        phi_2482_ = _e1989;
+                                                                        let _e1997 = phi_2489_;
+                                                                        phi_2490_ = _e1997;
                                                                     }
-                                                                    let _e1991 = phi_2482_;
-                                                                    if _e1991 {
-                                                                        phi_2486_ = _e1984;
-                                                                        phi_2487_ = _e1980;
-                                                                        phi_2488_ = _e1958;
-                                                                        phi_2489_ = _e1954;
+                                                                    let _e1999 = phi_2490_;
+                                                                    if _e1999 {
+                                                                        phi_2494_ = _e1992;
+                                                                        phi_2495_ = _e1988;
+                                                                        phi_2496_ = _e1966;
+                                                                        phi_2497_ = _e1962;
                                                                     } else {
-                                                                        phi_2486_ = _e1958;
-                                                                        phi_2487_ = _e1954;
-                                                                        phi_2488_ = _e1984;
-                                                                        phi_2489_ = _e1980;
+                                                                        phi_2494_ = _e1966;
+                                                                        phi_2495_ = _e1962;
+                                                                        phi_2496_ = _e1992;
+                                                                        phi_2497_ = _e1988;
                                                                     }
-                                                                    let _e1993 = phi_2486_;
-                                                                    let _e1995 = phi_2487_;
-                                                                    let _e1997 = phi_2488_;
-                                                                    let _e1999 = phi_2489_;
-                                                                    let _e2002 = ((_e1999 * _e1993) - (_e1997 * _e1995));
-                                                                    if _e1991 {
-                                                                        phi_2497_ = -(_e2002);
+                                                                    let _e2001 = phi_2494_;
+                                                                    let _e2003 = phi_2495_;
+                                                                    let _e2005 = phi_2496_;
+                                                                    let _e2007 = phi_2497_;
+                                                                    let _e2010 = ((_e2007 * _e2001) - (_e2005 * _e2003));
+                                                                    if _e1999 {
+                                                                        phi_2505_ = -(_e2010);
                                                                     } else {
-                                                                        phi_2497_ = _e2002;
+                                                                        phi_2505_ = _e2010;
                                                                     }
-                                                                    let _e2005 = phi_2497_;
-                                                                    if (_e1980 < _e1928) {
-                                                                        phi_2508_ = true;
+                                                                    let _e2013 = phi_2505_;
+                                                                    if (_e1988 < _e1936) {
+                                                                        phi_2516_ = true;
                                                                     } else {
-                                                                        if (_e1980 == _e1928) {
-                                                                            phi_2507_ = (_e1984 < _e1932);
+                                                                        if (_e1988 == _e1936) {
+                                                                            phi_2515_ = (_e1992 < _e1940);
                                                                         } else {
-                                                                            phi_2507_ = false;
+                                                                            phi_2515_ = false;
                                                                         }
-                                                                        let _e2010 = phi_2507_;
-                                                                        phi_2508_ = _e2010;
+                                                                        let _e2018 = phi_2515_;
+                                                                        phi_2516_ = _e2018;
                                                                     }
-                                                                    let _e2012 = phi_2508_;
-                                                                    if _e2012 {
-                                                                        phi_2512_ = _e1932;
-                                                                        phi_2513_ = _e1928;
-                                                                        phi_2514_ = _e1984;
-                                                                        phi_2515_ = _e1980;
+                                                                    let _e2020 = phi_2516_;
+                                                                    if _e2020 {
+                                                                        phi_2520_ = _e1940;
+                                                                        phi_2521_ = _e1936;
+                                                                        phi_2522_ = _e1992;
+                                                                        phi_2523_ = _e1988;
                                                                     } else {
-                                                                        phi_2512_ = _e1984;
-                                                                        phi_2513_ = _e1980;
-                                                                        phi_2514_ = _e1932;
-                                                                        phi_2515_ = _e1928;
+                                                                        phi_2520_ = _e1992;
+                                                                        phi_2521_ = _e1988;
+                                                                        phi_2522_ = _e1940;
+                                                                        phi_2523_ = _e1936;
                                                                     }
-                                                                    let _e2014 = phi_2512_;
-                                                                    let _e2016 = phi_2513_;
-                                                                    let _e2018 = phi_2514_;
-                                                                    let _e2020 = phi_2515_;
-                                                                    let _e2023 = ((_e2020 * _e2014) - (_e2018 * _e2016));
-                                                                    if _e2012 {
-                                                                        phi_2523_ = -(_e2023);
+                                                                    let _e2022 = phi_2520_;
+                                                                    let _e2024 = phi_2521_;
+                                                                    let _e2026 = phi_2522_;
+                                                                    let _e2028 = phi_2523_;
+                                                                    let _e2031 = ((_e2028 * _e2022) - (_e2026 * _e2024));
+                                                                    if _e2020 {
+                                                                        phi_2531_ = -(_e2031);
                                                                     } else {
-                                                                        phi_2523_ = _e2023;
+                                                                        phi_2531_ = _e2031;
                                                                     }
-                                                                    let _e2026 = phi_2523_;
-                                                                    if (_e1928 < _e1954) {
-                                                                        phi_2534_ = true;
+                                                                    let _e2034 = phi_2531_;
+                                                                    if (_e1936 < _e1962) {
+                                                                        phi_2542_ = true;
                                                                     } else {
-                                                                        if (_e1928 == _e1954) {
-                                                                            phi_2533_ = (_e1932 < _e1958);
+                                                                        if (_e1936 == _e1962) {
+                                                                            phi_2541_ = (_e1940 < _e1966);
                                                                         } else {
-                                                                            phi_2533_ = false;
+                                                                            phi_2541_ = false;
                                                                         }
-                                                                        let _e2031 = phi_2533_;
-                                                                        phi_2534_ = _e2031;
+                                                                        let _e2039 = phi_2541_;
+                                                                        phi_2542_ = _e2039;
                                                                     }
-                                                                    let _e2033 = phi_2534_;
-                                                                    if _e2033 {
-                                                                        phi_2538_ = _e1958;
-                                                                        phi_2539_ = _e1954;
-                                                                        phi_2540_ = _e1932;
-                                                                        phi_2541_ = _e1928;
+                                                                    let _e2041 = phi_2542_;
+                                                                    if _e2041 {
+                                                                        phi_2546_ = _e1966;
+                                                                        phi_2547_ = _e1962;
+                                                                        phi_2548_ = _e1940;
+                                                                        phi_2549_ = _e1936;
                                                                     } else {
-                                                                        phi_2538_ = _e1932;
-                                                                        phi_2539_ = _e1928;
-                                                                        phi_2540_ = _e1958;
-                                                                        phi_2541_ = _e1954;
+                                                                        phi_2546_ = _e1940;
+                                                                        phi_2547_ = _e1936;
+                                                                        phi_2548_ = _e1966;
+                                                                        phi_2549_ = _e1962;
                                                                     }
-                                                                    let _e2035 = phi_2538_;
-                                                                    let _e2037 = phi_2539_;
-                                                                    let _e2039 = phi_2540_;
-                                                                    let _e2041 = phi_2541_;
-                                                                    let _e2044 = ((_e2041 * _e2035) - (_e2039 * _e2037));
-                                                                    if _e2033 {
-                                                                        phi_2549_ = -(_e2044);
+                                                                    let _e2043 = phi_2546_;
+                                                                    let _e2045 = phi_2547_;
+                                                                    let _e2047 = phi_2548_;
+                                                                    let _e2049 = phi_2549_;
+                                                                    let _e2052 = ((_e2049 * _e2043) - (_e2047 * _e2045));
+                                                                    if _e2041 {
+                                                                        phi_2557_ = -(_e2052);
                                                                     } else {
-                                                                        phi_2549_ = _e2044;
+                                                                        phi_2557_ = _e2052;
                                                                     }
-                                                                    let _e2047 = phi_2549_;
-                                                                    if (_e2005 >= 0f) {
-                                                                        if (_e2026 >= 0f) {
-                                                                            if (_e2047 >= 0f) {
-                                                                                phi_2564_ = ((_e2005 + _e2026) + _e2047);
-                                                                                phi_2565_ = false;
+                                                                    let _e2055 = phi_2557_;
+                                                                    if (_e2013 >= 0f) {
+                                                                        if (_e2034 >= 0f) {
+                                                                            if (_e2055 >= 0f) {
+                                                                                phi_2572_ = ((_e2013 + _e2034) + _e2055);
+                                                                                phi_2573_ = false;
                                                                             } else {
-                                                                                phi_2564_ = f32();
-                                                                                phi_2565_ = true;
+                                                                                phi_2572_ = f32();
+                                                                                phi_2573_ = true;
                                                                             }
-                                                                            let _e2054 = phi_2564_;
-                                                                            let _e2056 = phi_2565_;
-                                                                            phi_2566_ = _e2054;
-                                                                            phi_2567_ = _e2056;
+                                                                            let _e2062 = phi_2572_;
+                                                                            let _e2064 = phi_2573_;
+                                                                            phi_2574_ = _e2062;
+                                                                            phi_2575_ = _e2064;
                                                                         } else {
-                                                                            phi_2566_ = f32();
-                                                                            phi_2567_ = true;
+                                                                            phi_2574_ = f32();
+                                                                            phi_2575_ = true;
                                                                         }
-                                                                        let _e2058 = phi_2566_;
-                                                                        let _e2060 = phi_2567_;
-                                                                        phi_2568_ = _e2058;
-                                                                        phi_2569_ = _e2060;
+                                                                        let _e2066 = phi_2574_;
+                                                                        let _e2068 = phi_2575_;
+                                                                        phi_2576_ = _e2066;
+                                                                        phi_2577_ = _e2068;
                                                                     } else {
-                                                                        phi_2568_ = f32();
-                                                                        phi_2569_ = true;
+                                                                        phi_2576_ = f32();
+                                                                        phi_2577_ = true;
                                                                     }
-                                                                    let _e2062 = phi_2568_;
-                                                                    let _e2064 = phi_2569_;
-                                                                    if _e2064 {
-                                                                        if (_e2005 <= 0f) {
-                                                                            if (_e2026 <= 0f) {
-                                                                                let _e2067 = (_e2047 <= 0f);
-                                                                                if _e2067 {
+                                                                    let _e2070 = phi_2576_;
+                                                                    let _e2072 = phi_2577_;
+                                                                    if _e2072 {
+                                                                        if (_e2013 <= 0f) {
+                                                                            if (_e2034 <= 0f) {
+                                                                                let _e2075 = (_e2055 <= 0f);
+                                                                                if _e2075 {
                                                                                 }
-                                                                                phi_2587_ = ((_e2005 + _e2026) + _e2047);
-                                                                                phi_2588_ = false;
-                                                                                phi_2589_ = _e2067;
+                                                                                phi_2595_ = ((_e2013 + _e2034) + _e2055);
+                                                                                phi_2596_ = false;
+                                                                                phi_2597_ = _e2075;
                                                                             } else {
-                                                                                phi_2587_ = f32();
-                                                                                phi_2588_ = true;
-                                                                                phi_2589_ = false;
+                                                                                phi_2595_ = f32();
+                                                                                phi_2596_ = true;
+                                                                                phi_2597_ = false;
                                                                             }
-                                                                            let _e2071 = phi_2587_;
-                                                                            let _e2073 = phi_2588_;
-                                                                            let _e2075 = phi_2589_;
-                                                                            phi_2590_ = _e2071;
-                                                                            phi_2591_ = _e2073;
-                                                                            phi_2592_ = _e2075;
+                                                                            let _e2079 = phi_2595_;
+                                                                            let _e2081 = phi_2596_;
+                                                                            let _e2083 = phi_2597_;
+                                                                            phi_2598_ = _e2079;
+                                                                            phi_2599_ = _e2081;
+                                                                            phi_2600_ = _e2083;
                                                                         } else {
-                                                                            phi_2590_ = f32();
-                                                                            phi_2591_ = true;
-                                                                            phi_2592_ = false;
+                                                                            phi_2598_ = f32();
+                                                                            phi_2599_ = true;
+                                                                            phi_2600_ = false;
                                                                         }
-                                                                        let _e2077 = phi_2590_;
-                                                                        let _e2079 = phi_2591_;
-                                                                        let _e2081 = phi_2592_;
-                                                                        if _e2079 {
-                                                                            phi_2596_ = false;
+                                                                        let _e2085 = phi_2598_;
+                                                                        let _e2087 = phi_2599_;
+                                                                        let _e2089 = phi_2600_;
+                                                                        if _e2087 {
+                                                                            phi_2604_ = false;
                                                                         } else {
-                                                                            phi_2596_ = _e2081;
+                                                                            phi_2604_ = _e2089;
                                                                         }
-                                                                        let _e2083 = phi_2596_;
-                                                                        phi_2597_ = _e2077;
-                                                                        phi_2598_ = _e2083;
+                                                                        let _e2091 = phi_2604_;
+                                                                        phi_2605_ = _e2085;
+                                                                        phi_2606_ = _e2091;
                                                                     } else {
-                                                                        phi_2597_ = _e2062;
-                                                                        phi_2598_ = true;
+                                                                        phi_2605_ = _e2070;
+                                                                        phi_2606_ = true;
                                                                     }
-                                                                    let _e2085 = phi_2597_;
-                                                                    let _e2087 = phi_2598_;
-                                                                    if _e2087 {
-                                                                        let _e2088 = (_e2085 == 0f);
-                                                                        if _e2088 {
-                                                                            phi_2914_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2915_ = false;
+                                                                    let _e2093 = phi_2605_;
+                                                                    let _e2095 = phi_2606_;
+                                                                    if _e2095 {
+                                                                        let _e2096 = (_e2093 == 0f);
+                                                                        if _e2096 {
+                                                                            phi_2922_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2923_ = false;
                                                                         } else {
-                                                                            let _e2090 = triangles.member[(0u + _e1901)].v0_;
-                                                                            let _e2092 = (_e2090.x - _e1011);
-                                                                            let _e2094 = (_e2090.y - _e1024);
-                                                                            let _e2096 = (_e2090.z - _e1037);
-                                                                            if (_e1291 == 0u) {
-                                                                                phi_2627_ = vec3<f32>(_e2094, _e2096, _e2092);
+                                                                            let _e2098 = triangles.member[(0u + _e1909)].v0_;
+                                                                            let _e2100 = (_e2098.x - _e1015);
+                                                                            let _e2102 = (_e2098.y - _e1028);
+                                                                            let _e2104 = (_e2098.z - _e1041);
+                                                                            if (_e1295 == 0u) {
+                                                                                phi_2635_ = vec3<f32>(_e2102, _e2104, _e2100);
                                                                             } else {
-                                                                                if (_e1291 == 1u) {
-                                                                                    phi_2626_ = vec3<f32>(_e2096, _e2092, _e2094);
+                                                                                if (_e1295 == 1u) {
+                                                                                    phi_2634_ = vec3<f32>(_e2104, _e2100, _e2102);
                                                                                 } else {
-                                                                                    phi_2626_ = (_e2090 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                                    phi_2634_ = (_e2098 - vec3<f32>(_e1015, _e1028, _e1041));
                                                                                 }
-                                                                                let _e2104 = phi_2626_;
-                                                                                phi_2627_ = _e2104;
+                                                                                let _e2112 = phi_2634_;
+                                                                                phi_2635_ = _e2112;
                                                                             }
-                                                                            let _e2106 = phi_2627_;
-                                                                            let _e2108 = triangles.member[(0u + _e1901)].v1_;
-                                                                            let _e2110 = triangles.member[(0u + _e1901)].v0_;
-                                                                            let _e2113 = (_e2108.x - _e2110.x);
-                                                                            let _e2116 = (_e2108.y - _e2110.y);
-                                                                            let _e2119 = (_e2108.z - _e2110.z);
-                                                                            if (_e1291 == 0u) {
-                                                                                phi_2653_ = vec3<f32>(_e2116, _e2119, _e2113);
+                                                                            let _e2114 = phi_2635_;
+                                                                            let _e2116 = triangles.member[(0u + _e1909)].v1_;
+                                                                            let _e2118 = triangles.member[(0u + _e1909)].v0_;
+                                                                            let _e2121 = (_e2116.x - _e2118.x);
+                                                                            let _e2124 = (_e2116.y - _e2118.y);
+                                                                            let _e2127 = (_e2116.z - _e2118.z);
+                                                                            if (_e1295 == 0u) {
+                                                                                phi_2661_ = vec3<f32>(_e2124, _e2127, _e2121);
                                                                             } else {
-                                                                                if (_e1291 == 1u) {
-                                                                                    phi_2652_ = vec3<f32>(_e2119, _e2113, _e2116);
+                                                                                if (_e1295 == 1u) {
+                                                                                    phi_2660_ = vec3<f32>(_e2127, _e2121, _e2124);
                                                                                 } else {
-                                                                                    phi_2652_ = (_e2108 - _e2110);
+                                                                                    phi_2660_ = (_e2116 - _e2118);
                                                                                 }
-                                                                                let _e2126 = phi_2652_;
-                                                                                phi_2653_ = _e2126;
+                                                                                let _e2134 = phi_2660_;
+                                                                                phi_2661_ = _e2134;
                                                                             }
-                                                                            let _e2128 = phi_2653_;
-                                                                            let _e2130 = triangles.member[(0u + _e1901)].v2_;
-                                                                            let _e2132 = triangles.member[(0u + _e1901)].v0_;
-                                                                            let _e2135 = (_e2130.x - _e2132.x);
-                                                                            let _e2138 = (_e2130.y - _e2132.y);
-                                                                            let _e2141 = (_e2130.z - _e2132.z);
-                                                                            if (_e1291 == 0u) {
-                                                                                phi_2679_ = vec3<f32>(_e2138, _e2141, _e2135);
+                                                                            let _e2136 = phi_2661_;
+                                                                            let _e2138 = triangles.member[(0u + _e1909)].v2_;
+                                                                            let _e2140 = triangles.member[(0u + _e1909)].v0_;
+                                                                            let _e2143 = (_e2138.x - _e2140.x);
+                                                                            let _e2146 = (_e2138.y - _e2140.y);
+                                                                            let _e2149 = (_e2138.z - _e2140.z);
+                                                                            if (_e1295 == 0u) {
+                                                                                phi_2687_ = vec3<f32>(_e2146, _e2149, _e2143);
                                                                             } else {
-                                                                                if (_e1291 == 1u) {
-                                                                                    phi_2678_ = vec3<f32>(_e2141, _e2135, _e2138);
+                                                                                if (_e1295 == 1u) {
+                                                                                    phi_2686_ = vec3<f32>(_e2149, _e2143, _e2146);
                                                                                 } else {
-                                                                                    phi_2678_ = (_e2130 - _e2132);
+                                                                                    phi_2686_ = (_e2138 - _e2140);
                                                                                 }
-                                                                                let _e2148 = phi_2678_;
-                                                                                phi_2679_ = _e2148;
+                                                                                let _e2156 = phi_2686_;
+                                                                                phi_2687_ = _e2156;
                                                                             }
-                                                                            let _e2150 = phi_2679_;
-                                                                            let _e2157 = ((_e2128.y * _e2150.z) - (_e2128.z * _e2150.y));
-                                                                            let _e2164 = ((_e2128.z * _e2150.x) - (_e2128.x * _e2150.z));
-                                                                            let _e2171 = ((_e2128.x * _e2150.y) - (_e2128.y * _e2150.x));
-                                                                            let _e2185 = (((1f / _e1299.z) * (((_e2157 * _e2106.x) + (_e2164 * _e2106.y)) + (_e2171 * _e2106.z))) / (((_e2157 * _e1302) + (_e2164 * _e1305)) + _e2171));
-                                                                            if (_e2185 > 0f) {
-                                                                                if (_e2185 < _e141) {
-                                                                                    let _e2189 = triangles.member[(0u + _e1901)].v0_;
-                                                                                    let _e2191 = triangles.member[(0u + _e1901)].v1_;
-                                                                                    if (_e2189.x < _e2191.x) {
-                                                                                        phi_2735_ = _e2189.x;
+                                                                            let _e2158 = phi_2687_;
+                                                                            let _e2165 = ((_e2136.y * _e2158.z) - (_e2136.z * _e2158.y));
+                                                                            let _e2172 = ((_e2136.z * _e2158.x) - (_e2136.x * _e2158.z));
+                                                                            let _e2179 = ((_e2136.x * _e2158.y) - (_e2136.y * _e2158.x));
+                                                                            let _e2193 = (((1f / _e1303.z) * (((_e2165 * _e2114.x) + (_e2172 * _e2114.y)) + (_e2179 * _e2114.z))) / (((_e2165 * _e1306) + (_e2172 * _e1309)) + _e2179));
+                                                                            if (_e2193 > 0f) {
+                                                                                if (_e2193 < _e141) {
+                                                                                    let _e2197 = triangles.member[(0u + _e1909)].v0_;
+                                                                                    let _e2199 = triangles.member[(0u + _e1909)].v1_;
+                                                                                    if (_e2197.x < _e2199.x) {
+                                                                                        phi_2743_ = _e2197.x;
                                                                                     } else {
-                                                                                        phi_2735_ = _e2191.x;
+                                                                                        phi_2743_ = _e2199.x;
                                                                                     }
-                                                                                    let _e2198 = phi_2735_;
-                                                                                    if (_e2189.y < _e2191.y) {
-                                                                                        phi_2744_ = _e2189.y;
+                                                                                    let _e2206 = phi_2743_;
+                                                                                    if (_e2197.y < _e2199.y) {
+                                                                                        phi_2752_ = _e2197.y;
                                                                                     } else {
-                                                                                        phi_2744_ = _e2191.y;
+                                                                                        phi_2752_ = _e2199.y;
                                                                                     }
-                                                                                    let _e2205 = phi_2744_;
-                                                                                    if (_e2189.z < _e2191.z) {
-                                                                                        phi_2753_ = _e2189.z;
+                                                                                    let _e2213 = phi_2752_;
+                                                                                    if (_e2197.z < _e2199.z) {
+                                                                                        phi_2761_ = _e2197.z;
                                                                                     } else {
-                                                                                        phi_2753_ = _e2191.z;
+                                                                                        phi_2761_ = _e2199.z;
                                                                                     }
-                                                                                    let _e2212 = phi_2753_;
-                                                                                    let _e2214 = triangles.member[(0u + _e1901)].v2_;
-                                                                                    if (_e2198 < _e2214.x) {
-                                                                                        phi_2762_ = _e2198;
+                                                                                    let _e2220 = phi_2761_;
+                                                                                    let _e2222 = triangles.member[(0u + _e1909)].v2_;
+                                                                                    if (_e2206 < _e2222.x) {
+                                                                                        phi_2770_ = _e2206;
                                                                                     } else {
-                                                                                        phi_2762_ = _e2214.x;
+                                                                                        phi_2770_ = _e2222.x;
                                                                                     }
-                                                                                    let _e2219 = phi_2762_;
-                                                                                    if (_e2205 < _e2214.y) {
-                                                                                        phi_2769_ = _e2205;
+                                                                                    let _e2227 = phi_2770_;
+                                                                                    if (_e2213 < _e2222.y) {
+                                                                                        phi_2777_ = _e2213;
                                                                                     } else {
-                                                                                        phi_2769_ = _e2214.y;
+                                                                                        phi_2777_ = _e2222.y;
                                                                                     }
-                                                                                    let _e2224 = phi_2769_;
-                                                                                    if (_e2212 < _e2214.z) {
-                                                                                        phi_2776_ = _e2212;
+                                                                                    let _e2232 = phi_2777_;
+                                                                                    if (_e2220 < _e2222.z) {
+                                                                                        phi_2784_ = _e2220;
                                                                                     } else {
-                                                                                        phi_2776_ = _e2214.z;
+                                                                                        phi_2784_ = _e2222.z;
                                                                                     }
-                                                                                    let _e2229 = phi_2776_;
-                                                                                    let _e2231 = triangles.member[(0u + _e1901)].v0_;
-                                                                                    let _e2233 = triangles.member[(0u + _e1901)].v1_;
-                                                                                    if (_e2231.x > _e2233.x) {
-                                                                                        phi_2789_ = _e2231.x;
+                                                                                    let _e2237 = phi_2784_;
+                                                                                    let _e2239 = triangles.member[(0u + _e1909)].v0_;
+                                                                                    let _e2241 = triangles.member[(0u + _e1909)].v1_;
+                                                                                    if (_e2239.x > _e2241.x) {
+                                                                                        phi_2797_ = _e2239.x;
                                                                                     } else {
-                                                                                        phi_2789_ = _e2233.x;
+                                                                                        phi_2797_ = _e2241.x;
                                                                                     }
-                                                                                    let _e2240 = phi_2789_;
-                                                                                    if (_e2231.y > _e2233.y) {
-                                                                                        phi_2798_ = _e2231.y;
+                                                                                    let _e2248 = phi_2797_;
+                                                                                    if (_e2239.y > _e2241.y) {
+                                                                                        phi_2806_ = _e2239.y;
                                                                                     } else {
-                                                                                        phi_2798_ = _e2233.y;
+                                                                                        phi_2806_ = _e2241.y;
                                                                                     }
-                                                                                    let _e2247 = phi_2798_;
-                                                                                    if (_e2231.z > _e2233.z) {
-                                                                                        phi_2807_ = _e2231.z;
+                                                                                    let _e2255 = phi_2806_;
+                                                                                    if (_e2239.z > _e2241.z) {
+                                                                                        phi_2815_ = _e2239.z;
                                                                                     } else {
-                                                                                        phi_2807_ = _e2233.z;
+                                                                                        phi_2815_ = _e2241.z;
                                                                                     }
-                                                                                    let _e2254 = phi_2807_;
-                                                                                    let _e2256 = triangles.member[(0u + _e1901)].v2_;
-                                                                                    if (_e2240 > _e2256.x) {
-                                                                                        phi_2816_ = _e2240;
+                                                                                    let _e2262 = phi_2815_;
+                                                                                    let _e2264 = triangles.member[(0u + _e1909)].v2_;
+                                                                                    if (_e2248 > _e2264.x) {
+                                                                                        phi_2824_ = _e2248;
                                                                                     } else {
-                                                                                        phi_2816_ = _e2256.x;
+                                                                                        phi_2824_ = _e2264.x;
                                                                                     }
-                                                                                    let _e2261 = phi_2816_;
-                                                                                    if (_e2247 > _e2256.y) {
-                                                                                        phi_2823_ = _e2247;
+                                                                                    let _e2269 = phi_2824_;
+                                                                                    if (_e2255 > _e2264.y) {
+                                                                                        phi_2831_ = _e2255;
                                                                                     } else {
-                                                                                        phi_2823_ = _e2256.y;
+                                                                                        phi_2831_ = _e2264.y;
                                                                                     }
-                                                                                    let _e2266 = phi_2823_;
-                                                                                    if (_e2254 > _e2256.z) {
-                                                                                        phi_2830_ = _e2254;
+                                                                                    let _e2274 = phi_2831_;
+                                                                                    if (_e2262 > _e2264.z) {
+                                                                                        phi_2838_ = _e2262;
                                                                                     } else {
-                                                                                        phi_2830_ = _e2256.z;
+                                                                                        phi_2838_ = _e2264.z;
                                                                                     }
-                                                                                    let _e2271 = phi_2830_;
-                                                                                    let _e2275 = ((_e2219 - _e1011) * _e1220);
-                                                                                    let _e2276 = ((_e2224 - _e1024) * _e1230);
-                                                                                    let _e2277 = ((_e2229 - _e1037) * _e1240);
-                                                                                    let _e2281 = ((_e2261 - _e1011) * _e1220);
-                                                                                    let _e2282 = ((_e2266 - _e1024) * _e1230);
-                                                                                    let _e2283 = ((_e2271 - _e1037) * _e1240);
-                                                                                    if (_e2275 < _e2281) {
-                                                                                        phi_2847_ = _e2275;
+                                                                                    let _e2279 = phi_2838_;
+                                                                                    let _e2283 = ((_e2227 - _e1015) * _e1224);
+                                                                                    let _e2284 = ((_e2232 - _e1028) * _e1234);
+                                                                                    let _e2285 = ((_e2237 - _e1041) * _e1244);
+                                                                                    let _e2289 = ((_e2269 - _e1015) * _e1224);
+                                                                                    let _e2290 = ((_e2274 - _e1028) * _e1234);
+                                                                                    let _e2291 = ((_e2279 - _e1041) * _e1244);
+                                                                                    if (_e2283 < _e2289) {
+                                                                                        phi_2855_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2847_ = _e2281;
+                                                                                        phi_2855_ = _e2289;
                                                                                     }
-                                                                                    let _e2286 = phi_2847_;
-                                                                                    if (_e2276 < _e2282) {
-                                                                                        phi_2852_ = _e2276;
+                                                                                    let _e2294 = phi_2855_;
+                                                                                    if (_e2284 < _e2290) {
+                                                                                        phi_2860_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2852_ = _e2282;
+                                                                                        phi_2860_ = _e2290;
                                                                                     }
-                                                                                    let _e2289 = phi_2852_;
-                                                                                    if (_e2277 < _e2283) {
-                                                                                        phi_2857_ = _e2277;
+                                                                                    let _e2297 = phi_2860_;
+                                                                                    if (_e2285 < _e2291) {
+                                                                                        phi_2865_ = _e2285;
                                                                                     } else {
-                                                                                        phi_2857_ = _e2283;
+                                                                                        phi_2865_ = _e2291;
                                                                                     }
-                                                                                    let _e2292 = phi_2857_;
-                                                                                    if (_e2275 > _e2281) {
-                                                                                        phi_2865_ = _e2275;
+                                                                                    let _e2300 = phi_2865_;
+                                                                                    if (_e2283 > _e2289) {
+                                                                                        phi_2873_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2865_ = _e2281;
+                                                                                        phi_2873_ = _e2289;
                                                                                     }
-                                                                                    let _e2298 = phi_2865_;
-                                                                                    if (_e2276 > _e2282) {
-                                                                                        phi_2870_ = _e2276;
+                                                                                    let _e2306 = phi_2873_;
+                                                                                    if (_e2284 > _e2290) {
+                                                                                        phi_2878_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2870_ = _e2282;
+                                                                                        phi_2878_ = _e2290;
                                                                                     }
-                                                                                    let _e2301 = phi_2870_;
-                                                                                    if (_e2277 > _e2283) {
-                                                                                        phi_2875_ = _e2277;
+                                                                                    let _e2309 = phi_2878_;
+                                                                                    if (_e2285 > _e2291) {
+                                                                                        phi_2883_ = _e2285;
                                                                                     } else {
-                                                                                        phi_2875_ = _e2283;
+                                                                                        phi_2883_ = _e2291;
                                                                                     }
-                                                                                    let _e2304 = phi_2875_;
-                                                                                    let _e2308 = core_intrinsics_maximum_number_nsz_f32_((_e2286 - _e1275), (_e2289 - _e1276));
-                                                                                    let _e2309 = core_intrinsics_maximum_number_nsz_f32_(_e2308, (_e2292 - _e1277));
-                                                                                    let _e2310 = core_intrinsics_minimum_number_nsz_f32_((_e2298 + _e1275), (_e2301 + _e1276));
-                                                                                    let _e2311 = core_intrinsics_minimum_number_nsz_f32_(_e2310, (_e2304 + _e1277));
-                                                                                    if (_e2309 > _e992) {
-                                                                                        phi_2887_ = _e2309;
+                                                                                    let _e2312 = phi_2883_;
+                                                                                    let _e2316 = core_intrinsics_maximum_number_nsz_f32_((_e2294 - _e1279), (_e2297 - _e1280));
+                                                                                    let _e2317 = core_intrinsics_maximum_number_nsz_f32_(_e2316, (_e2300 - _e1281));
+                                                                                    let _e2318 = core_intrinsics_minimum_number_nsz_f32_((_e2306 + _e1279), (_e2309 + _e1280));
+                                                                                    let _e2319 = core_intrinsics_minimum_number_nsz_f32_(_e2318, (_e2312 + _e1281));
+                                                                                    if (_e2317 > _e996) {
+                                                                                        phi_2895_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2887_ = _e992;
+                                                                                        phi_2895_ = _e996;
                                                                                     }
-                                                                                    let _e2314 = phi_2887_;
-                                                                                    if (_e2311 < _e994) {
-                                                                                        phi_2892_ = _e2311;
+                                                                                    let _e2322 = phi_2895_;
+                                                                                    if (_e2319 < _e998) {
+                                                                                        phi_2900_ = _e2319;
                                                                                     } else {
-                                                                                        phi_2892_ = _e994;
+                                                                                        phi_2900_ = _e998;
                                                                                     }
-                                                                                    let _e2317 = phi_2892_;
-                                                                                    if (_e2185 < _e2314) {
-                                                                                        phi_2897_ = _e2314;
+                                                                                    let _e2325 = phi_2900_;
+                                                                                    if (_e2193 < _e2322) {
+                                                                                        phi_2905_ = _e2322;
                                                                                     } else {
-                                                                                        phi_2897_ = _e2185;
+                                                                                        phi_2905_ = _e2193;
                                                                                     }
-                                                                                    let _e2320 = phi_2897_;
-                                                                                    if (_e2320 > _e2317) {
-                                                                                        phi_2902_ = _e2317;
+                                                                                    let _e2328 = phi_2905_;
+                                                                                    if (_e2328 > _e2325) {
+                                                                                        phi_2910_ = _e2325;
                                                                                     } else {
-                                                                                        phi_2902_ = _e2320;
+                                                                                        phi_2910_ = _e2328;
                                                                                     }
-                                                                                    let _e2323 = phi_2902_;
-                                                                                    phi_2907_ = lt_bvh_triangle_Intersection(_e2323, (_e2026 / _e2085), (_e2047 / _e2085), (_e2314 <= _e2317));
-                                                                                    phi_2908_ = false;
+                                                                                    let _e2331 = phi_2910_;
+                                                                                    phi_2915_ = lt_bvh_triangle_Intersection(_e2331, (_e2034 / _e2093), (_e2055 / _e2093), (_e2322 <= _e2325));
+                                                                                    phi_2916_ = false;
                                                                                 } else {
-                                                                                    phi_2907_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2908_ = true;
+                                                                                    phi_2915_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2916_ = true;
                                                                                 }
-                                                                                let _e2329 = phi_2907_;
-                                                                                let _e2331 = phi_2908_;
-                                                                                phi_2909_ = _e2329;
-                                                                                phi_2910_ = _e2331;
+                                                                                let _e2337 = phi_2915_;
+                                                                                let _e2339 = phi_2916_;
+                                                                                phi_2917_ = _e2337;
+                                                                                phi_2918_ = _e2339;
                                                                             } else {
-                                                                                phi_2909_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2910_ = true;
+                                                                                phi_2917_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2918_ = true;
                                                                             }
-                                                                            let _e2333 = phi_2909_;
-                                                                            let _e2335 = phi_2910_;
-                                                                            if _e2335 {
+                                                                            let _e2341 = phi_2917_;
+                                                                            let _e2343 = phi_2918_;
+                                                                            if _e2343 {
                                                                             }
-                                                                            phi_2914_ = _e2333;
-                                                                            phi_2915_ = _e2335;
+                                                                            phi_2922_ = _e2341;
+                                                                            phi_2923_ = _e2343;
                                                                         }
-                                                                        let _e2337 = phi_2914_;
-                                                                        let _e2339 = phi_2915_;
-                                                                        phi_2916_ = _e2337;
-                                                                        phi_2917_ = _e2088;
-                                                                        phi_2918_ = _e2339;
+                                                                        let _e2345 = phi_2922_;
+                                                                        let _e2347 = phi_2923_;
+                                                                        phi_2924_ = _e2345;
+                                                                        phi_2925_ = _e2096;
+                                                                        phi_2926_ = _e2347;
                                                                     } else {
-                                                                        phi_2916_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2917_ = true;
-                                                                        phi_2918_ = false;
+                                                                        phi_2924_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2925_ = true;
+                                                                        phi_2926_ = false;
                                                                     }
-                                                                    let _e2341 = phi_2916_;
-                                                                    let _e2343 = phi_2917_;
-                                                                    let _e2345 = phi_2918_;
-                                                                    if _e2343 {
-                                                                        phi_2922_ = true;
+                                                                    let _e2349 = phi_2924_;
+                                                                    let _e2351 = phi_2925_;
+                                                                    let _e2353 = phi_2926_;
+                                                                    if _e2351 {
+                                                                        phi_2930_ = true;
                                                                     } else {
-                                                                        phi_2922_ = _e2345;
+                                                                        phi_2930_ = _e2353;
                                                                     }
-                                                                    let _e2347 = phi_2922_;
-                                                                    if _e2347 {
-                                                                        phi_2926_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2355 = phi_2930_;
+                                                                    if _e2355 {
+                                                                        phi_2934_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2926_ = _e2341;
+                                                                        phi_2934_ = _e2349;
                                                                     }
-                                                                    let _e2349 = phi_2926_;
-                                                                    if _e2349.is_hit {
-                                                                        if (_e2349.t > 0f) {
-                                                                            if (_e2349.t < _e141) {
-                                                                                let _e2356 = triangles.member[(0u + _e1901)].i0_;
-                                                                                let _e2358 = ((_e2356 & 2147483648u) == 0u);
-                                                                                if _e2358 {
-                                                                                    phi_3149_ = false;
-                                                                                    phi_3150_ = false;
+                                                                    let _e2357 = phi_2934_;
+                                                                    if _e2357.is_hit {
+                                                                        if (_e2357.t > 0f) {
+                                                                            if (_e2357.t < _e141) {
+                                                                                let _e2364 = triangles.member[(0u + _e1909)].i0_;
+                                                                                if ((_e2364 & 2147483648u) == 0u) {
+                                                                                    phi_3153_ = true;
                                                                                 } else {
-                                                                                    if (_e1901 < _e79) {
+                                                                                    if (_e1909 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2365 = triangles.member[(0u + _e1901)].i0_;
-                                                                                    let _e2366 = (_e2365 & 2147483647u);
-                                                                                    let _e2368 = triangles.member[(0u + _e1901)].i1_;
-                                                                                    let _e2370 = triangles.member[(0u + _e1901)].i2_;
-                                                                                    if (_e2366 < _e91) {
+                                                                                    let _e2373 = triangles.member[(0u + _e1909)].i0_;
+                                                                                    let _e2374 = (_e2373 & 2147483647u);
+                                                                                    let _e2376 = triangles.member[(0u + _e1909)].i1_;
+                                                                                    let _e2378 = triangles.member[(0u + _e1909)].i2_;
+                                                                                    if (_e2374 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2374 = vertices.member[(0u + _e2366)];
-                                                                                    if (_e2368 < _e91) {
+                                                                                    let _e2382 = vertices.member[(0u + _e2374)];
+                                                                                    if (_e2376 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2378 = vertices.member[(0u + _e2368)];
-                                                                                    if (_e2370 < _e91) {
+                                                                                    let _e2386 = vertices.member[(0u + _e2376)];
+                                                                                    if (_e2378 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2382 = vertices.member[(0u + _e2370)];
-                                                                                    let _e2383 = array<abi_Vertex, 3>(_e2374, _e2378, _e2382);
-                                                                                    if (_e2383[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2390 = vertices.member[(0u + _e2378)];
+                                                                                    let _e2391 = array<abi_Vertex, 3>(_e2382, _e2386, _e2390);
+                                                                                    if (_e2391[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2389 = materials.member[(0u + _e2383[0].material)];
-                                                                                    if ((_e2389.flags & 1u) == 1u) {
-                                                                                        let _e2394 = ((1f - _e2349.u) - _e2349.v);
-                                                                                        if (_e2389.cutoff <= 0f) {
-                                                                                            phi_3143_ = true;
+                                                                                    let _e2397 = materials.member[(0u + _e2391[0].material)];
+                                                                                    if ((_e2397.flags & 1u) == 1u) {
+                                                                                        let _e2402 = ((1f - _e2357.u) - _e2357.v);
+                                                                                        if (_e2397.cutoff <= 0f) {
+                                                                                            phi_3151_ = true;
                                                                                         } else {
-                                                                                            let _e2421 = (_e2389.base_color.w * ((((f32((_e2383[0].color >> bitcast<u32>(24i))) * _e2394) + (f32((_e2383[1].color >> bitcast<u32>(24i))) * _e2349.u)) + (f32((_e2383[2].color >> bitcast<u32>(24i))) * _e2349.v)) * (1f / 255f)));
-                                                                                            if (_e2389.alpha_size == 0u) {
-                                                                                                phi_3140_ = _e2421;
+                                                                                            let _e2429 = (_e2397.base_color.w * ((((f32((_e2391[0].color >> bitcast<u32>(24i))) * _e2402) + (f32((_e2391[1].color >> bitcast<u32>(24i))) * _e2357.u)) + (f32((_e2391[2].color >> bitcast<u32>(24i))) * _e2357.v)) * (1f / 255f)));
+                                                                                            if (_e2397.alpha_size == 0u) {
+                                                                                                phi_3148_ = _e2429;
                                                                                             } else {
-                                                                                                local.offset = _e2389.alpha_offset;
-                                                                                                local.size = _e2389.alpha_size;
-                                                                                                local.flags = _e2389.flags;
-                                                                                                let _e2452 = _lt_shaders_texture_TextureView_quad((&local), (((_e2383[0].u * _e2394) + (_e2383[1].u * _e2349.u)) + (_e2383[2].u * _e2349.v)), (((_e2383[0].v * _e2394) + (_e2383[1].v * _e2349.u)) + (_e2383[2].v * _e2349.v)));
-                                                                                                let _e2456 = (_e2452.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2456 < _e97) {
+                                                                                                local.offset = _e2397.alpha_offset;
+                                                                                                local.size = _e2397.alpha_size;
+                                                                                                local.flags = _e2397.flags;
+                                                                                                let _e2460 = _lt_shaders_texture_TextureView_quad((&local), (((_e2391[0].u * _e2402) + (_e2391[1].u * _e2357.u)) + (_e2391[2].u * _e2357.v)), (((_e2391[0].v * _e2402) + (_e2391[1].v * _e2357.u)) + (_e2391[2].v * _e2357.v)));
+                                                                                                let _e2464 = (_e2460.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2464 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2460 = alpha_texels.member[(0u + _e2456)];
-                                                                                                let _e2476 = (_e2452.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2476 < _e97) {
+                                                                                                let _e2468 = alpha_texels.member[(0u + _e2464)];
+                                                                                                let _e2484 = (_e2460.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2484 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2480 = alpha_texels.member[(0u + _e2476)];
-                                                                                                let _e2497 = (_e2452.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2497 < _e97) {
+                                                                                                let _e2488 = alpha_texels.member[(0u + _e2484)];
+                                                                                                let _e2505 = (_e2460.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2505 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2501 = alpha_texels.member[(0u + _e2497)];
-                                                                                                let _e2518 = (_e2452.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2518 < _e97) {
+                                                                                                let _e2509 = alpha_texels.member[(0u + _e2505)];
+                                                                                                let _e2526 = (_e2460.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2526 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2522 = alpha_texels.member[(0u + _e2518)];
-                                                                                                phi_3140_ = (_e2421 * (((((f32(((_e2460 >> bitcast<u32>((((_e2452.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.x) + ((f32(((_e2480 >> bitcast<u32>((((_e2452.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.y)) + ((f32(((_e2501 >> bitcast<u32>((((_e2452.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.z)) + ((f32(((_e2522 >> bitcast<u32>((((_e2452.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.w)));
+                                                                                                let _e2530 = alpha_texels.member[(0u + _e2526)];
+                                                                                                phi_3148_ = (_e2429 * (((((f32(((_e2468 >> bitcast<u32>((((_e2460.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.x) + ((f32(((_e2488 >> bitcast<u32>((((_e2460.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.y)) + ((f32(((_e2509 >> bitcast<u32>((((_e2460.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.z)) + ((f32(((_e2530 >> bitcast<u32>((((_e2460.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2460.weights.w)));
                                                                                             }
-                                                                                            let _e2538 = phi_3140_;
-                                                                                            phi_3143_ = (_e2538 >= _e2389.cutoff);
+                                                                                            let _e2546 = phi_3148_;
+                                                                                            phi_3151_ = (_e2546 >= _e2397.cutoff);
                                                                                         }
-                                                                                        let _e2542 = phi_3143_;
-                                                                                        phi_3144_ = _e2542;
+                                                                                        let _e2550 = phi_3151_;
+                                                                                        phi_3152_ = _e2550;
                                                                                     } else {
-                                                                                        phi_3144_ = false;
+                                                                                        phi_3152_ = false;
                                                                                     }
-                                                                                    let _e2544 = phi_3144_;
-                                                                                    if _e2544 {
-                                                                                        phi_3148_ = false;
-                                                                                    } else {
-                                                                                        phi_3148_ = true;
-                                                                                    }
-                                                                                    let _e2546 = phi_3148_;
-                                                                                    phi_3149_ = _e2546;
-                                                                                    phi_3150_ = _e2544;
+                                                                                    let _e2552 = phi_3152_;
+                                                                                    phi_3153_ = _e2552;
                                                                                 }
-                                                                                let _e2548 = phi_3149_;
-                                                                                let _e2550 = phi_3150_;
-                                                                                phi_3151_ = _e2548;
-                                                                                phi_3152_ = _e2358;
-                                                                                phi_3153_ = _e2550;
+                                                                                let _e2554 = phi_3153_;
+                                                                                if _e2554 {
+                                                                                    phi_3157_ = false;
+                                                                                } else {
+                                                                                    phi_3157_ = true;
+                                                                                }
+                                                                                let _e2556 = phi_3157_;
+                                                                                phi_3158_ = _e2554;
+                                                                                phi_3159_ = _e2554;
+                                                                                phi_3160_ = _e2556;
                                                                             } else {
-                                                                                phi_3151_ = true;
-                                                                                phi_3152_ = false;
-                                                                                phi_3153_ = false;
+                                                                                phi_3158_ = bool();
+                                                                                phi_3159_ = _e1900;
+                                                                                phi_3160_ = true;
                                                                             }
-                                                                            let _e2552 = phi_3151_;
-                                                                            let _e2554 = phi_3152_;
-                                                                            let _e2556 = phi_3153_;
-                                                                            phi_3154_ = _e2552;
-                                                                            phi_3155_ = _e2554;
-                                                                            phi_3156_ = _e2556;
+                                                                            let _e2558 = phi_3158_;
+                                                                            let _e2560 = phi_3159_;
+                                                                            let _e2562 = phi_3160_;
+                                                                            phi_3161_ = _e2558;
+                                                                            phi_3162_ = _e2560;
+                                                                            phi_3163_ = _e2562;
                                                                         } else {
-                                                                            phi_3154_ = true;
-                                                                            phi_3155_ = false;
-                                                                            phi_3156_ = false;
+                                                                            phi_3161_ = bool();
+                                                                            phi_3162_ = _e1900;
+                                                                            phi_3163_ = true;
                                                                         }
-                                                                        let _e2558 = phi_3154_;
-                                                                        let _e2560 = phi_3155_;
-                                                                        let _e2562 = phi_3156_;
-                                                                        phi_3157_ = _e2558;
-                                                                        phi_3158_ = _e2560;
-                                                                        phi_3159_ = _e2562;
+                                                                        let _e2564 = phi_3161_;
+                                                                        let _e2566 = phi_3162_;
+                                                                        let _e2568 = phi_3163_;
+                                                                        phi_3164_ = _e2564;
+                                                                        phi_3165_ = _e2566;
+                                                                        phi_3166_ = _e2568;
                                                                     } else {
-                                                                        phi_3157_ = true;
-                                                                        phi_3158_ = false;
-                                                                        phi_3159_ = false;
+                                                                        phi_3164_ = bool();
+                                                                        phi_3165_ = _e1900;
+                                                                        phi_3166_ = true;
                                                                     }
-                                                                    let _e2564 = phi_3157_;
-                                                                    let _e2566 = phi_3158_;
-                                                                    let _e2568 = phi_3159_;
-                                                                    if _e2564 {
-                                                                        phi_3163_ = false;
-                                                                        phi_3164_ = false;
-                                                                    } else {
-                                                                        phi_3163_ = _e2566;
-                                                                        phi_3164_ = _e2568;
+                                                                    let _e2570 = phi_3164_;
+                                                                    let _e2572 = phi_3165_;
+                                                                    let _e2574 = phi_3166_;
+                                                                    if _e2574 {
                                                                     }
-                                                                    let _e2570 = phi_3163_;
-                                                                    let _e2572 = phi_3164_;
-                                                                    phi_2358_ = (_e1892 & (_e1892 - 1u));
-                                                                    phi_3165_ = _e2564;
-                                                                    phi_3166_ = _e2570;
-                                                                    phi_3167_ = _e2572;
+                                                                    phi_2364_ = (_e1898 & (_e1898 - 1u));
+                                                                    phi_2367_ = _e2572;
+                                                                    phi_3170_ = _e2570;
+                                                                    phi_3171_ = _e2574;
                                                                 }
-                                                                let _e2574 = phi_2358_;
-                                                                let _e2576 = phi_3165_;
-                                                                let _e2578 = phi_3166_;
-                                                                let _e2580 = phi_3167_;
-                                                                local_13 = _e2578;
+                                                                let _e2576 = phi_2364_;
+                                                                let _e2578 = phi_2367_;
+                                                                let _e2580 = phi_3170_;
+                                                                let _e2582 = phi_3171_;
                                                                 local_14 = _e2580;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2357_ = _e2574;
-                                                                    break if !(_e2576);
+                                                                    phi_2363_ = _e2576;
+                                                                    phi_2366_ = _e2578;
+                                                                    break if !(_e2582);
                                                                 }
                                                             }
-                                                            let _e2583 = local_9;
-                                                            if _e2583 {
-                                                                let _e2585 = local_1.group_mask;
-                                                                if ((_e2585 & 4278190080u) == 0u) {
-                                                                    let _e2589 = local_1.len;
-                                                                    if (_e2589 == 0u) {
-                                                                        phi_3209_ = false;
+                                                            let _e2585 = local_9;
+                                                            if _e2585 {
+                                                                let _e2587 = local_1.group_mask;
+                                                                if ((_e2587 & 4278190080u) == 0u) {
+                                                                    let _e2591 = local_1.len;
+                                                                    if (_e2591 == 0u) {
+                                                                        phi_3213_ = false;
                                                                     } else {
-                                                                        let _e2593 = local_1.len;
-                                                                        local_1.len = (_e2593 - 1u);
-                                                                        let _e2596 = local_1.len;
-                                                                        if (_e2596 < 32u) {
+                                                                        let _e2595 = local_1.len;
+                                                                        local_1.len = (_e2595 - 1u);
+                                                                        let _e2598 = local_1.len;
+                                                                        if (_e2598 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2601 = local_1.first[(0u + _e2596)];
-                                                                        local_1.group = _e2601;
-                                                                        let _e2604 = local_1.len;
-                                                                        if (_e2604 < 32u) {
+                                                                        let _e2603 = local_1.first[(0u + _e2598)];
+                                                                        local_1.group = _e2603;
+                                                                        let _e2606 = local_1.len;
+                                                                        if (_e2606 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2609 = local_1.mask[(0u + _e2604)];
-                                                                        local_1.group_mask = _e2609;
-                                                                        phi_3209_ = true;
+                                                                        let _e2611 = local_1.mask[(0u + _e2606)];
+                                                                        local_1.group_mask = _e2611;
+                                                                        phi_3213_ = true;
                                                                     }
-                                                                    let _e2612 = phi_3209_;
-                                                                    phi_3210_ = _e2612;
+                                                                    let _e2614 = phi_3213_;
+                                                                    phi_3214_ = _e2614;
                                                                 } else {
-                                                                    phi_3210_ = true;
+                                                                    phi_3214_ = true;
                                                                 }
-                                                                let _e2614 = phi_3210_;
-                                                                if _e2614 {
-                                                                    let _e2616 = local_1.group_mask;
-                                                                    let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
-                                                                    let _e2626 = local_1.group_mask;
-                                                                    let _e2640 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
-                                                                    let _e2643 = local_1.group;
-                                                                    phi_3241_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1318) & 31u))))) & 255u)));
+                                                                let _e2616 = phi_3214_;
+                                                                if _e2616 {
+                                                                    let _e2618 = local_1.group_mask;
+                                                                    let _e2624 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2618)), 32u, (_e2618 == 0u)));
+                                                                    let _e2628 = local_1.group_mask;
+                                                                    let _e2642 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2642 & ~((1u << bitcast<u32>((_e2624 & 31u)))));
+                                                                    let _e2645 = local_1.group;
+                                                                    phi_3245_ = (_e2645 + countOneBits(((_e2628 & ~((4294967295u << bitcast<u32>((((_e2624 - 24u) ^ _e1322) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3241_ = 4294967295u;
+                                                                    phi_3245_ = 4294967295u;
                                                                 }
-                                                                let _e2646 = phi_3241_;
-                                                                phi_3242_ = _e2646;
-                                                                phi_3243_ = false;
-                                                                phi_3244_ = false;
+                                                                let _e2648 = phi_3245_;
+                                                                phi_3246_ = _e2648;
                                                             } else {
-                                                                phi_3242_ = u32();
-                                                                let _e3032 = local_13;
-                                                                phi_3243_ = _e3032;
-                                                                let _e3035 = local_14;
-                                                                phi_3244_ = _e3035;
+                                                                phi_3246_ = u32();
                                                             }
-                                                            let _e2648 = phi_3242_;
-                                                            let _e2650 = phi_3243_;
-                                                            let _e2652 = phi_3244_;
-                                                            phi_2028_ = _e2648;
-                                                            let _e3039 = local_15;
-                                                            phi_3245_ = _e3039;
-                                                            phi_3246_ = false;
-                                                            phi_3247_ = _e2650;
-                                                            phi_3248_ = _e2652;
+                                                            let _e2650 = phi_3246_;
+                                                            phi_2032_ = _e2650;
+                                                            let _e3040 = local_13;
+                                                            phi_2035_ = _e3040;
+                                                            let _e3043 = local_14;
+                                                            phi_3247_ = _e3043;
+                                                            let _e3046 = local_15;
+                                                            phi_3248_ = _e3046;
+                                                            phi_3249_ = false;
                                                         } else {
-                                                            phi_2028_ = u32();
-                                                            phi_3245_ = false;
-                                                            phi_3246_ = true;
-                                                            phi_3247_ = false;
+                                                            phi_2032_ = u32();
+                                                            phi_2035_ = bool();
+                                                            phi_3247_ = bool();
                                                             phi_3248_ = false;
+                                                            phi_3249_ = true;
                                                         }
-                                                        let _e2654 = phi_2028_;
-                                                        let _e2656 = phi_3245_;
-                                                        let _e2658 = phi_3246_;
-                                                        let _e2660 = phi_3247_;
-                                                        let _e2662 = phi_3248_;
-                                                        local_10 = _e2658;
-                                                        local_16 = _e2660;
-                                                        local_17 = _e2662;
+                                                        let _e2652 = phi_2032_;
+                                                        let _e2654 = phi_2035_;
+                                                        let _e2656 = phi_3247_;
+                                                        let _e2658 = phi_3248_;
+                                                        let _e2660 = phi_3249_;
+                                                        local_10 = _e2660;
+                                                        local_16 = _e2656;
                                                         continue;
                                                         continuing {
-                                                            phi_2027_ = _e2654;
-                                                            break if !(_e2656);
+                                                            phi_2031_ = _e2652;
+                                                            phi_2034_ = _e2654;
+                                                            break if !(_e2658);
                                                         }
                                                     }
-                                                    let _e2665 = local_10;
-                                                    if _e2665 {
-                                                        phi_3252_ = false;
+                                                    let _e2663 = local_10;
+                                                    if _e2663 {
                                                         phi_3253_ = false;
                                                     } else {
-                                                        let _e3046 = local_16;
-                                                        phi_3252_ = _e3046;
-                                                        let _e3049 = local_17;
-                                                        phi_3253_ = _e3049;
+                                                        phi_3253_ = true;
                                                     }
-                                                    let _e2667 = phi_3252_;
-                                                    let _e2669 = phi_3253_;
-                                                    if _e2667 {
-                                                        phi_3257_ = true;
+                                                    let _e2665 = phi_3253_;
+                                                    if _e2665 {
+                                                        let _e3052 = local_16;
+                                                        phi_3257_ = _e3052;
                                                     } else {
-                                                        phi_3257_ = _e2669;
+                                                        let _e3054 = local_17;
+                                                        phi_3257_ = _e3054;
                                                     }
-                                                    let _e2671 = phi_3257_;
-                                                    if _e2671 {
-                                                        phi_3261_ = true;
-                                                    } else {
-                                                        phi_3261_ = false;
-                                                    }
-                                                    let _e2673 = phi_3261_;
-                                                    phi_3262_ = _e2673;
+                                                    let _e2667 = phi_3257_;
+                                                    phi_3258_ = _e2667;
                                                 }
-                                                let _e2675 = phi_3262_;
-                                                phi_3263_ = _e2675;
-                                                phi_3264_ = _e1144;
+                                                let _e2669 = phi_3258_;
+                                                phi_3259_ = _e2669;
+                                                phi_3260_ = _e1148;
                                             } else {
-                                                phi_3263_ = bool();
-                                                phi_3264_ = true;
+                                                phi_3259_ = bool();
+                                                phi_3260_ = true;
                                             }
-                                            let _e2677 = phi_3263_;
-                                            let _e2679 = phi_3264_;
-                                            if _e2679 {
+                                            let _e2671 = phi_3259_;
+                                            let _e2673 = phi_3260_;
+                                            if _e2673 {
+                                                phi_3264_ = _e935;
+                                            } else {
+                                                phi_3264_ = _e2671;
+                                            }
+                                            let _e2675 = phi_3264_;
+                                            if _e2675 {
                                                 phi_3268_ = false;
                                             } else {
-                                                phi_3268_ = _e2677;
+                                                phi_3268_ = true;
                                             }
-                                            let _e2681 = phi_3268_;
-                                            if _e2681 {
-                                                phi_3272_ = false;
-                                            } else {
-                                                phi_3272_ = true;
-                                            }
-                                            let _e2683 = phi_3272_;
-                                            phi_3273_ = _e2683;
+                                            let _e2677 = phi_3268_;
+                                            phi_3269_ = _e2675;
+                                            phi_3270_ = _e2677;
                                         } else {
-                                            phi_3273_ = true;
+                                            phi_3269_ = _e935;
+                                            phi_3270_ = true;
                                         }
-                                        let _e2685 = phi_3273_;
-                                        phi_3274_ = _e2685;
+                                        let _e2679 = phi_3269_;
+                                        let _e2681 = phi_3270_;
+                                        phi_3271_ = _e2679;
+                                        phi_3272_ = _e2681;
                                     } else {
-                                        phi_3274_ = true;
+                                        phi_3271_ = _e935;
+                                        phi_3272_ = true;
                                     }
-                                    let _e2687 = phi_3274_;
-                                    phi_3275_ = _e2687;
+                                    let _e2683 = phi_3271_;
+                                    let _e2685 = phi_3272_;
+                                    phi_3273_ = _e2683;
+                                    phi_3274_ = _e2685;
                                 } else {
-                                    phi_3275_ = true;
+                                    phi_3273_ = _e935;
+                                    phi_3274_ = true;
                                 }
-                                let _e2689 = phi_3275_;
+                                let _e2687 = phi_3273_;
+                                let _e2689 = phi_3274_;
                                 if _e2689 {
                                 }
-                                phi_1422_ = (_e931 & (_e931 - 1u));
-                                phi_3279_ = _e2689;
+                                phi_1424_ = (_e933 & (_e933 - 1u));
+                                phi_1427_ = _e2687;
+                                phi_3278_ = _e2689;
                             }
-                            let _e2691 = phi_1422_;
-                            let _e2693 = phi_3279_;
+                            let _e2691 = phi_1424_;
+                            let _e2693 = phi_1427_;
+                            let _e2695 = phi_3278_;
                             continue;
                             continuing {
-                                phi_1421_ = _e2691;
-                                break if !(_e2693);
+                                phi_1423_ = _e2691;
+                                phi_1426_ = _e2693;
+                                break if !(_e2695);
                             }
                         }
-                        let _e2696 = local_11;
-                        if _e2696 {
-                            let _e2698 = local_2.group_mask;
-                            if ((_e2698 & 4278190080u) == 0u) {
-                                let _e2702 = local_2.len;
-                                if (_e2702 == 0u) {
-                                    phi_3321_ = false;
+                        let _e2698 = local_11;
+                        if _e2698 {
+                            let _e2700 = local_2.group_mask;
+                            if ((_e2700 & 4278190080u) == 0u) {
+                                let _e2704 = local_2.len;
+                                if (_e2704 == 0u) {
+                                    phi_3320_ = false;
                                 } else {
-                                    let _e2706 = local_2.len;
-                                    local_2.len = (_e2706 - 1u);
-                                    let _e2709 = local_2.len;
-                                    if (_e2709 < 32u) {
+                                    let _e2708 = local_2.len;
+                                    local_2.len = (_e2708 - 1u);
+                                    let _e2711 = local_2.len;
+                                    if (_e2711 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2714 = local_2.first[(0u + _e2709)];
-                                    local_2.group = _e2714;
-                                    let _e2717 = local_2.len;
-                                    if (_e2717 < 32u) {
+                                    let _e2716 = local_2.first[(0u + _e2711)];
+                                    local_2.group = _e2716;
+                                    let _e2719 = local_2.len;
+                                    if (_e2719 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2722 = local_2.mask[(0u + _e2717)];
-                                    local_2.group_mask = _e2722;
-                                    phi_3321_ = true;
+                                    let _e2724 = local_2.mask[(0u + _e2719)];
+                                    local_2.group_mask = _e2724;
+                                    phi_3320_ = true;
                                 }
-                                let _e2725 = phi_3321_;
-                                phi_3322_ = _e2725;
+                                let _e2727 = phi_3320_;
+                                phi_3321_ = _e2727;
                             } else {
-                                phi_3322_ = true;
+                                phi_3321_ = true;
                             }
-                            let _e2727 = phi_3322_;
-                            if _e2727 {
-                                let _e2729 = local_2.group_mask;
-                                let _e2735 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2729)), 32u, (_e2729 == 0u)));
-                                let _e2739 = local_2.group_mask;
-                                let _e2753 = local_2.group_mask;
-                                local_2.group_mask = (_e2753 & ~((1u << bitcast<u32>((_e2735 & 31u)))));
-                                let _e2756 = local_2.group;
-                                phi_3353_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e357) & 31u))))) & 255u)));
+                            let _e2729 = phi_3321_;
+                            if _e2729 {
+                                let _e2731 = local_2.group_mask;
+                                let _e2737 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2731)), 32u, (_e2731 == 0u)));
+                                let _e2741 = local_2.group_mask;
+                                let _e2755 = local_2.group_mask;
+                                local_2.group_mask = (_e2755 & ~((1u << bitcast<u32>((_e2737 & 31u)))));
+                                let _e2758 = local_2.group;
+                                phi_3352_ = (_e2758 + countOneBits(((_e2741 & ~((4294967295u << bitcast<u32>((((_e2737 - 24u) ^ _e357) & 31u))))) & 255u)));
                             } else {
-                                phi_3353_ = 4294967295u;
+                                phi_3352_ = 4294967295u;
                             }
-                            let _e2759 = phi_3353_;
-                            phi_3354_ = _e2759;
+                            let _e2761 = phi_3352_;
+                            phi_3353_ = _e2761;
                         } else {
-                            phi_3354_ = u32();
+                            phi_3353_ = u32();
                         }
-                        let _e2761 = phi_3354_;
-                        phi_1092_ = _e2761;
-                        let _e3070 = local_18;
-                        phi_3355_ = _e3070;
-                        phi_3356_ = false;
+                        let _e2763 = phi_3353_;
+                        phi_1092_ = _e2763;
+                        let _e3077 = local_18;
+                        phi_1095_ = _e3077;
+                        let _e3080 = local_19;
+                        phi_3354_ = _e3080;
+                        phi_3355_ = false;
                     } else {
                         phi_1092_ = u32();
-                        phi_3355_ = false;
-                        phi_3356_ = true;
+                        phi_1095_ = bool();
+                        phi_3354_ = false;
+                        phi_3355_ = true;
                     }
-                    let _e2763 = phi_1092_;
-                    let _e2765 = phi_3355_;
-                    let _e2767 = phi_3356_;
-                    local_12 = _e2767;
+                    let _e2765 = phi_1092_;
+                    let _e2767 = phi_1095_;
+                    let _e2769 = phi_3354_;
+                    let _e2771 = phi_3355_;
+                    local_12 = _e2771;
                     continue;
                     continuing {
-                        phi_1091_ = _e2763;
-                        break if !(_e2765);
+                        phi_1091_ = _e2765;
+                        phi_1094_ = _e2767;
+                        break if !(_e2769);
                     }
                 }
-                let _e2770 = local_12;
-                if _e2770 {
-                    phi_3360_ = false;
+                let _e2774 = local_12;
+                if _e2774 {
+                    phi_3359_ = false;
                 } else {
-                    phi_3360_ = true;
+                    phi_3359_ = true;
                 }
-                let _e2772 = phi_3360_;
-                if _e2772 {
-                    phi_3364_ = true;
-                } else {
-                    phi_3364_ = false;
+                let _e2776 = phi_3359_;
+                if _e2776 {
                 }
-                let _e2774 = phi_3364_;
-                phi_3365_ = _e2774;
+                phi_3363_ = _e2776;
             }
-            let _e2776 = phi_3365_;
-            phi_3366_ = _e2776;
-            phi_3367_ = _e213;
+            let _e2778 = phi_3363_;
+            phi_3364_ = _e213;
+            phi_3365_ = _e2778;
         } else {
-            phi_3366_ = bool();
-            phi_3367_ = true;
+            phi_3364_ = true;
+            phi_3365_ = false;
         }
-        let _e2778 = phi_3366_;
-        let _e2780 = phi_3367_;
+        let _e2780 = phi_3364_;
+        let _e2782 = phi_3365_;
         if _e2780 {
-            phi_3371_ = false;
+            phi_3369_ = false;
+            phi_3370_ = true;
         } else {
-            phi_3371_ = _e2778;
+            phi_3369_ = true;
+            phi_3370_ = _e2782;
         }
-        let _e2782 = phi_3371_;
-        if _e2782 {
-            phi_3375_ = 0f;
+        let _e2784 = phi_3369_;
+        let _e2786 = phi_3370_;
+        if _e2786 {
+            phi_3374_ = _e2784;
         } else {
-            phi_3375_ = 1f;
+            phi_3374_ = false;
         }
-        let _e2784 = phi_3375_;
+        let _e2788 = phi_3374_;
+        if _e2788 {
+            phi_3378_ = 0f;
+        } else {
+            phi_3378_ = 1f;
+        }
+        let _e2790 = phi_3378_;
         if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e2784;
+        visibility.member[(0u + _e110)] = _e2790;
     }
     return;
 }

@@ -98,33 +98,33 @@ fn function_() {
     var phi_258_: bool;
     var phi_259_: bool;
     var phi_263_: bool;
-    var phi_317_: f32;
-    var phi_443_: f32;
-    var phi_444_: f32;
-    var phi_464_: f32;
-    var phi_465_: f32;
-    var phi_474_: f32;
-    var phi_475_: f32;
-    var phi_495_: f32;
-    var phi_496_: f32;
-    var phi_505_: f32;
-    var phi_506_: f32;
-    var phi_526_: f32;
-    var phi_527_: f32;
-    var phi_564_: f32;
-    var phi_593_: f32;
-    var phi_594_: f32;
-    var phi_614_: f32;
-    var phi_615_: f32;
-    var phi_624_: f32;
-    var phi_625_: f32;
-    var phi_645_: f32;
-    var phi_646_: f32;
-    var phi_655_: f32;
-    var phi_656_: f32;
-    var phi_676_: f32;
-    var phi_677_: f32;
-    var phi_710_: u32;
+    var phi_323_: vec3<f32>;
+    var phi_449_: f32;
+    var phi_450_: f32;
+    var phi_470_: f32;
+    var phi_471_: f32;
+    var phi_480_: f32;
+    var phi_481_: f32;
+    var phi_501_: f32;
+    var phi_502_: f32;
+    var phi_511_: f32;
+    var phi_512_: f32;
+    var phi_532_: f32;
+    var phi_533_: f32;
+    var phi_570_: f32;
+    var phi_599_: f32;
+    var phi_600_: f32;
+    var phi_620_: f32;
+    var phi_621_: f32;
+    var phi_630_: f32;
+    var phi_631_: f32;
+    var phi_651_: f32;
+    var phi_652_: f32;
+    var phi_661_: f32;
+    var phi_662_: f32;
+    var phi_682_: f32;
+    var phi_683_: f32;
+    var phi_716_: u32;
 
     let _e49 = id_1;
     let _e63 = p.member.camera.size[0u];
@@ -192,216 +192,216 @@ fn function_() {
             let _e183 = (_e166.z - (_e171.z * _e174));
             let _e190 = (1f / sqrt((((_e181 * _e181) + (_e182 * _e182)) + (_e183 * _e183))));
             let _e201 = (((_e164.x * (_e181 * _e190)) + (_e164.y * (_e182 * _e190))) + (_e164.z * (_e183 * _e190)));
-            let _e203 = p.member.light_color;
             if (_e201 > 0f) {
-                phi_317_ = (_e201 * _e79);
+                let _e204 = p.member.light_color;
+                phi_323_ = vec3<f32>((_e204.x * (_e79 * _e201)), (_e204.y * (_e79 * _e201)), (_e204.z * (_e79 * _e201)));
             } else {
-                phi_317_ = 0f;
+                phi_323_ = vec3<f32>(0f, 0f, 0f);
             }
-            let _e210 = phi_317_;
-            let _e216 = (0.5f + (0.5f * _e164.y));
-            let _e217 = (1f - 0.4f);
-            let _e236 = (1f - _e216);
-            let _e262 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
-            let _e264 = samples.member[(0u + _e66.first_primitive)].albedo;
-            let _e275 = (1f / 255f);
-            let _e276 = (f32((_e264 & 255u)) * _e275);
-            let _e277 = (f32(((_e264 >> bitcast<u32>(8i)) & 255u)) * _e275);
-            let _e278 = (f32(((_e264 >> bitcast<u32>(16i)) & 255u)) * _e275);
-            let _e292 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e295 = p.member.camera.eye;
-            let _e298 = (_e292.x - _e295.x);
-            let _e301 = (_e292.y - _e295.y);
-            let _e304 = (_e292.z - _e295.z);
-            let _e313 = p.member.light_color[3u];
-            let _e317 = (1f - (1f / (1f + (sqrt((((_e298 * _e298) + (_e301 * _e301)) + (_e304 * _e304))) * _e313))));
-            let _e318 = (1f - _e317);
-            let _e328 = ((((_e276 * _e276) * ((_e203.x * _e210) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e217) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e216) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e236)) * 0.42f) * _e262))) * _e318) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e317));
-            let _e329 = ((((_e277 * _e277) * ((_e203.y * _e210) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e217) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e216) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e236)) * 0.42f) * _e262))) * _e318) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e317));
-            let _e330 = ((((_e278 * _e278) * ((_e203.z * _e210) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e217) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e216) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e236)) * 0.42f) * _e262))) * _e318) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e317));
-            if (_e328 > 0f) {
-                if (_e328 < 1f) {
-                    phi_443_ = _e328;
+            let _e216 = phi_323_;
+            let _e219 = (0.5f + (0.5f * _e164.y));
+            let _e220 = (1f - 0.4f);
+            let _e239 = (1f - _e219);
+            let _e265 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
+            let _e267 = samples.member[(0u + _e66.first_primitive)].albedo;
+            let _e278 = (1f / 255f);
+            let _e279 = (f32((_e267 & 255u)) * _e278);
+            let _e280 = (f32(((_e267 >> bitcast<u32>(8i)) & 255u)) * _e278);
+            let _e281 = (f32(((_e267 >> bitcast<u32>(16i)) & 255u)) * _e278);
+            let _e298 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e301 = p.member.camera.eye;
+            let _e304 = (_e298.x - _e301.x);
+            let _e307 = (_e298.y - _e301.y);
+            let _e310 = (_e298.z - _e301.z);
+            let _e319 = p.member.light_color[3u];
+            let _e323 = (1f - (1f / (1f + (sqrt((((_e304 * _e304) + (_e307 * _e307)) + (_e310 * _e310))) * _e319))));
+            let _e324 = (1f - _e323);
+            let _e334 = ((((_e279 * _e279) * (_e216.x + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e220) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e219) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e239)) * 0.42f) * _e265))) * _e324) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e323));
+            let _e335 = ((((_e280 * _e280) * (_e216.y + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e220) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e219) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e239)) * 0.42f) * _e265))) * _e324) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e323));
+            let _e336 = ((((_e281 * _e281) * (_e216.z + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e220) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e219) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e239)) * 0.42f) * _e265))) * _e324) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e323));
+            if (_e334 > 0f) {
+                if (_e334 < 1f) {
+                    phi_449_ = _e334;
                 } else {
-                    phi_443_ = 1f;
+                    phi_449_ = 1f;
                 }
-                let _e334 = phi_443_;
-                phi_444_ = _e334;
+                let _e340 = phi_449_;
+                phi_450_ = _e340;
             } else {
-                phi_444_ = 0f;
+                phi_450_ = 0f;
             }
-            let _e336 = phi_444_;
-            let _e339 = sqrt(sqrt(_e336));
-            let _e347 = ((((0.6620027f * sqrt(_e336)) + (0.6841221f * _e339)) - (0.3235836f * sqrt(_e339))) - (0.022541147f * _e336));
-            if (_e347 > 0f) {
-                if (_e347 < 1f) {
-                    phi_464_ = _e347;
+            let _e342 = phi_450_;
+            let _e345 = sqrt(sqrt(_e342));
+            let _e353 = ((((0.6620027f * sqrt(_e342)) + (0.6841221f * _e345)) - (0.3235836f * sqrt(_e345))) - (0.022541147f * _e342));
+            if (_e353 > 0f) {
+                if (_e353 < 1f) {
+                    phi_470_ = _e353;
                 } else {
-                    phi_464_ = 1f;
+                    phi_470_ = 1f;
                 }
-                let _e351 = phi_464_;
-                phi_465_ = _e351;
+                let _e357 = phi_470_;
+                phi_471_ = _e357;
             } else {
-                phi_465_ = 0f;
+                phi_471_ = 0f;
             }
-            let _e353 = phi_465_;
-            if (_e329 > 0f) {
-                if (_e329 < 1f) {
-                    phi_474_ = _e329;
+            let _e359 = phi_471_;
+            if (_e335 > 0f) {
+                if (_e335 < 1f) {
+                    phi_480_ = _e335;
                 } else {
-                    phi_474_ = 1f;
+                    phi_480_ = 1f;
                 }
-                let _e357 = phi_474_;
-                phi_475_ = _e357;
+                let _e363 = phi_480_;
+                phi_481_ = _e363;
             } else {
-                phi_475_ = 0f;
+                phi_481_ = 0f;
             }
-            let _e359 = phi_475_;
-            let _e362 = sqrt(sqrt(_e359));
-            let _e370 = ((((0.6620027f * sqrt(_e359)) + (0.6841221f * _e362)) - (0.3235836f * sqrt(_e362))) - (0.022541147f * _e359));
-            if (_e370 > 0f) {
-                if (_e370 < 1f) {
-                    phi_495_ = _e370;
+            let _e365 = phi_481_;
+            let _e368 = sqrt(sqrt(_e365));
+            let _e376 = ((((0.6620027f * sqrt(_e365)) + (0.6841221f * _e368)) - (0.3235836f * sqrt(_e368))) - (0.022541147f * _e365));
+            if (_e376 > 0f) {
+                if (_e376 < 1f) {
+                    phi_501_ = _e376;
                 } else {
-                    phi_495_ = 1f;
+                    phi_501_ = 1f;
                 }
-                let _e374 = phi_495_;
-                phi_496_ = _e374;
+                let _e380 = phi_501_;
+                phi_502_ = _e380;
             } else {
-                phi_496_ = 0f;
+                phi_502_ = 0f;
             }
-            let _e376 = phi_496_;
-            if (_e330 > 0f) {
-                if (_e330 < 1f) {
-                    phi_505_ = _e330;
+            let _e382 = phi_502_;
+            if (_e336 > 0f) {
+                if (_e336 < 1f) {
+                    phi_511_ = _e336;
                 } else {
-                    phi_505_ = 1f;
+                    phi_511_ = 1f;
                 }
-                let _e380 = phi_505_;
-                phi_506_ = _e380;
+                let _e386 = phi_511_;
+                phi_512_ = _e386;
             } else {
-                phi_506_ = 0f;
+                phi_512_ = 0f;
             }
-            let _e382 = phi_506_;
-            let _e385 = sqrt(sqrt(_e382));
-            let _e393 = ((((0.6620027f * sqrt(_e382)) + (0.6841221f * _e385)) - (0.3235836f * sqrt(_e385))) - (0.022541147f * _e382));
-            if (_e393 > 0f) {
-                if (_e393 < 1f) {
-                    phi_526_ = _e393;
+            let _e388 = phi_512_;
+            let _e391 = sqrt(sqrt(_e388));
+            let _e399 = ((((0.6620027f * sqrt(_e388)) + (0.6841221f * _e391)) - (0.3235836f * sqrt(_e391))) - (0.022541147f * _e388));
+            if (_e399 > 0f) {
+                if (_e399 < 1f) {
+                    phi_532_ = _e399;
                 } else {
-                    phi_526_ = 1f;
+                    phi_532_ = 1f;
                 }
-                let _e397 = phi_526_;
-                phi_527_ = _e397;
+                let _e403 = phi_532_;
+                phi_533_ = _e403;
             } else {
-                phi_527_ = 0f;
+                phi_533_ = 0f;
             }
-            let _e399 = phi_527_;
-            let _e401 = ((_e353 * 255f) + 0.5f);
-            let _e410 = ((_e376 * 255f) + 0.5f);
-            let _e422 = ((_e399 * 255f) + 0.5f);
-            phi_710_ = (((select(select(u32(_e401), 0u, (_e401 < bitcast<f32>(0u))), 4294967295u, (_e401 > bitcast<f32>(1333788671u))) | (select(select(u32(_e410), 0u, (_e410 < bitcast<f32>(0u))), 4294967295u, (_e410 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e422), 0u, (_e422 < bitcast<f32>(0u))), 4294967295u, (_e422 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e405 = phi_533_;
+            let _e407 = ((_e359 * 255f) + 0.5f);
+            let _e416 = ((_e382 * 255f) + 0.5f);
+            let _e428 = ((_e405 * 255f) + 0.5f);
+            phi_716_ = (((select(select(u32(_e407), 0u, (_e407 < bitcast<f32>(0u))), 4294967295u, (_e407 > bitcast<f32>(1333788671u))) | (select(select(u32(_e416), 0u, (_e416 < bitcast<f32>(0u))), 4294967295u, (_e416 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e428), 0u, (_e428 < bitcast<f32>(0u))), 4294967295u, (_e428 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         } else {
             if (_e134 > 0f) {
-                phi_564_ = _e134;
+                phi_570_ = _e134;
             } else {
-                phi_564_ = 0f;
+                phi_570_ = 0f;
             }
-            let _e436 = phi_564_;
-            let _e440 = (1f - ((1f - _e436) * (1f - _e436)));
-            let _e441 = (1f - _e440);
-            let _e454 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e441) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e440));
-            let _e455 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e441) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e440));
-            let _e456 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e441) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e440));
-            if (_e454 > 0f) {
-                if (_e454 < 1f) {
-                    phi_593_ = _e454;
+            let _e442 = phi_570_;
+            let _e446 = (1f - ((1f - _e442) * (1f - _e442)));
+            let _e447 = (1f - _e446);
+            let _e460 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e447) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e446));
+            let _e461 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e447) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e446));
+            let _e462 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e447) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e446));
+            if (_e460 > 0f) {
+                if (_e460 < 1f) {
+                    phi_599_ = _e460;
                 } else {
-                    phi_593_ = 1f;
+                    phi_599_ = 1f;
                 }
-                let _e460 = phi_593_;
-                phi_594_ = _e460;
+                let _e466 = phi_599_;
+                phi_600_ = _e466;
             } else {
-                phi_594_ = 0f;
+                phi_600_ = 0f;
             }
-            let _e462 = phi_594_;
-            let _e465 = sqrt(sqrt(_e462));
-            let _e473 = ((((0.6620027f * sqrt(_e462)) + (0.6841221f * _e465)) - (0.3235836f * sqrt(_e465))) - (0.022541147f * _e462));
-            if (_e473 > 0f) {
-                if (_e473 < 1f) {
-                    phi_614_ = _e473;
+            let _e468 = phi_600_;
+            let _e471 = sqrt(sqrt(_e468));
+            let _e479 = ((((0.6620027f * sqrt(_e468)) + (0.6841221f * _e471)) - (0.3235836f * sqrt(_e471))) - (0.022541147f * _e468));
+            if (_e479 > 0f) {
+                if (_e479 < 1f) {
+                    phi_620_ = _e479;
                 } else {
-                    phi_614_ = 1f;
+                    phi_620_ = 1f;
                 }
-                let _e477 = phi_614_;
-                phi_615_ = _e477;
+                let _e483 = phi_620_;
+                phi_621_ = _e483;
             } else {
-                phi_615_ = 0f;
+                phi_621_ = 0f;
             }
-            let _e479 = phi_615_;
-            if (_e455 > 0f) {
-                if (_e455 < 1f) {
-                    phi_624_ = _e455;
+            let _e485 = phi_621_;
+            if (_e461 > 0f) {
+                if (_e461 < 1f) {
+                    phi_630_ = _e461;
                 } else {
-                    phi_624_ = 1f;
+                    phi_630_ = 1f;
                 }
-                let _e483 = phi_624_;
-                phi_625_ = _e483;
+                let _e489 = phi_630_;
+                phi_631_ = _e489;
             } else {
-                phi_625_ = 0f;
+                phi_631_ = 0f;
             }
-            let _e485 = phi_625_;
-            let _e488 = sqrt(sqrt(_e485));
-            let _e496 = ((((0.6620027f * sqrt(_e485)) + (0.6841221f * _e488)) - (0.3235836f * sqrt(_e488))) - (0.022541147f * _e485));
-            if (_e496 > 0f) {
-                if (_e496 < 1f) {
-                    phi_645_ = _e496;
+            let _e491 = phi_631_;
+            let _e494 = sqrt(sqrt(_e491));
+            let _e502 = ((((0.6620027f * sqrt(_e491)) + (0.6841221f * _e494)) - (0.3235836f * sqrt(_e494))) - (0.022541147f * _e491));
+            if (_e502 > 0f) {
+                if (_e502 < 1f) {
+                    phi_651_ = _e502;
                 } else {
-                    phi_645_ = 1f;
+                    phi_651_ = 1f;
                 }
-                let _e500 = phi_645_;
-                phi_646_ = _e500;
+                let _e506 = phi_651_;
+                phi_652_ = _e506;
             } else {
-                phi_646_ = 0f;
+                phi_652_ = 0f;
             }
-            let _e502 = phi_646_;
-            if (_e456 > 0f) {
-                if (_e456 < 1f) {
-                    phi_655_ = _e456;
+            let _e508 = phi_652_;
+            if (_e462 > 0f) {
+                if (_e462 < 1f) {
+                    phi_661_ = _e462;
                 } else {
-                    phi_655_ = 1f;
+                    phi_661_ = 1f;
                 }
-                let _e506 = phi_655_;
-                phi_656_ = _e506;
+                let _e512 = phi_661_;
+                phi_662_ = _e512;
             } else {
-                phi_656_ = 0f;
+                phi_662_ = 0f;
             }
-            let _e508 = phi_656_;
-            let _e511 = sqrt(sqrt(_e508));
-            let _e519 = ((((0.6620027f * sqrt(_e508)) + (0.6841221f * _e511)) - (0.3235836f * sqrt(_e511))) - (0.022541147f * _e508));
-            if (_e519 > 0f) {
-                if (_e519 < 1f) {
-                    phi_676_ = _e519;
+            let _e514 = phi_662_;
+            let _e517 = sqrt(sqrt(_e514));
+            let _e525 = ((((0.6620027f * sqrt(_e514)) + (0.6841221f * _e517)) - (0.3235836f * sqrt(_e517))) - (0.022541147f * _e514));
+            if (_e525 > 0f) {
+                if (_e525 < 1f) {
+                    phi_682_ = _e525;
                 } else {
-                    phi_676_ = 1f;
+                    phi_682_ = 1f;
                 }
-                let _e523 = phi_676_;
-                phi_677_ = _e523;
+                let _e529 = phi_682_;
+                phi_683_ = _e529;
             } else {
-                phi_677_ = 0f;
+                phi_683_ = 0f;
             }
-            let _e525 = phi_677_;
-            let _e527 = ((_e479 * 255f) + 0.5f);
-            let _e536 = ((_e502 * 255f) + 0.5f);
-            let _e548 = ((_e525 * 255f) + 0.5f);
-            phi_710_ = (((select(select(u32(_e527), 0u, (_e527 < bitcast<f32>(0u))), 4294967295u, (_e527 > bitcast<f32>(1333788671u))) | (select(select(u32(_e536), 0u, (_e536 < bitcast<f32>(0u))), 4294967295u, (_e536 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e548), 0u, (_e548 < bitcast<f32>(0u))), 4294967295u, (_e548 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e531 = phi_683_;
+            let _e533 = ((_e485 * 255f) + 0.5f);
+            let _e542 = ((_e508 * 255f) + 0.5f);
+            let _e554 = ((_e531 * 255f) + 0.5f);
+            phi_716_ = (((select(select(u32(_e533), 0u, (_e533 < bitcast<f32>(0u))), 4294967295u, (_e533 > bitcast<f32>(1333788671u))) | (select(select(u32(_e542), 0u, (_e542 < bitcast<f32>(0u))), 4294967295u, (_e542 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e554), 0u, (_e554 < bitcast<f32>(0u))), 4294967295u, (_e554 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         }
-        let _e561 = phi_710_;
+        let _e567 = phi_716_;
         if (_e66.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e66.first_primitive)] = _e561;
+        picture.member[(0u + _e66.first_primitive)] = _e567;
     }
     return;
 }

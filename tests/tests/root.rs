@@ -6,4 +6,5 @@ mod hard;
 mod laws;
 mod mask;
 mod real_scenes;
+mod translucency;
 mod twin;

@@ -92,8 +92,8 @@ fn every_technique_agrees() {
 #[test]
 fn shaded_pictures_agree_to_the_byte_nearly_everywhere() {
     let Some((mut cpu, mut gpu)) = pair("street:4", 320, 200) else { return };
-    let visibility = cpu.render(&Technique::RAY).expect("frame").visibility;
-    let (a, b) = (cpu.shade(&visibility).expect("picture"), gpu.shade(&visibility).expect("picture"));
+    let frame = cpu.render(&Technique::RAY).expect("frame");
+    let (a, b) = (cpu.shade(&frame).expect("picture"), gpu.shade(&frame).expect("picture"));
     let flat = |p: &[[u8; 4]]| p.iter().flatten().map(|v| f32::from(*v)).collect::<Vec<_>>();
     let wrong = count_different(&flat(&a), &flat(&b), 1.0);
     assert!(ppm(wrong, a.len() * 4) <= TWIN_PPM * 5.0, "{wrong} bytes differ by more than one step");

@@ -88,7 +88,7 @@ impl Session {
     pub fn new(scene: &Scene, setup: Setup, backend: BackendKind) -> Result<Self, RenderError> {
         setup.check()?;
         let start = Instant::now();
-        let packed = PackedScene::new(scene)?;
+        let packed = pack(scene, &setup)?;
         let build_ms = start.elapsed().as_secs_f64() * 1e3;
         let summary = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
         let camera = camera_params(&setup, packed.root());
@@ -150,7 +150,7 @@ impl Session {
     /// As [`Session::look`]; [`RenderError::Build`] where the poses differ in more than positions.
     pub fn advance(&mut self, camera: &Camera, scene: &Scene, before: &Scene) -> Result<(), RenderError> {
         let start = Instant::now();
-        let packed = PackedScene::after(scene, before)?;
+        let packed = pack(scene, &self.setup)?.after(scene, before)?;
         self.info.build_ms = start.elapsed().as_secs_f64() * 1e3;
         self.info.stats = *packed.stats();
         self.scene = PackedSummary { bounds: packed.bounds(), stats: *packed.stats(), root: packed.root() };
@@ -222,11 +222,11 @@ impl Session {
         Ok(frame)
     }
 
-    /// The picture with this visibility, row by row, sRGB.
+    /// The picture with the frame's visibility and tint, row by row, sRGB.
     ///
     /// # Errors
     /// [`RenderError::Gpu`] when the device fails.
-    pub fn shade(&mut self, visibility: &[f32]) -> Result<Vec<[u8; 4]>, RenderError> {
+    pub fn shade(&mut self, frame: &Frame) -> Result<Vec<[u8; 4]>, RenderError> {
         let light = &self.setup.light;
         let size = self.scene.bounds.max - self.scene.bounds.min;
         let haze =
@@ -236,7 +236,7 @@ impl Session {
             light: homogeneous_light(&self.setup),
             light_color: (light.color * SUN_STRENGTH).extend(haze),
         };
-        self.backend.shade(visibility, &params)
+        self.backend.shade(&frame.visibility, &frame.tint, &params)
     }
 
     /// What the passes of a technique need in its next frame, for callers that record them themselves. They keep slots: the
@@ -340,6 +340,13 @@ impl Session {
             pad1: 0,
             pad2: 0,
         }
+    }
+}
+
+fn pack(scene: &Scene, setup: &Setup) -> Result<PackedScene, RenderError> {
+    match setup.traces_translucency {
+        true => PackedScene::with_translucency(scene),
+        false => PackedScene::new(scene),
     }
 }
 

@@ -127,8 +127,10 @@ pub struct Material {
     pub color_offset: u32,
     /// Colour texture: width in the low, height in the high 16 bits; 0 if none.
     pub color_size: u32,
+    /// Share of the light that a covered point lets through, tinted by its colour, in [0, 1].
+    pub transmission: f32,
     /// Explicit padding.
-    pub pad: UVec2,
+    pub pad: u32,
 }
 
 impl Material {
@@ -138,6 +140,8 @@ impl Material {
     pub const RECEIVES: u32 = 2;
     /// Flag: nearest texel instead of bilinear.
     pub const NEAREST: u32 = 4;
+    /// Flag: alpha blends; translucent shadows take it as the covered share of a point, not by the cut-off.
+    pub const BLENDS: u32 = 8;
     /// Bit where the wrap mode along u starts (two bits: [`Material::REPEAT`] …).
     pub const WRAP_U_SHIFT: u32 = 4;
     /// Bit where the wrap mode along v starts.
