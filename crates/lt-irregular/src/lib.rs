@@ -17,7 +17,8 @@
 //!
 //! # Structures
 //!
-//! - [`LightBvh`]: a tree over the triangles, for a light that stands still.
+//! - [`LightBvh`]: a tree over the triangles, for a light and casters that stand still.
+//! - [`DivideAndConquer`]: both lists divided together and nothing kept, for frames in which everything moves.
 //!
 //! # Conventions
 //!
@@ -30,6 +31,7 @@ extern crate std;
 
 mod block;
 mod casters;
+mod dac;
 mod lanes;
 mod level;
 mod light_bvh;
@@ -43,6 +45,7 @@ mod view;
 mod walk;
 
 pub use casters::Casters;
+pub use dac::DivideAndConquer;
 pub use level::Instructions;
 pub use light_bvh::{LightBvh, Scratch, Walk};
 pub use rect::Rect;

@@ -97,6 +97,23 @@ impl Tile {
         tile.alive = tile.members;
     }
 
+    /// The rectangle of the points with their least nearness, and the largest.
+    pub fn bounds(&self) -> (Rect, f32) {
+        (self.rect, self.far)
+    }
+
+    /// Whether all points are blocked.
+    pub fn is_done(&self) -> bool {
+        self.alive == 0
+    }
+
+    /// Holds all points against a block.
+    #[inline(always)]
+    pub fn hold<L: Level, A: AnyHit>(&mut self, level: L, view: &View, query: &Query<'_, A>, block: &Block) {
+        let rect = self.rect;
+        self.leaf(level, view, query, block, self.alive, &rect);
+    }
+
     /// The points that are in the view, a bit each.
     pub fn members(&self) -> u64 {
         self.members
@@ -123,7 +140,7 @@ impl Tile {
                 continue;
             }
             if link & LEAF != 0 {
-                self.leaf(level, tree, query, link, points, &rect);
+                self.leaf(level, &tree.view, query, tree.block(link), points, &rect);
             } else if points.count_ones() <= FEW || top + 8 > STACK {
                 self.singly(level, tree, query, link, points);
             } else {
@@ -183,7 +200,7 @@ impl Tile {
             let i = rest.trailing_zeros() as usize & (TILE - 1);
             rest &= rest - 1;
             let point = [self.x[i], self.y[i], self.z[i]];
-            if walk_one(level.eight(), tree, query, link, self.origin(tree, i), point) {
+            if walk_one(level.eight(), tree, query, link, self.origin(&tree.view, i), point) {
                 self.alive &= !(1 << i);
             }
         }
@@ -191,10 +208,10 @@ impl Tile {
 
     /// A point's origin as it was given.
     #[inline(always)]
-    fn origin(&self, tree: &Tree, i: usize) -> Vec3 {
+    fn origin(&self, view: &View, i: usize) -> Vec3 {
         let o = Vec3::new(self.origins[0][i], self.origins[1][i], self.origins[2][i]);
         // Permuting by axis 0 undoes axis 1 and the other way round.
-        permute(o, if tree.view.axis == 2 { 2 } else { 1 - tree.view.axis })
+        permute(o, if view.axis == 2 { 2 } else { 1 - view.axis })
     }
 
     /// Holds points against a block.
@@ -202,14 +219,13 @@ impl Tile {
     fn leaf<L: Level, A: AnyHit>(
         &mut self,
         level: L,
-        tree: &Tree,
+        view: &View,
         query: &Query<'_, A>,
-        link: u32,
+        block: &Block,
         points: u64,
         rect: &Rect,
     ) {
-        let block = tree.block(link);
-        let (constant, factor) = tree.view.depth_tolerance();
+        let (constant, factor) = view.depth_tolerance();
         let spread = Spread::new(rect, rect.z, self.far, constant + factor * self.far);
         let answer = block.test_rect(level.eight(), &spread);
         if answer.possible == 0 {
@@ -235,7 +251,7 @@ impl Tile {
             let slot = possible.trailing_zeros() as usize & 7;
             possible &= possible - 1;
             if block.ids[slot] != NOBODY {
-                self.triangle(level.points(), tree, query, block, slot, points);
+                self.triangle(level.points(), view, query, block, slot, points);
             }
         }
     }
@@ -245,13 +261,13 @@ impl Tile {
     fn triangle<P: Lanes, A: AnyHit>(
         &mut self,
         lanes: P,
-        tree: &Tree,
+        view: &View,
         query: &Query<'_, A>,
         block: &Block,
         slot: usize,
         points: u64,
     ) {
-        let (constant, factor) = tree.view.depth_tolerance();
+        let (constant, factor) = view.depth_tolerance();
         let (constant, factor) = (lanes.splat(constant), lanes.splat(factor));
         let planes = block.spread_out(lanes, slot);
         let id = block.ids[slot];
@@ -268,7 +284,7 @@ impl Tile {
         blocked = if asks { 0 } else { blocked & points };
         unsure &= points & !blocked;
         if unsure != 0 {
-            blocked |= self.ask(lanes, tree, query, id & !ASKS, unsure);
+            blocked |= self.ask(lanes, view, query, id & !ASKS, unsure);
         }
         self.alive &= !blocked;
     }
@@ -278,12 +294,12 @@ impl Tile {
     fn ask<P: Lanes, A: AnyHit>(
         &self,
         lanes: P,
-        tree: &Tree,
+        view: &View,
         query: &Query<'_, A>,
         triangle: u32,
         unsure: u64,
     ) -> u64 {
-        let plane = Plane::new(&tree.view, &query.casters.triangles[triangle as usize]);
+        let plane = Plane::new(view, &query.casters.triangles[triangle as usize]);
         let mut meets = 0u64;
         for at in (0..TILE).step_by(P::WIDTH) {
             if (unsure >> at) & ((1 << P::WIDTH) - 1) != 0 {
@@ -298,7 +314,7 @@ impl Tile {
         while rest != 0 {
             let i = rest.trailing_zeros();
             rest &= rest - 1;
-            blocked |= u64::from(query.is_blocked(self.origin(tree, i as usize), triangle)) << i;
+            blocked |= u64::from(query.is_blocked(self.origin(view, i as usize), triangle)) << i;
         }
         blocked
     }
@@ -306,7 +322,7 @@ impl Tile {
 
 /// The least lane.
 #[inline(always)]
-fn least<P: Lanes>(lanes: P, from: P::F) -> f32 {
+pub(crate) fn least<P: Lanes>(lanes: P, from: P::F) -> f32 {
     let mut all = [f32::INFINITY; 16];
     lanes.store(from, &mut all);
     all.into_iter().fold(f32::INFINITY, |a, b| if b < a { b } else { a })
@@ -314,7 +330,7 @@ fn least<P: Lanes>(lanes: P, from: P::F) -> f32 {
 
 /// The largest lane.
 #[inline(always)]
-fn most<P: Lanes>(lanes: P, from: P::F) -> f32 {
+pub(crate) fn most<P: Lanes>(lanes: P, from: P::F) -> f32 {
     let mut all = [f32::NEG_INFINITY; 16];
     lanes.store(from, &mut all);
     all.into_iter().fold(f32::NEG_INFINITY, |a, b| if b > a { b } else { a })

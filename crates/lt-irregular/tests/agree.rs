@@ -1,7 +1,7 @@
 //! Every structure answers as the ray tracer does, bit for bit, on millions of rays, hard ones among them.
 
 use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
-use lt_irregular::{Bounds, Casters, Instructions, LightBvh, Scratch, Walk};
+use lt_irregular::{Bounds, Casters, DivideAndConquer, Instructions, LightBvh, Scratch, Walk};
 use lt_math::glam::{Vec3, Vec4};
 
 /// A small generator of numbers (splitmix64).
@@ -165,6 +165,12 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
             }
         }
     }
+    for instructions in Instructions::available() {
+        let mut found = vec![false; rays.len()];
+        let both = DivideAndConquer::new(light, soup.bounds()).with_instructions(instructions);
+        both.expect("available").occluded(casters, origins, any_hit, &mut found);
+        assert!(found == expected, "{label} {instructions:?} divide and conquer");
+    }
     expected.iter().filter(|b| **b).count()
 }
 
@@ -226,4 +232,32 @@ fn rays_from_outside_and_broken_rays_are_answered_too() {
         starts.extend((0..2000).map(|_| random.vector() * 0.3 - light.truncate() * random.unit() * 10.0));
         compare(&format!("light {light}"), &soup, light, &starts, Opaque);
     }
+}
+
+/// Sets that break structures: they must end, and soon.
+#[test]
+fn pathological_sets_are_answered() {
+    let mut random = Random(3);
+    let light = Vec4::new(0.2, 1.0, 0.3, 0.0);
+    // Large triangles in one place, with rays from between, below and above.
+    let mut coincident = Soup::new();
+    (0..10_000).for_each(|_| coincident.push([Vec3::ZERO, Vec3::X * 100.0, Vec3::Z * 100.0]));
+    let starts: Vec<Vec3> = (0..3000).map(|_| random.vector() * 60.0).collect();
+    compare("coincident", &coincident, light, &starts, Opaque);
+    // All rays from one place.
+    let soup = Soup::mixed(&mut random, 3000, light.truncate());
+    compare("one place", &soup, light, &[Vec3::new(0.1, -0.5, 0.2); 3000], Opaque);
+    // Slivers across everything.
+    let mut slivers = Soup::new();
+    for _ in 0..3000 {
+        let (a, b) = (random.vector() * 50.0, random.vector() * 50.0);
+        slivers.push([a, b, b + random.vector() * 1e-3]);
+    }
+    compare("slivers", &slivers, light, &starts, Opaque);
+    // Nothing, and what the builder drops: no area, no numbers.
+    let mut dropped = Soup::new();
+    dropped.push([Vec3::ZERO, Vec3::ZERO, Vec3::ONE]);
+    dropped.push([Vec3::NAN, Vec3::X, Vec3::Y]);
+    dropped.push([Vec3::ZERO, Vec3::X, Vec3::Y]);
+    compare("dropped", &dropped, light, &starts, Opaque);
 }

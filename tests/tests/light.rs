@@ -1,0 +1,59 @@
+//! Resolvers in the light's own space give the rays' own bits, for every light, scene and number of threads.
+
+use lt_render::{BackendKind, RenderError, Session, Setup, Technique};
+use lt_scene::{Light, LightKind};
+use lt_tests::{builtin, count_different, cpu_session, gpu_session};
+
+/// Each technique and the rays that it must equal.
+const PAIRS: [(&str, &str); 3] =
+    [("ray:light", "ray"), ("ltt-evsm:light", "ltt-evsm"), ("lt-evsm:light", "lt-evsm")];
+
+fn technique(id: &str) -> Technique {
+    id.parse().expect("a known id")
+}
+
+fn compare(session: &mut Session, label: &str) {
+    for (id, rays) in PAIRS {
+        let (points, rays) = (session.render(&technique(id)), session.render(&technique(rays)));
+        let (points, rays) = (points.expect("frame"), rays.expect("frame"));
+        assert_eq!(count_different(&points.visibility, &rays.visibility, 0.0), 0, "{label} {id}");
+        assert_eq!(points.rays, rays.rays, "{label} {id}");
+        assert_eq!(points.doubt, rays.doubt, "{label} {id}");
+    }
+}
+
+#[test]
+fn the_light_tree_resolves_as_rays_do() {
+    for name in ["cornell", "street:4", "square:6", "strands:200", "random:20000"] {
+        let mut session = cpu_session(&builtin(name), 320, 180);
+        compare(&mut session, name);
+    }
+}
+
+#[test]
+fn lights_with_a_position_are_seen_on_six_faces() {
+    let scene = builtin("square:6");
+    let bounds = scene.bounds();
+    let middle = (bounds.min + bounds.max) * 0.5;
+    let mut setup = Setup::for_scene(&scene, 320, 180);
+    let kind = LightKind::Point { position: middle, range: f32::INFINITY };
+    setup.light = Light { kind, ..setup.light };
+    let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
+    let (points, rays) = (session.render(&technique("ray:light")), session.render(&Technique::RAY));
+    let (points, rays) = (points.expect("frame"), rays.expect("frame"));
+    assert_eq!(count_different(&points.visibility, &rays.visibility, 0.0), 0);
+    let blocked = rays.visibility.iter().zip(&rays.doubt).filter(|(v, d)| **d && **v == 0.0).count();
+    assert!(blocked > 100, "{blocked} blocked");
+}
+
+#[test]
+fn what_has_no_such_resolver_says_so() {
+    let scene = builtin("cornell");
+    if let Some(mut gpu) = gpu_session(&scene, Setup::for_scene(&scene, 64, 48)) {
+        let error = gpu.render(&technique("ray:light")).expect_err("none on the GPU");
+        assert!(
+            matches!(error, RenderError::Gpu { .. }) && error.to_string().contains("--backend cpu"),
+            "{error}"
+        );
+    }
+}
