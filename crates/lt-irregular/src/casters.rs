@@ -23,6 +23,12 @@ impl Casters<'_> {
             level.prefetch(triangle);
         }
     }
+
+    /// Where the ray meets the triangle by the ray tracer's own test, whatever that is made of: weights of the second and third vertex.
+    #[inline(always)]
+    pub(crate) fn meet(&self, ray: &Ray, triangle: u32) -> Option<(f32, f32)> {
+        RayTest::new(ray, self.root)?.meet(&self.triangles[triangle as usize])
+    }
 }
 
 /// What is asked about rays to one light.

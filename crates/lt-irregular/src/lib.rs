@@ -19,6 +19,7 @@
 //!
 //! - [`LightBvh`]: a tree over the triangles, for a light and casters that stand still.
 //! - [`DivideAndConquer`]: both lists divided together and nothing kept, for frames in which everything moves.
+//! - [`SampleMap`]: a tree over the points, which every triangle walks: the alias-free shadow map of Aila and Laine (2004).
 //!
 //! # Conventions
 //!
@@ -37,6 +38,7 @@ mod level;
 mod light_bvh;
 mod planes;
 mod rect;
+mod sample_map;
 mod split;
 mod tile;
 mod tree;
@@ -49,5 +51,6 @@ pub use dac::DivideAndConquer;
 pub use level::Instructions;
 pub use light_bvh::{LightBvh, Scratch, Walk};
 pub use rect::Rect;
+pub use sample_map::{Counters, Options, PointOrder, SampleMap};
 pub use validate::Invalid;
 pub use view::{Bounds, LightPoint, View};

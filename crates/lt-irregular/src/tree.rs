@@ -16,6 +16,7 @@ pub(crate) const LEAF: u32 = 0x8000_0000;
 /// Link of an empty slot.
 const NOWHERE: u32 = u32::MAX;
 /// Ranges of at least this many items are built as tasks of their own.
+#[cfg(feature = "std")]
 const TASK: usize = 4096;
 
 /// Eight rectangles side by side.

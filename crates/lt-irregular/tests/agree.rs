@@ -1,7 +1,9 @@
 //! Every structure answers as the ray tracer does, bit for bit, on millions of rays, hard ones among them.
 
 use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
-use lt_irregular::{Bounds, Casters, DivideAndConquer, Instructions, LightBvh, Scratch, Walk};
+use lt_irregular::{
+    Bounds, Casters, DivideAndConquer, Instructions, LightBvh, Options, PointOrder, SampleMap, Scratch, Walk,
+};
 use lt_math::glam::{Vec3, Vec4};
 
 /// A small generator of numbers (splitmix64).
@@ -148,6 +150,18 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
         assert_eq!(lt_bvh::occluded(bvh.nodes(), bvh.triangles(), *ray, any_hit), *expected);
     }
     let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+    let judge = |what: &str, found: &[bool]| {
+        let wrong: Vec<usize> = (0..rays.len()).filter(|&i| found[i] != expected[i]).collect();
+        if let Some(&i) = wrong.first() {
+            panic!(
+                "{label} {what}: {} of {} differ, first {i}: {:?} expected {}",
+                wrong.len(),
+                rays.len(),
+                rays[i],
+                expected[i]
+            );
+        }
+    };
     let tree = LightBvh::build(light, soup.bounds(), casters);
     tree.validate(casters).expect("is valid");
     for instructions in Instructions::available() {
@@ -155,21 +169,33 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
         for walk in Walk::ALL {
             let mut found = vec![false; rays.len()];
             tree.occluded_by(walk, casters, origins, any_hit, &mut found, &mut Scratch::default());
-            let wrong: Vec<usize> = (0..rays.len()).filter(|&i| found[i] != expected[i]).collect();
-            if let Some(&i) = wrong.first() {
-                let (n, all) = (wrong.len(), rays.len());
-                panic!(
-                    "{label} {instructions:?} {walk:?}: {n} of {all} differ, {i} first: {:?} is {}",
-                    rays[i], expected[i]
-                );
-            }
+            judge(&format!("light BVH, {instructions:?}, {walk:?}"), &found);
         }
+    }
+    let mut counted = Vec::new();
+    for instructions in Instructions::available() {
+        for order in [PointOrder::Median, PointOrder::Morton] {
+            let options = Options { instructions, order, ..Options::default() };
+            let mut map = SampleMap::build(light, soup.bounds(), casters, origins, options);
+            map.validate().expect("is valid");
+            let mut found = vec![false; rays.len()];
+            let counters = map.occluded(casters, origins, any_hit, &mut found);
+            judge(&format!("sample map, {instructions:?}, {order:?}"), &found);
+            counted.push((order, counters.nodes_visited, counters.samples_tested));
+        }
+    }
+    // How many instructions do it at a time changes nothing that is counted.
+    for (order, nodes, samples) in &counted {
+        assert!(
+            counted.iter().all(|c| c.0 != *order || (c.1, c.2) == (*nodes, *samples)),
+            "{label}: {counted:?}"
+        );
     }
     for instructions in Instructions::available() {
         let mut found = vec![false; rays.len()];
         let both = DivideAndConquer::new(light, soup.bounds()).with_instructions(instructions);
         both.expect("available").occluded(casters, origins, any_hit, &mut found);
-        assert!(found == expected, "{label} {instructions:?} divide and conquer");
+        judge(&format!("divide and conquer, {instructions:?}"), &found);
     }
     expected.iter().filter(|b| **b).count()
 }
