@@ -150,6 +150,16 @@ fn decide<L: Lanes>(lanes: L, a: L::F, b: L::F, c: L::F, d: L::F, tolerance: L::
 pub(crate) struct Spreadout<L: Lanes>([L::F; ROWS]);
 
 impl<L: Lanes> Spreadout<L> {
+    /// Of planes outside of a block.
+    #[inline(always)]
+    pub fn new(lanes: L, planes: &Planes) -> Self {
+        let mut rows = [lanes.splat(0.0); ROWS];
+        for (to, from) in rows.iter_mut().zip(planes.0) {
+            *to = lanes.splat(from);
+        }
+        Spreadout(rows)
+    }
+
     /// The points that the triangle blocks; `tolerance` is the depth test's, of each.
     #[inline(always)]
     pub fn test(&self, lanes: L, x: L::F, y: L::F, z: L::F, tolerance: L::F) -> Answer {

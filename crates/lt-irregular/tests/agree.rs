@@ -229,11 +229,11 @@ fn the_light_bvh_answers_as_the_ray_tracer_does() {
         for light in lights(&mut random, scale, offset) {
             let count = [3, 200, 1500][random.below(3)];
             let soup = Soup::mixed(&mut random, count, light.truncate()).moved(scale, offset);
-            let starts = origins(&mut random, &soup, light, 12_000);
+            let starts = origins(&mut random, &soup, light, 4_000);
             let label = format!("scale {scale} offset {offset} light {light} triangles {count}");
             blocked += compare(&label, &soup, light, &starts, Opaque);
-            blocked += compare(&label, &soup, light, &starts[..4000], Checks);
-            total += starts.len() + 4000;
+            blocked += compare(&label, &soup, light, &starts[..1500], Checks);
+            total += starts.len() + 1500;
         }
     }
     println!("{blocked} of {total} blocked");
