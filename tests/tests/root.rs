@@ -4,7 +4,6 @@ mod batch;
 mod effects;
 mod hard;
 mod laws;
-mod light;
 mod mask;
 mod real_scenes;
 mod translucency;

@@ -98,7 +98,6 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             map: None,
             doubt_list: false,
             trace_all: rays > 0,
-            resolve: lt_render::Resolve::Ray,
             mask: None,
             object_motion: false,
             reuse: false,

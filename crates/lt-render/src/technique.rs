@@ -89,23 +89,6 @@ pub enum Resolve {
     None,
     /// A ray through the world-space BVH, alpha-tested.
     Ray,
-    /// The same answer from a tree over the triangles in the light's own space (lt-irregular); CPU only.
-    Light,
-}
-
-impl Resolve {
-    /// Whether it finds the truth about pixels.
-    pub fn is_exact(self) -> bool {
-        self != Resolve::None
-    }
-
-    /// The modifier that asks for it; none for rays, which need no asking for.
-    pub fn modifier(self) -> Option<&'static str> {
-        match self {
-            Resolve::None | Resolve::Ray => None,
-            Resolve::Light => Some("light"),
-        }
-    }
 }
 
 /// Where the temporal mask may remove rays (RR).
@@ -156,7 +139,7 @@ pub struct Technique {
     pub estimate: Estimate,
     /// Where that is doubted.
     pub doubt: Doubt,
-    /// What last frame's rays make of the doubt; needs one that [`Resolve::is_exact`].
+    /// What last frame's rays make of the doubt; needs [`Resolve::Ray`].
     pub mask: Option<TemporalMask>,
     /// What answers the doubt.
     pub resolve: Resolve,
@@ -253,15 +236,10 @@ impl Technique {
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 12] {
+    pub fn modifiers() -> [(&'static str, &'static str); 11] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
-            (
-                "light",
-                "ray, ltt-, lt-: the rays' answers from a tree in the light's own space, kept while light and \
-                 casters stand still (CPU)",
-            ),
             ("map=N", "map resolution, a multiple of 64 up to 16384"),
             ("no-reuse", "over several frames: draw the map every frame instead of keeping it while it fits"),
             ("no-rr", "lt-: remove no rays"),
@@ -314,9 +292,6 @@ impl fmt::Display for Technique {
                     write!(f, ":no-reuse")?;
                 }
             }
-        }
-        if let Some(modifier) = self.resolve.modifier() {
-            write!(f, ":{modifier}")?;
         }
         if self.epsilon != LTT_EPSILON {
             write!(f, ":eps={}", self.epsilon)?;
@@ -420,8 +395,6 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                 return Err("`prefiltered` needs a filterable map: vsm, esm, evsm, msm, msm-hausdorff".into());
             }
         },
-        "light" if technique.resolve.is_exact() => technique.resolve = Resolve::Light,
-        "light" => return Err("`light` needs a technique that traces rays: ray, or ltt-evsm".into()),
         "eps" if technique.doubt == Doubt::Ltt => {
             technique.epsilon = value
                 .parse()
@@ -492,8 +465,6 @@ mod tests {
             "lt-evsm:no-rr:pattern=3x3:moving=5x5:depth-test",
             "lt-msm:prefiltered:no-er:pattern=plus:no-depth-test:no-reuse:eps=0.02",
             "lt-esm:published",
-            "ray:light",
-            "lt-evsm:no-reuse:light:eps=0.02",
             "lt-esm:published:pattern=alternating:moving=cross",
         ] {
             assert_eq!(id.parse::<Technique>().unwrap().to_string(), id);
@@ -515,7 +486,6 @@ mod tests {
             "lt-evsm:pattern=2x2",
             "lt-evsm:no-er:no-rr",
             "ray:no-reuse",
-            "evsm:light",
         ] {
             assert!(id.parse::<Technique>().unwrap_err().problem.len() > 20, "{id}");
         }

@@ -5,7 +5,6 @@
 
 mod batch;
 mod history;
-mod light;
 mod raster;
 mod shortcut;
 mod tiles;
@@ -15,7 +14,6 @@ use std::time::Instant;
 
 use history::{History, Seen};
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
-use lt_irregular::LightBvh;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Material, Sample, ShadeParams, ShadowParams};
@@ -36,7 +34,6 @@ use tiles::{BLOCK, Tiles};
 use crate::packed::Trees;
 use crate::{
     Backend, EffectPlan, Frame, FrameJob, MapSource, MapTest, PackedScene, Pass, PassKind, RenderError,
-    Resolve,
 };
 
 pub use batch::{BatchTest, evaluate_batch};
@@ -59,8 +56,6 @@ pub struct CpuBackend {
     slot: usize,
     rays: u64,
     passes: Vec<Pass>,
-    /// The tree in light space, and the light that it was built for; none after the scene has changed.
-    light_tree: Option<(Vec4, LightBvh)>,
 }
 
 /// One technique's map and history.
@@ -94,7 +89,6 @@ impl CpuBackend {
             slot: 0,
             rays: 0,
             passes: Vec::new(),
-            light_tree: None,
         }
     }
 }
@@ -128,7 +122,6 @@ impl Backend for CpuBackend {
     fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
         tracer(&scene).occluded_batch(&[Ray::default()], Opaque, &mut [false]);
         self.scene = scene;
-        self.light_tree = None;
         Ok(())
     }
 
@@ -187,7 +180,6 @@ impl Backend for CpuBackend {
             (PassKind::FilterY, Some(map), _) => blur_columns(&map.filter, &slot.rows, &mut slot.vectors),
             (PassKind::Evaluate, _, Some((test, source))) => self.estimate(test, source, job),
             (PassKind::Mask, ..) => self.correct(job),
-            (PassKind::LightTree, ..) => self.plant(job)?,
             (PassKind::Resolve, ..) => self.rays = self.resolve(job),
             (PassKind::Tint, ..) => {
                 self.rays += tint::trace(
@@ -312,32 +304,14 @@ impl CpuBackend {
     fn resolve(&mut self, job: &FrameJob) -> u64 {
         let (scene, light, all) = (&self.scene, job.shadow.light, job.plan.trace_all);
         let (samples, doubted, lit) = (&self.samples[..], &self.is_doubted[..], &mut self.visibility[..]);
-        let tree = self.light_tree.as_ref().filter(|_| job.plan.resolve == Resolve::Light);
-        let todo = light::Todo { light, trace_all: all, samples, is_doubted: doubted };
-        let rays = match (job.plan.alpha_test, tree) {
-            (true, Some((_, tree))) => {
-                light::resolve(scene, tree, &todo, coverage(scene, Material::CASTS), lit)
-            }
-            (false, Some((_, tree))) => light::resolve(scene, tree, &todo, Opaque, lit),
-            (true, None) => trace(scene, light, all, coverage(scene, Material::CASTS), samples, doubted, lit),
-            (false, None) => trace(scene, light, all, Opaque, samples, doubted, lit),
+        let rays = match job.plan.alpha_test {
+            true => trace(scene, light, all, coverage(scene, Material::CASTS), samples, doubted, lit),
+            false => trace(scene, light, all, Opaque, samples, doubted, lit),
         };
         if job.plan.mask.is_some() {
             self.slots[self.slot].history.learn(&self.visibility, &self.is_doubted);
         }
         rays
-    }
-}
-
-impl CpuBackend {
-    /// Makes sure that there is a light tree.
-    fn plant(&mut self, job: &FrameJob) -> Result<(), RenderError> {
-        let light = job.shadow.light;
-        if self.light_tree.as_ref().is_none_or(|(of, _)| *of != light) {
-            self.light_tree = None;
-            self.light_tree = Some((light, light::tree(&self.scene, light)?));
-        }
-        Ok(())
     }
 }
 
