@@ -49,9 +49,9 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_32 {
@@ -62,6 +62,10 @@ struct lt_math_Evsm {
     positive_exponent: f32,
     negative_exponent: f32,
     min_variance: f32,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 var<private> id_1: vec3<u32>;
@@ -76,36 +80,36 @@ var<storage, read_write> visibility: type_13;
 var<storage> map: type_28;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_147_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_146_ = lt_bvh_traverse_Tree();
-            phi_147_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e60 = phi_146_;
-        let _e62 = phi_147_;
-        phi_148_ = _e60;
-        phi_149_ = _e62;
+        let _e60 = phi_147_;
+        let _e62 = phi_148_;
+        phi_149_ = _e60;
+        phi_150_ = _e62;
     } else {
-        phi_148_ = lt_bvh_traverse_Tree();
-        phi_149_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e64 = phi_148_;
-    let _e66 = phi_149_;
+    let _e64 = phi_149_;
+    let _e66 = phi_150_;
     if _e66 {
-        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_154_ = _e64;
+        phi_155_ = _e64;
     }
-    let _e71 = phi_154_;
+    let _e71 = phi_155_;
     return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
@@ -114,394 +118,394 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: ptr<function, lt_math_Evsm>, param_5: f32) -> vec4<f32> {
-    var phi_181_: f32;
     var phi_182_: f32;
     var phi_183_: f32;
-    var phi_196_: bool;
-    var phi_200_: f32;
-    var phi_212_: f32;
-    var phi_217_: f32;
-    var phi_239_: f32;
-    var phi_244_: f32;
-    var phi_245_: bool;
-    var phi_246_: f32;
-    var phi_247_: bool;
-    var phi_251_: f32;
-    var phi_289_: f32;
-    var phi_302_: bool;
-    var phi_306_: f32;
-    var phi_319_: f32;
-    var phi_324_: f32;
-    var phi_346_: f32;
-    var phi_351_: f32;
-    var phi_352_: bool;
-    var phi_353_: f32;
-    var phi_354_: bool;
-    var phi_358_: f32;
-    var phi_396_: f32;
+    var phi_184_: f32;
+    var phi_197_: bool;
+    var phi_201_: f32;
+    var phi_213_: f32;
+    var phi_218_: f32;
+    var phi_240_: f32;
+    var phi_245_: f32;
+    var phi_246_: bool;
+    var phi_247_: f32;
+    var phi_248_: bool;
+    var phi_252_: f32;
+    var phi_290_: f32;
+    var phi_303_: bool;
+    var phi_307_: f32;
+    var phi_320_: f32;
+    var phi_325_: f32;
+    var phi_347_: f32;
+    var phi_352_: f32;
+    var phi_353_: bool;
+    var phi_354_: f32;
+    var phi_355_: bool;
+    var phi_359_: f32;
+    var phi_397_: f32;
 
     if ((bitcast<u32>(param_5) & 2147483647u) > 2139095040u) {
-        phi_183_ = param_5;
+        phi_184_ = param_5;
     } else {
         if (param_5 < 0f) {
-            phi_182_ = 0f;
+            phi_183_ = 0f;
         } else {
             if (param_5 > 1f) {
-                phi_181_ = 1f;
+                phi_182_ = 1f;
             } else {
-                phi_181_ = param_5;
+                phi_182_ = param_5;
             }
-            let _e55 = phi_181_;
-            phi_182_ = _e55;
+            let _e55 = phi_182_;
+            phi_183_ = _e55;
         }
-        let _e57 = phi_182_;
-        phi_183_ = _e57;
+        let _e57 = phi_183_;
+        phi_184_ = _e57;
     }
-    let _e59 = phi_183_;
+    let _e59 = phi_184_;
     let _e61 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_196_ = true;
+        phi_197_ = true;
     } else {
         let _e65 = (42f < _e61);
         if _e65 {
         }
-        phi_196_ = _e65;
+        phi_197_ = _e65;
     }
-    let _e67 = phi_196_;
+    let _e67 = phi_197_;
     if _e67 {
-        phi_200_ = 42f;
+        phi_201_ = 42f;
     } else {
-        phi_200_ = _e61;
+        phi_201_ = _e61;
     }
-    let _e69 = phi_200_;
+    let _e69 = phi_201_;
     let _e70 = (_e69 * _e59);
     if ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u) {
-        phi_289_ = _e70;
+        phi_290_ = _e70;
     } else {
         if (_e70 < -87f) {
-            phi_212_ = -87f;
+            phi_213_ = -87f;
         } else {
-            phi_212_ = _e70;
+            phi_213_ = _e70;
         }
-        let _e76 = phi_212_;
+        let _e76 = phi_213_;
         if (_e76 > 88f) {
-            phi_217_ = 88f;
+            phi_218_ = 88f;
         } else {
-            phi_217_ = _e76;
+            phi_218_ = _e76;
         }
-        let _e79 = phi_217_;
+        let _e79 = phi_218_;
         let _e81 = ((_e79 * 1.442695f) + 0.5f);
         if (_e81 > -8388608f) {
             let _e93 = f32(select(0i, select(select(i32(_e81), i32(-2147483648), (_e81 < bitcast<f32>(3472883712u))), 2147483647i, (_e81 > bitcast<f32>(1325400063u))), (_e81 == _e81)));
             if (_e93 > _e81) {
-                phi_239_ = 1f;
+                phi_240_ = 1f;
             } else {
-                phi_239_ = 0f;
+                phi_240_ = 0f;
             }
-            let _e96 = phi_239_;
+            let _e96 = phi_240_;
             if (_e81 < 8388608f) {
-                phi_244_ = (_e93 - _e96);
-                phi_245_ = false;
+                phi_245_ = (_e93 - _e96);
+                phi_246_ = false;
             } else {
-                phi_244_ = f32();
-                phi_245_ = true;
+                phi_245_ = f32();
+                phi_246_ = true;
             }
-            let _e99 = phi_244_;
-            let _e101 = phi_245_;
-            phi_246_ = _e99;
-            phi_247_ = _e101;
+            let _e99 = phi_245_;
+            let _e101 = phi_246_;
+            phi_247_ = _e99;
+            phi_248_ = _e101;
         } else {
-            phi_246_ = f32();
-            phi_247_ = true;
+            phi_247_ = f32();
+            phi_248_ = true;
         }
-        let _e103 = phi_246_;
-        let _e105 = phi_247_;
+        let _e103 = phi_247_;
+        let _e105 = phi_248_;
         if _e105 {
-            phi_251_ = _e81;
+            phi_252_ = _e81;
         } else {
-            phi_251_ = _e103;
+            phi_252_ = _e103;
         }
-        let _e107 = phi_251_;
+        let _e107 = phi_252_;
         let _e111 = ((_e79 - (_e107 * 0.69314575f)) - (_e107 * 0.0000014286068f));
-        phi_289_ = ((((((((((((((((1f / 5040f) * _e111) + (1f / 720f)) * _e111) + (1f / 120f)) * _e111) + (1f / 24f)) * _e111) + (1f / 6f)) * _e111) + 0.5f) * _e111) + 1f) * _e111) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < bitcast<f32>(3472883712u))), 2147483647i, (_e107 > bitcast<f32>(1325400063u))), (_e107 == _e107)) + 127i)) << bitcast<u32>(23i))));
+        phi_290_ = ((((((((((((((((1f / 5040f) * _e111) + (1f / 720f)) * _e111) + (1f / 120f)) * _e111) + (1f / 24f)) * _e111) + (1f / 6f)) * _e111) + 0.5f) * _e111) + 1f) * _e111) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < bitcast<f32>(3472883712u))), 2147483647i, (_e107 > bitcast<f32>(1325400063u))), (_e107 == _e107)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e147 = phi_289_;
+    let _e147 = phi_290_;
     let _e149 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_302_ = true;
+        phi_303_ = true;
     } else {
         let _e153 = (42f < _e149);
         if _e153 {
         }
-        phi_302_ = _e153;
+        phi_303_ = _e153;
     }
-    let _e155 = phi_302_;
+    let _e155 = phi_303_;
     if _e155 {
-        phi_306_ = 42f;
+        phi_307_ = 42f;
     } else {
-        phi_306_ = _e149;
+        phi_307_ = _e149;
     }
-    let _e157 = phi_306_;
+    let _e157 = phi_307_;
     let _e159 = (-(_e157) * _e59);
     if ((bitcast<u32>(_e159) & 2147483647u) > 2139095040u) {
-        phi_396_ = _e159;
+        phi_397_ = _e159;
     } else {
         if (_e159 < -87f) {
-            phi_319_ = -87f;
+            phi_320_ = -87f;
         } else {
-            phi_319_ = _e159;
+            phi_320_ = _e159;
         }
-        let _e165 = phi_319_;
+        let _e165 = phi_320_;
         if (_e165 > 88f) {
-            phi_324_ = 88f;
+            phi_325_ = 88f;
         } else {
-            phi_324_ = _e165;
+            phi_325_ = _e165;
         }
-        let _e168 = phi_324_;
+        let _e168 = phi_325_;
         let _e170 = ((_e168 * 1.442695f) + 0.5f);
         if (_e170 > -8388608f) {
             let _e182 = f32(select(0i, select(select(i32(_e170), i32(-2147483648), (_e170 < bitcast<f32>(3472883712u))), 2147483647i, (_e170 > bitcast<f32>(1325400063u))), (_e170 == _e170)));
             if (_e182 > _e170) {
-                phi_346_ = 1f;
+                phi_347_ = 1f;
             } else {
-                phi_346_ = 0f;
+                phi_347_ = 0f;
             }
-            let _e185 = phi_346_;
+            let _e185 = phi_347_;
             if (_e170 < 8388608f) {
-                phi_351_ = (_e182 - _e185);
-                phi_352_ = false;
+                phi_352_ = (_e182 - _e185);
+                phi_353_ = false;
             } else {
-                phi_351_ = f32();
-                phi_352_ = true;
+                phi_352_ = f32();
+                phi_353_ = true;
             }
-            let _e188 = phi_351_;
-            let _e190 = phi_352_;
-            phi_353_ = _e188;
-            phi_354_ = _e190;
+            let _e188 = phi_352_;
+            let _e190 = phi_353_;
+            phi_354_ = _e188;
+            phi_355_ = _e190;
         } else {
-            phi_353_ = f32();
-            phi_354_ = true;
+            phi_354_ = f32();
+            phi_355_ = true;
         }
-        let _e192 = phi_353_;
-        let _e194 = phi_354_;
+        let _e192 = phi_354_;
+        let _e194 = phi_355_;
         if _e194 {
-            phi_358_ = _e170;
+            phi_359_ = _e170;
         } else {
-            phi_358_ = _e192;
+            phi_359_ = _e192;
         }
-        let _e196 = phi_358_;
+        let _e196 = phi_359_;
         let _e200 = ((_e168 - (_e196 * 0.69314575f)) - (_e196 * 0.0000014286068f));
-        phi_396_ = ((((((((((((((((1f / 5040f) * _e200) + (1f / 720f)) * _e200) + (1f / 120f)) * _e200) + (1f / 24f)) * _e200) + (1f / 6f)) * _e200) + 0.5f) * _e200) + 1f) * _e200) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e196), i32(-2147483648), (_e196 < bitcast<f32>(3472883712u))), 2147483647i, (_e196 > bitcast<f32>(1325400063u))), (_e196 == _e196)) + 127i)) << bitcast<u32>(23i))));
+        phi_397_ = ((((((((((((((((1f / 5040f) * _e200) + (1f / 720f)) * _e200) + (1f / 120f)) * _e200) + (1f / 24f)) * _e200) + (1f / 6f)) * _e200) + 0.5f) * _e200) + 1f) * _e200) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e196), i32(-2147483648), (_e196 < bitcast<f32>(3472883712u))), 2147483647i, (_e196 > bitcast<f32>(1325400063u))), (_e196 == _e196)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e236 = phi_396_;
+    let _e236 = phi_397_;
     let _e237 = -(_e236);
     return vec4<f32>(_e147, (_e147 * _e147), _e237, (_e237 * _e237));
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_6: ptr<function, lt_math_Evsm>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_992_: bool;
-    var phi_996_: f32;
-    var phi_1020_: bool;
-    var phi_1024_: f32;
-    var phi_1036_: bool;
-    var phi_1043_: f32;
-    var phi_1056_: bool;
-    var phi_1060_: f32;
-    var phi_1084_: bool;
-    var phi_1088_: f32;
-    var phi_1100_: bool;
-    var phi_1107_: f32;
-    var phi_1118_: bool;
-    var phi_1122_: f32;
-    var phi_1137_: f32;
-    var phi_1138_: f32;
-    var phi_1139_: f32;
+    var phi_995_: bool;
+    var phi_999_: f32;
+    var phi_1023_: bool;
+    var phi_1027_: f32;
+    var phi_1039_: bool;
+    var phi_1046_: f32;
+    var phi_1059_: bool;
+    var phi_1063_: f32;
+    var phi_1087_: bool;
+    var phi_1091_: f32;
+    var phi_1103_: bool;
+    var phi_1110_: f32;
+    var phi_1121_: bool;
+    var phi_1125_: f32;
+    var phi_1140_: f32;
+    var phi_1141_: f32;
+    var phi_1142_: f32;
 
     let _e50 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6, param_8);
     let _e52 = (*param_6).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_992_ = true;
+        phi_995_ = true;
     } else {
         let _e56 = (42f < _e52);
         if _e56 {
         }
-        phi_992_ = _e56;
+        phi_995_ = _e56;
     }
-    let _e58 = phi_992_;
+    let _e58 = phi_995_;
     if _e58 {
-        phi_996_ = 42f;
+        phi_999_ = 42f;
     } else {
-        phi_996_ = _e52;
+        phi_999_ = _e52;
     }
-    let _e60 = phi_996_;
+    let _e60 = phi_999_;
     let _e62 = (*param_6).min_variance;
     let _e66 = (((_e62 * _e60) * _e60) * _e50.y);
     let _e73 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
     if ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u) {
-        phi_1020_ = true;
+        phi_1023_ = true;
     } else {
         let _e77 = (_e66 > _e73);
         if _e77 {
         }
-        phi_1020_ = _e77;
+        phi_1023_ = _e77;
     }
-    let _e79 = phi_1020_;
+    let _e79 = phi_1023_;
     if _e79 {
-        phi_1024_ = _e66;
+        phi_1027_ = _e66;
     } else {
-        phi_1024_ = _e73;
+        phi_1027_ = _e73;
     }
-    let _e81 = phi_1024_;
+    let _e81 = phi_1027_;
     let _e82 = (_e50.x - param_7.x);
     if (_e82 <= 0f) {
         let _e86 = ((bitcast<u32>(_e81) & 2147483647u) > 2139095040u);
         if _e86 {
         }
-        phi_1036_ = _e86;
+        phi_1039_ = _e86;
     } else {
-        phi_1036_ = true;
+        phi_1039_ = true;
     }
-    let _e88 = phi_1036_;
+    let _e88 = phi_1039_;
     if _e88 {
-        phi_1043_ = (_e81 / (_e81 + (_e82 * _e82)));
+        phi_1046_ = (_e81 / (_e81 + (_e82 * _e82)));
     } else {
-        phi_1043_ = 1f;
+        phi_1046_ = 1f;
     }
-    let _e93 = phi_1043_;
+    let _e93 = phi_1046_;
     let _e95 = (*param_6).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_1056_ = true;
+        phi_1059_ = true;
     } else {
         let _e99 = (42f < _e95);
         if _e99 {
         }
-        phi_1056_ = _e99;
+        phi_1059_ = _e99;
     }
-    let _e101 = phi_1056_;
+    let _e101 = phi_1059_;
     if _e101 {
-        phi_1060_ = 42f;
+        phi_1063_ = 42f;
     } else {
-        phi_1060_ = _e95;
+        phi_1063_ = _e95;
     }
-    let _e103 = phi_1060_;
+    let _e103 = phi_1063_;
     let _e105 = (*param_6).min_variance;
     let _e109 = (((_e105 * _e103) * _e103) * _e50.w);
     let _e116 = ((param_7.w - (param_7.z * param_7.z)) + (0.00000047683716f * param_7.w));
     if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-        phi_1084_ = true;
+        phi_1087_ = true;
     } else {
         let _e120 = (_e109 > _e116);
         if _e120 {
         }
-        phi_1084_ = _e120;
+        phi_1087_ = _e120;
     }
-    let _e122 = phi_1084_;
+    let _e122 = phi_1087_;
     if _e122 {
-        phi_1088_ = _e109;
+        phi_1091_ = _e109;
     } else {
-        phi_1088_ = _e116;
+        phi_1091_ = _e116;
     }
-    let _e124 = phi_1088_;
+    let _e124 = phi_1091_;
     let _e125 = (_e50.z - param_7.z);
     if (_e125 <= 0f) {
         let _e129 = ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u);
         if _e129 {
         }
-        phi_1100_ = _e129;
+        phi_1103_ = _e129;
     } else {
-        phi_1100_ = true;
+        phi_1103_ = true;
     }
-    let _e131 = phi_1100_;
+    let _e131 = phi_1103_;
     if _e131 {
-        phi_1107_ = (_e124 / (_e124 + (_e125 * _e125)));
+        phi_1110_ = (_e124 / (_e124 + (_e125 * _e125)));
     } else {
-        phi_1107_ = 1f;
+        phi_1110_ = 1f;
     }
-    let _e136 = phi_1107_;
+    let _e136 = phi_1110_;
     if ((bitcast<u32>(_e136) & 2147483647u) > 2139095040u) {
-        phi_1118_ = true;
+        phi_1121_ = true;
     } else {
         let _e140 = (_e136 < _e93);
         if _e140 {
         }
-        phi_1118_ = _e140;
+        phi_1121_ = _e140;
     }
-    let _e142 = phi_1118_;
+    let _e142 = phi_1121_;
     if _e142 {
-        phi_1122_ = _e136;
+        phi_1125_ = _e136;
     } else {
-        phi_1122_ = _e93;
+        phi_1125_ = _e93;
     }
-    let _e144 = phi_1122_;
+    let _e144 = phi_1125_;
     if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
-        phi_1139_ = _e144;
+        phi_1142_ = _e144;
     } else {
         if (_e144 < 0f) {
-            phi_1138_ = 0f;
+            phi_1141_ = 0f;
         } else {
             if (_e144 > 1f) {
-                phi_1137_ = 1f;
+                phi_1140_ = 1f;
             } else {
-                phi_1137_ = _e144;
+                phi_1140_ = _e144;
             }
-            let _e151 = phi_1137_;
-            phi_1138_ = _e151;
+            let _e151 = phi_1140_;
+            phi_1141_ = _e151;
         }
-        let _e153 = phi_1138_;
-        phi_1139_ = _e153;
+        let _e153 = phi_1141_;
+        phi_1142_ = _e153;
     }
-    let _e155 = phi_1139_;
+    let _e155 = phi_1142_;
     return _e155;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_454_: bool;
-    var phi_455_: bool;
-    var phi_456_: bool;
-    var phi_457_: bool;
+    var phi_458_: bool;
+    var phi_459_: bool;
+    var phi_460_: bool;
     var phi_461_: bool;
-    var phi_505_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: bool;
     var phi_509_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_586_: bool;
-    var phi_595_: bool;
-    var phi_604_: bool;
+    var phi_513_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_587_: bool;
+    var phi_596_: bool;
     var phi_605_: bool;
     var phi_606_: bool;
     var phi_607_: bool;
     var phi_608_: bool;
     var phi_609_: bool;
     var phi_610_: bool;
-    var phi_614_: bool;
+    var phi_611_: bool;
+    var phi_615_: bool;
+    var phi_705_: f32;
     var phi_708_: f32;
-    var phi_711_: f32;
-    var phi_740_: f32;
-    var phi_745_: f32;
-    var phi_746_: bool;
-    var phi_747_: f32;
-    var phi_748_: bool;
-    var phi_752_: f32;
-    var phi_772_: f32;
-    var phi_777_: f32;
-    var phi_778_: bool;
-    var phi_779_: f32;
-    var phi_780_: bool;
-    var phi_784_: f32;
-    var phi_834_: i32;
-    var phi_839_: i32;
-    var phi_844_: i32;
-    var phi_849_: i32;
-    var phi_858_: i32;
-    var phi_863_: i32;
-    var phi_868_: i32;
-    var phi_873_: i32;
-    var phi_958_: evaluate_Verdict;
-    var phi_959_: evaluate_Verdict;
-    var phi_960_: bool;
+    var phi_737_: f32;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_749_: f32;
+    var phi_769_: f32;
+    var phi_774_: f32;
+    var phi_775_: bool;
+    var phi_776_: f32;
+    var phi_777_: bool;
+    var phi_781_: f32;
+    var phi_833_: i32;
+    var phi_838_: i32;
+    var phi_843_: i32;
+    var phi_848_: i32;
+    var phi_857_: i32;
+    var phi_862_: i32;
+    var phi_867_: i32;
+    var phi_872_: i32;
     var phi_961_: evaluate_Verdict;
     var phi_962_: evaluate_Verdict;
     var phi_963_: bool;
-    var phi_967_: evaluate_Verdict;
+    var phi_964_: evaluate_Verdict;
+    var phi_965_: evaluate_Verdict;
+    var phi_966_: bool;
+    var phi_970_: evaluate_Verdict;
 
     let _e48 = id_1;
     let _e55 = arrayLength((&map.member));
@@ -509,212 +513,207 @@ fn function_() {
     let _e63 = p.member.size[1u];
     let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
     if (bitcast<i32>(_e64.root) != 0i) {
+        let _e70 = p.member.projection;
         if (_e64.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = p.member.light;
-        let _e76 = samples.member[(0u + _e64.first_primitive)].normal[0u];
-        let _e78 = global[0u];
-        if (_e76 == _e78) {
-            let _e81 = samples.member[(0u + _e64.first_primitive)].normal[1u];
-            let _e83 = global[1u];
-            if (_e81 == _e83) {
-                let _e86 = samples.member[(0u + _e64.first_primitive)].normal[2u];
-                let _e88 = global[2u];
-                phi_454_ = (_e86 == _e88);
-                phi_455_ = false;
+        let _e74 = lt_math_OneLevel(_e70);
+        let _e76 = p.member.light;
+        let _e79 = samples.member[(0u + _e64.first_primitive)].normal[0u];
+        let _e81 = global[0u];
+        if (_e79 == _e81) {
+            let _e84 = samples.member[(0u + _e64.first_primitive)].normal[1u];
+            let _e86 = global[1u];
+            if (_e84 == _e86) {
+                let _e89 = samples.member[(0u + _e64.first_primitive)].normal[2u];
+                let _e91 = global[2u];
+                phi_458_ = (_e89 == _e91);
+                phi_459_ = false;
             } else {
-                phi_454_ = bool();
-                phi_455_ = true;
+                phi_458_ = bool();
+                phi_459_ = true;
             }
-            let _e91 = phi_454_;
-            let _e93 = phi_455_;
-            phi_456_ = _e91;
-            phi_457_ = _e93;
+            let _e94 = phi_458_;
+            let _e96 = phi_459_;
+            phi_460_ = _e94;
+            phi_461_ = _e96;
         } else {
-            phi_456_ = bool();
-            phi_457_ = true;
+            phi_460_ = bool();
+            phi_461_ = true;
         }
-        let _e95 = phi_456_;
-        let _e97 = phi_457_;
-        if _e97 {
-            phi_461_ = false;
+        let _e98 = phi_460_;
+        let _e100 = phi_461_;
+        if _e100 {
+            phi_465_ = false;
         } else {
-            phi_461_ = _e95;
+            phi_465_ = _e98;
         }
-        let _e99 = phi_461_;
-        if !(_e99) {
-            let _e102 = samples.member[(0u + _e64.first_primitive)].normal;
-            let _e104 = samples.member[(0u + _e64.first_primitive)].position;
-            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
-                let _e128 = samples.member[(0u + _e64.first_primitive)].flags;
-                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
+        let _e102 = phi_465_;
+        if !(_e102) {
+            let _e105 = samples.member[(0u + _e64.first_primitive)].normal;
+            let _e107 = samples.member[(0u + _e64.first_primitive)].position;
+            if ((((_e105.x * (_e76.x - (_e107.x * _e76.w))) + (_e105.y * (_e76.y - (_e107.y * _e76.w)))) + (_e105.z * (_e76.z - (_e107.z * _e76.w)))) > 0f) {
+                let _e131 = samples.member[(0u + _e64.first_primitive)].flags;
+                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
+                phi_509_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, ((_e131 & 1u) == 0u));
             } else {
-                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
-                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
+                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
+                phi_509_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
             }
-            let _e162 = phi_505_;
-            phi_509_ = _e162;
+            let _e165 = phi_509_;
+            phi_513_ = _e165;
         } else {
-            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-            phi_509_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
+            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+            phi_513_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, true);
         }
-        let _e179 = phi_509_;
-        if _e179.unnamed_1 {
-            phi_961_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
-            phi_962_ = evaluate_Verdict();
-            phi_963_ = true;
+        let _e182 = phi_513_;
+        if _e182.unnamed_1 {
+            phi_964_ = evaluate_Verdict(_e182.unnamed.visibility, _e182.unnamed.is_doubted);
+            phi_965_ = evaluate_Verdict();
+            phi_966_ = true;
         } else {
-            let _e187 = samples.member[(0u + _e64.first_primitive)].position;
-            let _e193 = p.member.projection.row_w;
-            let _e204 = ((((_e193.x * _e187.x) + (_e193.y * _e187.y)) + (_e193.z * _e187.z)) + (_e193.w * 1f));
-            let _e206 = p.member.projection.row_x;
-            let _e218 = (((((_e206.x * _e187.x) + (_e206.y * _e187.y)) + (_e206.z * _e187.z)) + (_e206.w * 1f)) / _e204);
-            let _e220 = p.member.projection.row_y;
-            let _e232 = (((((_e220.x * _e187.x) + (_e220.y * _e187.y)) + (_e220.z * _e187.z)) + (_e220.w * 1f)) / _e204);
-            let _e234 = p.member.projection.row_z;
-            let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
-            if (_e204 > 0f) {
-                if (_e218 >= 0f) {
-                    phi_586_ = (_e218 <= 1f);
+            let _e190 = samples.member[(0u + _e64.first_primitive)].position;
+            let _e208 = ((((_e74.projection.row_w.x * _e190.x) + (_e74.projection.row_w.y * _e190.y)) + (_e74.projection.row_w.z * _e190.z)) + (_e74.projection.row_w.w * 1f));
+            let _e222 = (((((_e74.projection.row_x.x * _e190.x) + (_e74.projection.row_x.y * _e190.y)) + (_e74.projection.row_x.z * _e190.z)) + (_e74.projection.row_x.w * 1f)) / _e208);
+            let _e236 = (((((_e74.projection.row_y.x * _e190.x) + (_e74.projection.row_y.y * _e190.y)) + (_e74.projection.row_y.z * _e190.z)) + (_e74.projection.row_y.w * 1f)) / _e208);
+            let _e249 = ((((_e74.projection.row_z.x * _e190.x) + (_e74.projection.row_z.y * _e190.y)) + (_e74.projection.row_z.z * _e190.z)) + (_e74.projection.row_z.w * 1f));
+            if (_e208 > 0f) {
+                if (_e222 >= 0f) {
+                    phi_587_ = (_e222 <= 1f);
                 } else {
-                    phi_586_ = false;
+                    phi_587_ = false;
                 }
-                let _e250 = phi_586_;
-                if _e250 {
-                    if (_e232 >= 0f) {
-                        phi_595_ = (_e232 <= 1f);
+                let _e254 = phi_587_;
+                if _e254 {
+                    if (_e236 >= 0f) {
+                        phi_596_ = (_e236 <= 1f);
                     } else {
-                        phi_595_ = false;
+                        phi_596_ = false;
                     }
-                    let _e254 = phi_595_;
-                    if _e254 {
-                        if (_e245 >= 0f) {
-                            phi_604_ = (_e245 <= 1f);
+                    let _e258 = phi_596_;
+                    if _e258 {
+                        if (_e249 >= 0f) {
+                            phi_605_ = (_e249 <= 1f);
                         } else {
-                            phi_604_ = false;
+                            phi_605_ = false;
                         }
-                        let _e258 = phi_604_;
-                        phi_605_ = _e258;
-                        phi_606_ = false;
+                        let _e262 = phi_605_;
+                        phi_606_ = _e262;
+                        phi_607_ = false;
                     } else {
-                        phi_605_ = bool();
-                        phi_606_ = true;
+                        phi_606_ = bool();
+                        phi_607_ = true;
                     }
-                    let _e260 = phi_605_;
-                    let _e262 = phi_606_;
-                    phi_607_ = _e260;
-                    phi_608_ = _e262;
+                    let _e264 = phi_606_;
+                    let _e266 = phi_607_;
+                    phi_608_ = _e264;
+                    phi_609_ = _e266;
                 } else {
-                    phi_607_ = bool();
-                    phi_608_ = true;
+                    phi_608_ = bool();
+                    phi_609_ = true;
                 }
-                let _e264 = phi_607_;
-                let _e266 = phi_608_;
-                phi_609_ = _e264;
-                phi_610_ = _e266;
+                let _e268 = phi_608_;
+                let _e270 = phi_609_;
+                phi_610_ = _e268;
+                phi_611_ = _e270;
             } else {
-                phi_609_ = bool();
-                phi_610_ = true;
+                phi_610_ = bool();
+                phi_611_ = true;
             }
-            let _e268 = phi_609_;
-            let _e270 = phi_610_;
-            if _e270 {
-                phi_614_ = false;
+            let _e272 = phi_610_;
+            let _e274 = phi_611_;
+            if _e274 {
+                phi_615_ = false;
             } else {
-                phi_614_ = _e268;
+                phi_615_ = _e272;
             }
-            let _e272 = phi_614_;
-            if _e272 {
+            let _e276 = phi_615_;
+            if _e276 {
                 if (0f > 0f) {
-                    let _e275 = samples.member[(0u + _e64.first_primitive)].normal;
-                    let _e277 = p.member.map_size;
-                    let _e280 = p.member.projection.row_x;
-                    let _e302 = p.member.projection.row_y;
-                    let _e324 = p.member.projection.row_z;
-                    let _e351 = ((abs(((((_e280.x * _e275.x) + (_e280.y * _e275.y)) + (_e280.z * _e275.z)) / (((_e280.x * _e280.x) + (_e280.y * _e280.y)) + (_e280.z * _e280.z)))) + abs(((((_e302.x * _e275.x) + (_e302.y * _e275.y)) + (_e302.z * _e275.z)) / (((_e302.x * _e302.x) + (_e302.y * _e302.y)) + (_e302.z * _e302.z))))) / (abs(((((_e324.x * _e275.x) + (_e324.y * _e275.y)) + (_e324.z * _e275.z)) / (((_e324.x * _e324.x) + (_e324.y * _e324.y)) + (_e324.z * _e324.z)))) * f32(_e277)));
+                    let _e279 = samples.member[(0u + _e64.first_primitive)].normal;
+                    let _e281 = p.member.map_size;
+                    let _e351 = ((abs(((((_e70.row_x.x * _e279.x) + (_e70.row_x.y * _e279.y)) + (_e70.row_x.z * _e279.z)) / (((_e70.row_x.x * _e70.row_x.x) + (_e70.row_x.y * _e70.row_x.y)) + (_e70.row_x.z * _e70.row_x.z)))) + abs(((((_e70.row_y.x * _e279.x) + (_e70.row_y.y * _e279.y)) + (_e70.row_y.z * _e279.z)) / (((_e70.row_y.x * _e70.row_y.x) + (_e70.row_y.y * _e70.row_y.y)) + (_e70.row_y.z * _e70.row_y.z))))) / (abs(((((_e70.row_z.x * _e279.x) + (_e70.row_z.y * _e279.y)) + (_e70.row_z.z * _e279.z)) / (((_e70.row_z.x * _e70.row_z.x) + (_e70.row_z.y * _e70.row_z.y)) + (_e70.row_z.z * _e70.row_z.z)))) * f32(_e281)));
                     if (_e351 < 0.002f) {
-                        phi_708_ = _e351;
+                        phi_705_ = _e351;
                     } else {
-                        phi_708_ = 0.002f;
+                        phi_705_ = 0.002f;
                     }
-                    let _e354 = phi_708_;
-                    phi_711_ = (_e245 - (0f * _e354));
+                    let _e354 = phi_705_;
+                    phi_708_ = (_e249 - (0f * _e354));
                 } else {
-                    phi_711_ = _e245;
+                    phi_708_ = _e249;
                 }
-                let _e358 = phi_711_;
+                let _e358 = phi_708_;
                 let _e360 = p.member.map_size;
                 let _e361 = f32(_e360);
-                let _e364 = ((_e218 * _e361) - 0.5f);
-                let _e365 = ((_e232 * _e361) - 0.5f);
+                let _e364 = ((_e222 * _e361) - 0.5f);
+                let _e365 = ((_e236 * _e361) - 0.5f);
                 if (_e364 > -8388608f) {
                     let _e377 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
                     if (_e377 > _e364) {
-                        phi_740_ = 1f;
+                        phi_737_ = 1f;
                     } else {
-                        phi_740_ = 0f;
+                        phi_737_ = 0f;
                     }
-                    let _e380 = phi_740_;
+                    let _e380 = phi_737_;
                     if (_e364 < 8388608f) {
-                        phi_745_ = (_e377 - _e380);
-                        phi_746_ = false;
+                        phi_742_ = (_e377 - _e380);
+                        phi_743_ = false;
                     } else {
-                        phi_745_ = f32();
-                        phi_746_ = true;
+                        phi_742_ = f32();
+                        phi_743_ = true;
                     }
-                    let _e383 = phi_745_;
-                    let _e385 = phi_746_;
-                    phi_747_ = _e383;
-                    phi_748_ = _e385;
+                    let _e383 = phi_742_;
+                    let _e385 = phi_743_;
+                    phi_744_ = _e383;
+                    phi_745_ = _e385;
                 } else {
-                    phi_747_ = f32();
-                    phi_748_ = true;
+                    phi_744_ = f32();
+                    phi_745_ = true;
                 }
-                let _e387 = phi_747_;
-                let _e389 = phi_748_;
+                let _e387 = phi_744_;
+                let _e389 = phi_745_;
                 if _e389 {
-                    phi_752_ = _e364;
+                    phi_749_ = _e364;
                 } else {
-                    phi_752_ = _e387;
+                    phi_749_ = _e387;
                 }
-                let _e391 = phi_752_;
+                let _e391 = phi_749_;
                 if (_e365 > -8388608f) {
                     let _e403 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
                     if (_e403 > _e365) {
-                        phi_772_ = 1f;
+                        phi_769_ = 1f;
                     } else {
-                        phi_772_ = 0f;
+                        phi_769_ = 0f;
                     }
-                    let _e406 = phi_772_;
+                    let _e406 = phi_769_;
                     if (_e365 < 8388608f) {
-                        phi_777_ = (_e403 - _e406);
-                        phi_778_ = false;
+                        phi_774_ = (_e403 - _e406);
+                        phi_775_ = false;
                     } else {
-                        phi_777_ = f32();
-                        phi_778_ = true;
+                        phi_774_ = f32();
+                        phi_775_ = true;
                     }
-                    let _e409 = phi_777_;
-                    let _e411 = phi_778_;
-                    phi_779_ = _e409;
-                    phi_780_ = _e411;
+                    let _e409 = phi_774_;
+                    let _e411 = phi_775_;
+                    phi_776_ = _e409;
+                    phi_777_ = _e411;
                 } else {
-                    phi_779_ = f32();
-                    phi_780_ = true;
+                    phi_776_ = f32();
+                    phi_777_ = true;
                 }
-                let _e413 = phi_779_;
-                let _e415 = phi_780_;
+                let _e413 = phi_776_;
+                let _e415 = phi_777_;
                 if _e415 {
-                    phi_784_ = _e365;
+                    phi_781_ = _e365;
                 } else {
-                    phi_784_ = _e413;
+                    phi_781_ = _e413;
                 }
-                let _e417 = phi_784_;
+                let _e417 = phi_781_;
                 let _e418 = (_e364 - _e391);
                 let _e419 = (_e365 - _e417);
                 let _e428 = select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391));
@@ -727,115 +726,116 @@ fn function_() {
                 let _e448 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e447);
                 let _e450 = p.member.map_size;
                 local = lt_math_Evsm(_e448.positive_exponent, _e448.negative_exponent, _e448.min_variance);
-                let _e456 = (bitcast<i32>(_e450) - 1i);
+                let _e456 = ((0u * _e450) * _e450);
+                let _e458 = (bitcast<i32>(_e450) - 1i);
                 if (_e428 > 0i) {
-                    phi_834_ = _e428;
+                    phi_833_ = _e428;
                 } else {
-                    phi_834_ = 0i;
+                    phi_833_ = 0i;
                 }
-                let _e459 = phi_834_;
+                let _e461 = phi_833_;
                 if (_e437 > 0i) {
-                    phi_839_ = _e437;
+                    phi_838_ = _e437;
                 } else {
-                    phi_839_ = 0i;
+                    phi_838_ = 0i;
                 }
-                let _e462 = phi_839_;
-                if (_e459 < _e456) {
-                    phi_844_ = _e459;
+                let _e464 = phi_838_;
+                if (_e461 < _e458) {
+                    phi_843_ = _e461;
                 } else {
-                    phi_844_ = _e456;
+                    phi_843_ = _e458;
                 }
-                let _e465 = phi_844_;
-                if (_e462 < _e456) {
-                    phi_849_ = _e462;
+                let _e467 = phi_843_;
+                if (_e464 < _e458) {
+                    phi_848_ = _e464;
                 } else {
-                    phi_849_ = _e456;
+                    phi_848_ = _e458;
                 }
-                let _e468 = phi_849_;
-                let _e469 = bitcast<u32>(_e465);
-                let _e471 = (_e428 + 1i);
-                let _e472 = (_e437 + 1i);
-                if (_e471 > 0i) {
-                    phi_858_ = _e471;
+                let _e470 = phi_848_;
+                let _e471 = bitcast<u32>(_e467);
+                let _e473 = (_e428 + 1i);
+                let _e474 = (_e437 + 1i);
+                if (_e473 > 0i) {
+                    phi_857_ = _e473;
                 } else {
-                    phi_858_ = 0i;
+                    phi_857_ = 0i;
                 }
-                let _e475 = phi_858_;
-                if (_e472 > 0i) {
-                    phi_863_ = _e472;
+                let _e477 = phi_857_;
+                if (_e474 > 0i) {
+                    phi_862_ = _e474;
                 } else {
-                    phi_863_ = 0i;
+                    phi_862_ = 0i;
                 }
-                let _e478 = phi_863_;
-                if (_e475 < _e456) {
-                    phi_868_ = _e475;
+                let _e480 = phi_862_;
+                if (_e477 < _e458) {
+                    phi_867_ = _e477;
                 } else {
-                    phi_868_ = _e456;
+                    phi_867_ = _e458;
                 }
-                let _e481 = phi_868_;
-                if (_e478 < _e456) {
-                    phi_873_ = _e478;
+                let _e483 = phi_867_;
+                if (_e480 < _e458) {
+                    phi_872_ = _e480;
                 } else {
-                    phi_873_ = _e456;
+                    phi_872_ = _e458;
                 }
-                let _e484 = phi_873_;
-                let _e485 = bitcast<u32>(_e481);
-                let _e487 = (bitcast<u32>(_e468) * _e450);
-                let _e488 = (bitcast<u32>(_e484) * _e450);
-                let _e489 = (_e487 + _e469);
-                let _e490 = (_e487 + _e485);
-                let _e491 = (_e488 + _e469);
-                let _e492 = (_e488 + _e485);
-                if (_e489 < _e55) {
-                } else {
-                    return;
-                }
-                let _e496 = map.member[(0u + _e489)];
-                if (_e490 < _e55) {
+                let _e486 = phi_872_;
+                let _e487 = bitcast<u32>(_e483);
+                let _e489 = (bitcast<u32>(_e470) * _e450);
+                let _e490 = (bitcast<u32>(_e486) * _e450);
+                let _e495 = ((_e489 + _e471) + _e456);
+                let _e496 = ((_e489 + _e487) + _e456);
+                let _e497 = ((_e490 + _e471) + _e456);
+                let _e498 = ((_e490 + _e487) + _e456);
+                if (_e495 < _e55) {
                 } else {
                     return;
                 }
-                let _e508 = map.member[(0u + _e490)];
-                if (_e491 < _e55) {
+                let _e502 = map.member[(0u + _e495)];
+                if (_e496 < _e55) {
                 } else {
                     return;
                 }
-                let _e524 = map.member[(0u + _e491)];
-                if (_e492 < _e55) {
+                let _e514 = map.member[(0u + _e496)];
+                if (_e497 < _e55) {
                 } else {
                     return;
                 }
-                let _e540 = map.member[(0u + _e492)];
-                let _e554 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e496.x * _e440) + (_e508.x * _e442)) + (_e524.x * _e444)) + (_e540.x * _e445)), ((((_e496.y * _e440) + (_e508.y * _e442)) + (_e524.y * _e444)) + (_e540.y * _e445)), ((((_e496.z * _e440) + (_e508.z * _e442)) + (_e524.z * _e444)) + (_e540.z * _e445)), ((((_e496.w * _e440) + (_e508.w * _e442)) + (_e524.w * _e444)) + (_e540.w * _e445))), _e358);
-                phi_958_ = evaluate_Verdict(_e554, false);
-                phi_959_ = evaluate_Verdict();
-                phi_960_ = false;
+                let _e530 = map.member[(0u + _e497)];
+                if (_e498 < _e55) {
+                } else {
+                    return;
+                }
+                let _e546 = map.member[(0u + _e498)];
+                let _e560 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e502.x * _e440) + (_e514.x * _e442)) + (_e530.x * _e444)) + (_e546.x * _e445)), ((((_e502.y * _e440) + (_e514.y * _e442)) + (_e530.y * _e444)) + (_e546.y * _e445)), ((((_e502.z * _e440) + (_e514.z * _e442)) + (_e530.z * _e444)) + (_e546.z * _e445)), ((((_e502.w * _e440) + (_e514.w * _e442)) + (_e530.w * _e444)) + (_e546.w * _e445))), _e358);
+                phi_961_ = evaluate_Verdict(_e560, false);
+                phi_962_ = evaluate_Verdict();
+                phi_963_ = false;
             } else {
-                phi_958_ = evaluate_Verdict();
-                phi_959_ = evaluate_Verdict(1f, false);
-                phi_960_ = true;
+                phi_961_ = evaluate_Verdict();
+                phi_962_ = evaluate_Verdict(1f, false);
+                phi_963_ = true;
             }
-            let _e558 = phi_958_;
-            let _e560 = phi_959_;
-            let _e562 = phi_960_;
-            phi_961_ = _e560;
-            phi_962_ = _e558;
-            phi_963_ = _e562;
+            let _e564 = phi_961_;
+            let _e566 = phi_962_;
+            let _e568 = phi_963_;
+            phi_964_ = _e566;
+            phi_965_ = _e564;
+            phi_966_ = _e568;
         }
-        let _e564 = phi_961_;
-        let _e566 = phi_962_;
-        let _e568 = phi_963_;
-        if _e568 {
-            phi_967_ = _e564;
+        let _e570 = phi_964_;
+        let _e572 = phi_965_;
+        let _e574 = phi_966_;
+        if _e574 {
+            phi_970_ = _e570;
         } else {
-            phi_967_ = _e566;
+            phi_970_ = _e572;
         }
-        let _e570 = phi_967_;
+        let _e576 = phi_970_;
         if (_e64.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e64.first_primitive)] = _e570.visibility;
+        visibility.member[(0u + _e64.first_primitive)] = _e576.visibility;
     }
     return;
 }

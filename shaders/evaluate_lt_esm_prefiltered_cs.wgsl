@@ -49,13 +49,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_33 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 var<private> id_1: vec3<u32>;
@@ -70,36 +74,36 @@ var<storage, read_write> visibility: type_13;
 var<storage> map: type_29;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
-    var phi_145_: lt_bvh_traverse_Tree;
-    var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_144_: lt_bvh_traverse_Tree;
+    var phi_145_: bool;
+    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_147_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_144_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_145_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_144_ = lt_bvh_traverse_Tree();
+            phi_145_ = true;
         }
-        let _e59 = phi_143_;
-        let _e61 = phi_144_;
-        phi_145_ = _e59;
-        phi_146_ = _e61;
+        let _e59 = phi_144_;
+        let _e61 = phi_145_;
+        phi_146_ = _e59;
+        phi_147_ = _e61;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_146_ = lt_bvh_traverse_Tree();
+        phi_147_ = true;
     }
-    let _e63 = phi_145_;
-    let _e65 = phi_146_;
+    let _e63 = phi_146_;
+    let _e65 = phi_147_;
     if _e65 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_152_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e63;
+        phi_152_ = _e63;
     }
-    let _e70 = phi_151_;
+    let _e70 = phi_152_;
     return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
@@ -108,188 +112,188 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_171_: bool;
-    var phi_175_: f32;
+    var phi_172_: bool;
+    var phi_176_: f32;
 
     let _e47 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_171_ = true;
+        phi_172_ = true;
     } else {
         let _e51 = (84f < _e47);
         if _e51 {
         }
-        phi_171_ = _e51;
+        phi_172_ = _e51;
     }
-    let _e53 = phi_171_;
+    let _e53 = phi_172_;
     if _e53 {
-        phi_175_ = 84f;
+        phi_176_ = 84f;
     } else {
-        phi_175_ = _e47;
+        phi_176_ = _e47;
     }
-    let _e55 = phi_175_;
+    let _e55 = phi_176_;
     return _e55;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_194_: f32;
     var phi_195_: f32;
     var phi_196_: f32;
-    var phi_211_: f32;
-    var phi_216_: f32;
-    var phi_238_: f32;
-    var phi_243_: f32;
-    var phi_244_: bool;
-    var phi_245_: f32;
-    var phi_246_: bool;
-    var phi_250_: f32;
-    var phi_288_: f32;
-    var phi_304_: f32;
+    var phi_197_: f32;
+    var phi_212_: f32;
+    var phi_217_: f32;
+    var phi_239_: f32;
+    var phi_244_: f32;
+    var phi_245_: bool;
+    var phi_246_: f32;
+    var phi_247_: bool;
+    var phi_251_: f32;
+    var phi_289_: f32;
     var phi_305_: f32;
     var phi_306_: f32;
+    var phi_307_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_196_ = param_7;
+        phi_197_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_195_ = 0f;
+            phi_196_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_194_ = 1f;
+                phi_195_ = 1f;
             } else {
-                phi_194_ = param_7;
+                phi_195_ = param_7;
             }
-            let _e55 = phi_194_;
-            phi_195_ = _e55;
+            let _e55 = phi_195_;
+            phi_196_ = _e55;
         }
-        let _e57 = phi_195_;
-        phi_196_ = _e57;
+        let _e57 = phi_196_;
+        phi_197_ = _e57;
     }
-    let _e59 = phi_196_;
+    let _e59 = phi_197_;
     let _e61 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e63 = (_e61 * (1f - _e59));
     if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
-        phi_288_ = _e63;
+        phi_289_ = _e63;
     } else {
         if (_e63 < -87f) {
-            phi_211_ = -87f;
+            phi_212_ = -87f;
         } else {
-            phi_211_ = _e63;
+            phi_212_ = _e63;
         }
-        let _e69 = phi_211_;
+        let _e69 = phi_212_;
         if (_e69 > 88f) {
-            phi_216_ = 88f;
+            phi_217_ = 88f;
         } else {
-            phi_216_ = _e69;
+            phi_217_ = _e69;
         }
-        let _e72 = phi_216_;
+        let _e72 = phi_217_;
         let _e74 = ((_e72 * 1.442695f) + 0.5f);
         if (_e74 > -8388608f) {
             let _e86 = f32(select(0i, select(select(i32(_e74), i32(-2147483648), (_e74 < bitcast<f32>(3472883712u))), 2147483647i, (_e74 > bitcast<f32>(1325400063u))), (_e74 == _e74)));
             if (_e86 > _e74) {
-                phi_238_ = 1f;
+                phi_239_ = 1f;
             } else {
-                phi_238_ = 0f;
+                phi_239_ = 0f;
             }
-            let _e89 = phi_238_;
+            let _e89 = phi_239_;
             if (_e74 < 8388608f) {
-                phi_243_ = (_e86 - _e89);
-                phi_244_ = false;
+                phi_244_ = (_e86 - _e89);
+                phi_245_ = false;
             } else {
-                phi_243_ = f32();
-                phi_244_ = true;
+                phi_244_ = f32();
+                phi_245_ = true;
             }
-            let _e92 = phi_243_;
-            let _e94 = phi_244_;
-            phi_245_ = _e92;
-            phi_246_ = _e94;
+            let _e92 = phi_244_;
+            let _e94 = phi_245_;
+            phi_246_ = _e92;
+            phi_247_ = _e94;
         } else {
-            phi_245_ = f32();
-            phi_246_ = true;
+            phi_246_ = f32();
+            phi_247_ = true;
         }
-        let _e96 = phi_245_;
-        let _e98 = phi_246_;
+        let _e96 = phi_246_;
+        let _e98 = phi_247_;
         if _e98 {
-            phi_250_ = _e74;
+            phi_251_ = _e74;
         } else {
-            phi_250_ = _e96;
+            phi_251_ = _e96;
         }
-        let _e100 = phi_250_;
+        let _e100 = phi_251_;
         let _e104 = ((_e72 - (_e100 * 0.69314575f)) - (_e100 * 0.0000014286068f));
-        phi_288_ = ((((((((((((((((1f / 5040f) * _e104) + (1f / 720f)) * _e104) + (1f / 120f)) * _e104) + (1f / 24f)) * _e104) + (1f / 6f)) * _e104) + 0.5f) * _e104) + 1f) * _e104) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < bitcast<f32>(3472883712u))), 2147483647i, (_e100 > bitcast<f32>(1325400063u))), (_e100 == _e100)) + 127i)) << bitcast<u32>(23i))));
+        phi_289_ = ((((((((((((((((1f / 5040f) * _e104) + (1f / 720f)) * _e104) + (1f / 120f)) * _e104) + (1f / 24f)) * _e104) + (1f / 6f)) * _e104) + 0.5f) * _e104) + 1f) * _e104) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < bitcast<f32>(3472883712u))), 2147483647i, (_e100 > bitcast<f32>(1325400063u))), (_e100 == _e100)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e140 = phi_288_;
+    let _e140 = phi_289_;
     let _e141 = (param_6.x * _e140);
     if ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u) {
-        phi_306_ = _e141;
+        phi_307_ = _e141;
     } else {
         if (_e141 < 0f) {
-            phi_305_ = 0f;
+            phi_306_ = 0f;
         } else {
             if (_e141 > 1f) {
-                phi_304_ = 1f;
+                phi_305_ = 1f;
             } else {
-                phi_304_ = _e141;
+                phi_305_ = _e141;
             }
-            let _e148 = phi_304_;
-            phi_305_ = _e148;
+            let _e148 = phi_305_;
+            phi_306_ = _e148;
         }
-        let _e150 = phi_305_;
-        phi_306_ = _e150;
+        let _e150 = phi_306_;
+        phi_307_ = _e150;
     }
-    let _e152 = phi_306_;
+    let _e152 = phi_307_;
     return _e152;
 }
 
 fn function_() {
     var local: f32;
-    var phi_360_: bool;
-    var phi_361_: bool;
-    var phi_362_: bool;
-    var phi_363_: bool;
+    var phi_364_: bool;
+    var phi_365_: bool;
+    var phi_366_: bool;
     var phi_367_: bool;
-    var phi_411_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_371_: bool;
     var phi_415_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_492_: bool;
-    var phi_501_: bool;
-    var phi_510_: bool;
+    var phi_419_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_493_: bool;
+    var phi_502_: bool;
     var phi_511_: bool;
     var phi_512_: bool;
     var phi_513_: bool;
     var phi_514_: bool;
     var phi_515_: bool;
     var phi_516_: bool;
-    var phi_520_: bool;
+    var phi_517_: bool;
+    var phi_521_: bool;
+    var phi_611_: f32;
     var phi_614_: f32;
-    var phi_617_: f32;
-    var phi_646_: f32;
-    var phi_651_: f32;
-    var phi_652_: bool;
-    var phi_653_: f32;
-    var phi_654_: bool;
-    var phi_658_: f32;
-    var phi_678_: f32;
-    var phi_683_: f32;
-    var phi_684_: bool;
-    var phi_685_: f32;
-    var phi_686_: bool;
-    var phi_690_: f32;
-    var phi_736_: i32;
-    var phi_741_: i32;
-    var phi_746_: i32;
-    var phi_751_: i32;
-    var phi_760_: i32;
-    var phi_765_: i32;
-    var phi_770_: i32;
-    var phi_775_: i32;
-    var phi_866_: bool;
-    var phi_874_: bool;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_891_: f32;
-    var phi_897_: f32;
-    var phi_899_: evaluate_Verdict;
-    var phi_904_: evaluate_Verdict;
-    var phi_905_: evaluate_Verdict;
+    var phi_643_: f32;
+    var phi_648_: f32;
+    var phi_649_: bool;
+    var phi_650_: f32;
+    var phi_651_: bool;
+    var phi_655_: f32;
+    var phi_675_: f32;
+    var phi_680_: f32;
+    var phi_681_: bool;
+    var phi_682_: f32;
+    var phi_683_: bool;
+    var phi_687_: f32;
+    var phi_735_: i32;
+    var phi_740_: i32;
+    var phi_745_: i32;
+    var phi_750_: i32;
+    var phi_759_: i32;
+    var phi_764_: i32;
+    var phi_769_: i32;
+    var phi_774_: i32;
+    var phi_869_: bool;
+    var phi_877_: bool;
+    var phi_889_: bool;
+    var phi_890_: bool;
+    var phi_894_: f32;
+    var phi_900_: f32;
+    var phi_902_: evaluate_Verdict;
+    var phi_907_: evaluate_Verdict;
+    var phi_908_: evaluate_Verdict;
 
     let _e47 = id_1;
     let _e54 = arrayLength((&map.member));
@@ -297,210 +301,205 @@ fn function_() {
     let _e62 = p.member.size[1u];
     let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
     if (bitcast<i32>(_e63.root) != 0i) {
+        let _e69 = p.member.projection;
         if (_e63.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e72 = p.member.light;
-        let _e75 = samples.member[(0u + _e63.first_primitive)].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[(0u + _e63.first_primitive)].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[(0u + _e63.first_primitive)].normal[2u];
-                let _e87 = global[2u];
-                phi_360_ = (_e85 == _e87);
-                phi_361_ = false;
+        let _e73 = lt_math_OneLevel(_e69);
+        let _e75 = p.member.light;
+        let _e78 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e80 = global[0u];
+        if (_e78 == _e80) {
+            let _e83 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e85 = global[1u];
+            if (_e83 == _e85) {
+                let _e88 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e90 = global[2u];
+                phi_364_ = (_e88 == _e90);
+                phi_365_ = false;
             } else {
-                phi_360_ = bool();
-                phi_361_ = true;
+                phi_364_ = bool();
+                phi_365_ = true;
             }
-            let _e90 = phi_360_;
-            let _e92 = phi_361_;
-            phi_362_ = _e90;
-            phi_363_ = _e92;
+            let _e93 = phi_364_;
+            let _e95 = phi_365_;
+            phi_366_ = _e93;
+            phi_367_ = _e95;
         } else {
-            phi_362_ = bool();
-            phi_363_ = true;
+            phi_366_ = bool();
+            phi_367_ = true;
         }
-        let _e94 = phi_362_;
-        let _e96 = phi_363_;
-        if _e96 {
-            phi_367_ = false;
+        let _e97 = phi_366_;
+        let _e99 = phi_367_;
+        if _e99 {
+            phi_371_ = false;
         } else {
-            phi_367_ = _e94;
+            phi_371_ = _e97;
         }
-        let _e98 = phi_367_;
-        if !(_e98) {
-            let _e101 = samples.member[(0u + _e63.first_primitive)].normal;
-            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[(0u + _e63.first_primitive)].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_411_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
+        let _e101 = phi_371_;
+        if !(_e101) {
+            let _e104 = samples.member[(0u + _e63.first_primitive)].normal;
+            let _e106 = samples.member[(0u + _e63.first_primitive)].position;
+            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
+                let _e130 = samples.member[(0u + _e63.first_primitive)].flags;
+                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
+                phi_415_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
             } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_411_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
+                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
+                phi_415_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
             }
-            let _e161 = phi_411_;
-            phi_415_ = _e161;
+            let _e164 = phi_415_;
+            phi_419_ = _e164;
         } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_415_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+            phi_419_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
         }
-        let _e178 = phi_415_;
-        if _e178.unnamed_1 {
-            phi_905_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
+        let _e181 = phi_419_;
+        if _e181.unnamed_1 {
+            phi_908_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
         } else {
-            let _e186 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e192 = p.member.projection.row_w;
-            let _e203 = ((((_e192.x * _e186.x) + (_e192.y * _e186.y)) + (_e192.z * _e186.z)) + (_e192.w * 1f));
-            let _e205 = p.member.projection.row_x;
-            let _e217 = (((((_e205.x * _e186.x) + (_e205.y * _e186.y)) + (_e205.z * _e186.z)) + (_e205.w * 1f)) / _e203);
-            let _e219 = p.member.projection.row_y;
-            let _e231 = (((((_e219.x * _e186.x) + (_e219.y * _e186.y)) + (_e219.z * _e186.z)) + (_e219.w * 1f)) / _e203);
-            let _e233 = p.member.projection.row_z;
-            let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
-            if (_e203 > 0f) {
-                if (_e217 >= 0f) {
-                    phi_492_ = (_e217 <= 1f);
+            let _e189 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e207 = ((((_e73.projection.row_w.x * _e189.x) + (_e73.projection.row_w.y * _e189.y)) + (_e73.projection.row_w.z * _e189.z)) + (_e73.projection.row_w.w * 1f));
+            let _e221 = (((((_e73.projection.row_x.x * _e189.x) + (_e73.projection.row_x.y * _e189.y)) + (_e73.projection.row_x.z * _e189.z)) + (_e73.projection.row_x.w * 1f)) / _e207);
+            let _e235 = (((((_e73.projection.row_y.x * _e189.x) + (_e73.projection.row_y.y * _e189.y)) + (_e73.projection.row_y.z * _e189.z)) + (_e73.projection.row_y.w * 1f)) / _e207);
+            let _e248 = ((((_e73.projection.row_z.x * _e189.x) + (_e73.projection.row_z.y * _e189.y)) + (_e73.projection.row_z.z * _e189.z)) + (_e73.projection.row_z.w * 1f));
+            if (_e207 > 0f) {
+                if (_e221 >= 0f) {
+                    phi_493_ = (_e221 <= 1f);
                 } else {
-                    phi_492_ = false;
+                    phi_493_ = false;
                 }
-                let _e249 = phi_492_;
-                if _e249 {
-                    if (_e231 >= 0f) {
-                        phi_501_ = (_e231 <= 1f);
+                let _e253 = phi_493_;
+                if _e253 {
+                    if (_e235 >= 0f) {
+                        phi_502_ = (_e235 <= 1f);
                     } else {
-                        phi_501_ = false;
+                        phi_502_ = false;
                     }
-                    let _e253 = phi_501_;
-                    if _e253 {
-                        if (_e244 >= 0f) {
-                            phi_510_ = (_e244 <= 1f);
+                    let _e257 = phi_502_;
+                    if _e257 {
+                        if (_e248 >= 0f) {
+                            phi_511_ = (_e248 <= 1f);
                         } else {
-                            phi_510_ = false;
+                            phi_511_ = false;
                         }
-                        let _e257 = phi_510_;
-                        phi_511_ = _e257;
-                        phi_512_ = false;
+                        let _e261 = phi_511_;
+                        phi_512_ = _e261;
+                        phi_513_ = false;
                     } else {
-                        phi_511_ = bool();
-                        phi_512_ = true;
+                        phi_512_ = bool();
+                        phi_513_ = true;
                     }
-                    let _e259 = phi_511_;
-                    let _e261 = phi_512_;
-                    phi_513_ = _e259;
-                    phi_514_ = _e261;
+                    let _e263 = phi_512_;
+                    let _e265 = phi_513_;
+                    phi_514_ = _e263;
+                    phi_515_ = _e265;
                 } else {
-                    phi_513_ = bool();
-                    phi_514_ = true;
+                    phi_514_ = bool();
+                    phi_515_ = true;
                 }
-                let _e263 = phi_513_;
-                let _e265 = phi_514_;
-                phi_515_ = _e263;
-                phi_516_ = _e265;
+                let _e267 = phi_514_;
+                let _e269 = phi_515_;
+                phi_516_ = _e267;
+                phi_517_ = _e269;
             } else {
-                phi_515_ = bool();
-                phi_516_ = true;
+                phi_516_ = bool();
+                phi_517_ = true;
             }
-            let _e267 = phi_515_;
-            let _e269 = phi_516_;
-            if _e269 {
-                phi_520_ = false;
+            let _e271 = phi_516_;
+            let _e273 = phi_517_;
+            if _e273 {
+                phi_521_ = false;
             } else {
-                phi_520_ = _e267;
+                phi_521_ = _e271;
             }
-            let _e271 = phi_520_;
-            if _e271 {
+            let _e275 = phi_521_;
+            if _e275 {
                 if (0f > 0f) {
-                    let _e274 = samples.member[(0u + _e63.first_primitive)].normal;
-                    let _e276 = p.member.map_size;
-                    let _e279 = p.member.projection.row_x;
-                    let _e301 = p.member.projection.row_y;
-                    let _e323 = p.member.projection.row_z;
-                    let _e350 = ((abs(((((_e279.x * _e274.x) + (_e279.y * _e274.y)) + (_e279.z * _e274.z)) / (((_e279.x * _e279.x) + (_e279.y * _e279.y)) + (_e279.z * _e279.z)))) + abs(((((_e301.x * _e274.x) + (_e301.y * _e274.y)) + (_e301.z * _e274.z)) / (((_e301.x * _e301.x) + (_e301.y * _e301.y)) + (_e301.z * _e301.z))))) / (abs(((((_e323.x * _e274.x) + (_e323.y * _e274.y)) + (_e323.z * _e274.z)) / (((_e323.x * _e323.x) + (_e323.y * _e323.y)) + (_e323.z * _e323.z)))) * f32(_e276)));
+                    let _e278 = samples.member[(0u + _e63.first_primitive)].normal;
+                    let _e280 = p.member.map_size;
+                    let _e350 = ((abs(((((_e69.row_x.x * _e278.x) + (_e69.row_x.y * _e278.y)) + (_e69.row_x.z * _e278.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e278.x) + (_e69.row_y.y * _e278.y)) + (_e69.row_y.z * _e278.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e278.x) + (_e69.row_z.y * _e278.y)) + (_e69.row_z.z * _e278.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e280)));
                     if (_e350 < 0.002f) {
-                        phi_614_ = _e350;
+                        phi_611_ = _e350;
                     } else {
-                        phi_614_ = 0.002f;
+                        phi_611_ = 0.002f;
                     }
-                    let _e353 = phi_614_;
-                    phi_617_ = (_e244 - (0f * _e353));
+                    let _e353 = phi_611_;
+                    phi_614_ = (_e248 - (0f * _e353));
                 } else {
-                    phi_617_ = _e244;
+                    phi_614_ = _e248;
                 }
-                let _e357 = phi_617_;
+                let _e357 = phi_614_;
                 let _e359 = p.member.map_size;
                 let _e360 = f32(_e359);
-                let _e363 = ((_e217 * _e360) - 0.5f);
-                let _e364 = ((_e231 * _e360) - 0.5f);
+                let _e363 = ((_e221 * _e360) - 0.5f);
+                let _e364 = ((_e235 * _e360) - 0.5f);
                 if (_e363 > -8388608f) {
                     let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
                     if (_e376 > _e363) {
-                        phi_646_ = 1f;
+                        phi_643_ = 1f;
                     } else {
-                        phi_646_ = 0f;
+                        phi_643_ = 0f;
                     }
-                    let _e379 = phi_646_;
+                    let _e379 = phi_643_;
                     if (_e363 < 8388608f) {
-                        phi_651_ = (_e376 - _e379);
-                        phi_652_ = false;
+                        phi_648_ = (_e376 - _e379);
+                        phi_649_ = false;
                     } else {
-                        phi_651_ = f32();
-                        phi_652_ = true;
+                        phi_648_ = f32();
+                        phi_649_ = true;
                     }
-                    let _e382 = phi_651_;
-                    let _e384 = phi_652_;
-                    phi_653_ = _e382;
-                    phi_654_ = _e384;
+                    let _e382 = phi_648_;
+                    let _e384 = phi_649_;
+                    phi_650_ = _e382;
+                    phi_651_ = _e384;
                 } else {
-                    phi_653_ = f32();
-                    phi_654_ = true;
+                    phi_650_ = f32();
+                    phi_651_ = true;
                 }
-                let _e386 = phi_653_;
-                let _e388 = phi_654_;
+                let _e386 = phi_650_;
+                let _e388 = phi_651_;
                 if _e388 {
-                    phi_658_ = _e363;
+                    phi_655_ = _e363;
                 } else {
-                    phi_658_ = _e386;
+                    phi_655_ = _e386;
                 }
-                let _e390 = phi_658_;
+                let _e390 = phi_655_;
                 if (_e364 > -8388608f) {
                     let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
                     if (_e402 > _e364) {
-                        phi_678_ = 1f;
+                        phi_675_ = 1f;
                     } else {
-                        phi_678_ = 0f;
+                        phi_675_ = 0f;
                     }
-                    let _e405 = phi_678_;
+                    let _e405 = phi_675_;
                     if (_e364 < 8388608f) {
-                        phi_683_ = (_e402 - _e405);
-                        phi_684_ = false;
+                        phi_680_ = (_e402 - _e405);
+                        phi_681_ = false;
                     } else {
-                        phi_683_ = f32();
-                        phi_684_ = true;
+                        phi_680_ = f32();
+                        phi_681_ = true;
                     }
-                    let _e408 = phi_683_;
-                    let _e410 = phi_684_;
-                    phi_685_ = _e408;
-                    phi_686_ = _e410;
+                    let _e408 = phi_680_;
+                    let _e410 = phi_681_;
+                    phi_682_ = _e408;
+                    phi_683_ = _e410;
                 } else {
-                    phi_685_ = f32();
-                    phi_686_ = true;
+                    phi_682_ = f32();
+                    phi_683_ = true;
                 }
-                let _e412 = phi_685_;
-                let _e414 = phi_686_;
+                let _e412 = phi_682_;
+                let _e414 = phi_683_;
                 if _e414 {
-                    phi_690_ = _e364;
+                    phi_687_ = _e364;
                 } else {
-                    phi_690_ = _e412;
+                    phi_687_ = _e412;
                 }
-                let _e416 = phi_690_;
+                let _e416 = phi_687_;
                 let _e417 = (_e363 - _e390);
                 let _e418 = (_e364 - _e416);
                 let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
@@ -513,142 +512,143 @@ fn function_() {
                 let _e447 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e446);
                 let _e449 = p.member.map_size;
                 local = _e447;
-                let _e451 = (bitcast<i32>(_e449) - 1i);
+                let _e451 = ((0u * _e449) * _e449);
+                let _e453 = (bitcast<i32>(_e449) - 1i);
                 if (_e427 > 0i) {
-                    phi_736_ = _e427;
+                    phi_735_ = _e427;
                 } else {
-                    phi_736_ = 0i;
+                    phi_735_ = 0i;
                 }
-                let _e454 = phi_736_;
+                let _e456 = phi_735_;
                 if (_e436 > 0i) {
-                    phi_741_ = _e436;
+                    phi_740_ = _e436;
                 } else {
-                    phi_741_ = 0i;
+                    phi_740_ = 0i;
                 }
-                let _e457 = phi_741_;
-                if (_e454 < _e451) {
-                    phi_746_ = _e454;
+                let _e459 = phi_740_;
+                if (_e456 < _e453) {
+                    phi_745_ = _e456;
                 } else {
-                    phi_746_ = _e451;
+                    phi_745_ = _e453;
                 }
-                let _e460 = phi_746_;
-                if (_e457 < _e451) {
-                    phi_751_ = _e457;
+                let _e462 = phi_745_;
+                if (_e459 < _e453) {
+                    phi_750_ = _e459;
                 } else {
-                    phi_751_ = _e451;
+                    phi_750_ = _e453;
                 }
-                let _e463 = phi_751_;
-                let _e464 = bitcast<u32>(_e460);
-                let _e466 = (_e427 + 1i);
-                let _e467 = (_e436 + 1i);
-                if (_e466 > 0i) {
-                    phi_760_ = _e466;
+                let _e465 = phi_750_;
+                let _e466 = bitcast<u32>(_e462);
+                let _e468 = (_e427 + 1i);
+                let _e469 = (_e436 + 1i);
+                if (_e468 > 0i) {
+                    phi_759_ = _e468;
                 } else {
-                    phi_760_ = 0i;
+                    phi_759_ = 0i;
                 }
-                let _e470 = phi_760_;
-                if (_e467 > 0i) {
-                    phi_765_ = _e467;
+                let _e472 = phi_759_;
+                if (_e469 > 0i) {
+                    phi_764_ = _e469;
                 } else {
-                    phi_765_ = 0i;
+                    phi_764_ = 0i;
                 }
-                let _e473 = phi_765_;
-                if (_e470 < _e451) {
-                    phi_770_ = _e470;
+                let _e475 = phi_764_;
+                if (_e472 < _e453) {
+                    phi_769_ = _e472;
                 } else {
-                    phi_770_ = _e451;
+                    phi_769_ = _e453;
                 }
-                let _e476 = phi_770_;
-                if (_e473 < _e451) {
-                    phi_775_ = _e473;
+                let _e478 = phi_769_;
+                if (_e475 < _e453) {
+                    phi_774_ = _e475;
                 } else {
-                    phi_775_ = _e451;
+                    phi_774_ = _e453;
                 }
-                let _e479 = phi_775_;
-                let _e480 = bitcast<u32>(_e476);
-                let _e482 = (bitcast<u32>(_e463) * _e449);
-                let _e483 = (bitcast<u32>(_e479) * _e449);
-                let _e484 = (_e482 + _e464);
-                let _e485 = (_e482 + _e480);
-                let _e486 = (_e483 + _e464);
-                let _e487 = (_e483 + _e480);
-                if (_e484 < _e54) {
-                } else {
-                    return;
-                }
-                let _e491 = map.member[(0u + _e484)];
-                if (_e485 < _e54) {
+                let _e481 = phi_774_;
+                let _e482 = bitcast<u32>(_e478);
+                let _e484 = (bitcast<u32>(_e465) * _e449);
+                let _e485 = (bitcast<u32>(_e481) * _e449);
+                let _e490 = ((_e484 + _e466) + _e451);
+                let _e491 = ((_e484 + _e482) + _e451);
+                let _e492 = ((_e485 + _e466) + _e451);
+                let _e493 = ((_e485 + _e482) + _e451);
+                if (_e490 < _e54) {
                 } else {
                     return;
                 }
-                let _e503 = map.member[(0u + _e485)];
-                if (_e486 < _e54) {
+                let _e497 = map.member[(0u + _e490)];
+                if (_e491 < _e54) {
                 } else {
                     return;
                 }
-                let _e519 = map.member[(0u + _e486)];
-                if (_e487 < _e54) {
+                let _e509 = map.member[(0u + _e491)];
+                if (_e492 < _e54) {
                 } else {
                     return;
                 }
-                let _e535 = map.member[(0u + _e487)];
-                let _e549 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e491.x * _e439) + (_e503.x * _e441)) + (_e519.x * _e443)) + (_e535.x * _e444)), ((((_e491.y * _e439) + (_e503.y * _e441)) + (_e519.y * _e443)) + (_e535.y * _e444)), ((((_e491.z * _e439) + (_e503.z * _e441)) + (_e519.z * _e443)) + (_e535.z * _e444)), ((((_e491.w * _e439) + (_e503.w * _e441)) + (_e519.w * _e443)) + (_e535.w * _e444))), _e357);
-                let _e551 = p.member.epsilon;
-                if (_e549 <= _e551) {
-                    phi_866_ = true;
+                let _e525 = map.member[(0u + _e492)];
+                if (_e493 < _e54) {
                 } else {
-                    phi_866_ = (_e549 >= (1f - _e551));
+                    return;
                 }
-                let _e556 = phi_866_;
-                if ((bitcast<u32>(_e549) & 2147483647u) > 2139095040u) {
-                    phi_874_ = true;
+                let _e541 = map.member[(0u + _e493)];
+                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e497.x * _e439) + (_e509.x * _e441)) + (_e525.x * _e443)) + (_e541.x * _e444)), ((((_e497.y * _e439) + (_e509.y * _e441)) + (_e525.y * _e443)) + (_e541.y * _e444)), ((((_e497.z * _e439) + (_e509.z * _e441)) + (_e525.z * _e443)) + (_e541.z * _e444)), ((((_e497.w * _e439) + (_e509.w * _e441)) + (_e525.w * _e443)) + (_e541.w * _e444))), _e357);
+                let _e557 = p.member.epsilon;
+                if (_e555 <= _e557) {
+                    phi_869_ = true;
                 } else {
-                    phi_874_ = !(_e556);
+                    phi_869_ = (_e555 >= (1f - _e557));
                 }
-                let _e562 = phi_874_;
-                if _e562 {
-                    if (_e549 > 0f) {
-                        if (_e549 < 1f) {
-                            phi_886_ = false;
+                let _e562 = phi_869_;
+                if ((bitcast<u32>(_e555) & 2147483647u) > 2139095040u) {
+                    phi_877_ = true;
+                } else {
+                    phi_877_ = !(_e562);
+                }
+                let _e568 = phi_877_;
+                if _e568 {
+                    if (_e555 > 0f) {
+                        if (_e555 < 1f) {
+                            phi_889_ = false;
                         } else {
-                            phi_886_ = true;
+                            phi_889_ = true;
                         }
-                        let _e566 = phi_886_;
-                        phi_887_ = _e566;
+                        let _e572 = phi_889_;
+                        phi_890_ = _e572;
                     } else {
-                        phi_887_ = true;
+                        phi_890_ = true;
                     }
-                    let _e568 = phi_887_;
-                    if _e568 {
-                        phi_891_ = 0.5f;
+                    let _e574 = phi_890_;
+                    if _e574 {
+                        phi_894_ = 0.5f;
                     } else {
-                        phi_891_ = _e549;
+                        phi_894_ = _e555;
                     }
-                    let _e570 = phi_891_;
-                    phi_899_ = evaluate_Verdict(_e570, true);
+                    let _e576 = phi_894_;
+                    phi_902_ = evaluate_Verdict(_e576, true);
                 } else {
-                    if (_e549 > 0.5f) {
-                        phi_897_ = 1f;
+                    if (_e555 > 0.5f) {
+                        phi_900_ = 1f;
                     } else {
-                        phi_897_ = 0f;
+                        phi_900_ = 0f;
                     }
-                    let _e574 = phi_897_;
-                    phi_899_ = evaluate_Verdict(_e574, false);
+                    let _e580 = phi_900_;
+                    phi_902_ = evaluate_Verdict(_e580, false);
                 }
-                let _e577 = phi_899_;
-                phi_904_ = evaluate_Verdict(_e577.visibility, _e577.is_doubted);
+                let _e583 = phi_902_;
+                phi_907_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
             } else {
-                phi_904_ = evaluate_Verdict(0.5f, true);
+                phi_907_ = evaluate_Verdict(0.5f, true);
             }
-            let _e583 = phi_904_;
-            phi_905_ = _e583;
+            let _e589 = phi_907_;
+            phi_908_ = _e589;
         }
-        let _e585 = phi_905_;
+        let _e591 = phi_908_;
         if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.first_primitive)] = _e585.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e591.visibility;
     }
     return;
 }

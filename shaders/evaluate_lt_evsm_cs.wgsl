@@ -45,9 +45,9 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_28 {
@@ -58,6 +58,10 @@ struct lt_math_Evsm {
     positive_exponent: f32,
     negative_exponent: f32,
     min_variance: f32,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 var<private> id_1: vec3<u32>;
@@ -72,36 +76,36 @@ var<storage> map: type_13;
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_144_: lt_bvh_traverse_Tree;
-    var phi_145_: bool;
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_145_: lt_bvh_traverse_Tree;
+    var phi_146_: bool;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_153_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_144_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_145_ = false;
+            phi_145_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_146_ = false;
         } else {
-            phi_144_ = lt_bvh_traverse_Tree();
-            phi_145_ = true;
+            phi_145_ = lt_bvh_traverse_Tree();
+            phi_146_ = true;
         }
-        let _e60 = phi_144_;
-        let _e62 = phi_145_;
-        phi_146_ = _e60;
-        phi_147_ = _e62;
+        let _e60 = phi_145_;
+        let _e62 = phi_146_;
+        phi_147_ = _e60;
+        phi_148_ = _e62;
     } else {
-        phi_146_ = lt_bvh_traverse_Tree();
-        phi_147_ = true;
+        phi_147_ = lt_bvh_traverse_Tree();
+        phi_148_ = true;
     }
-    let _e64 = phi_146_;
-    let _e66 = phi_147_;
+    let _e64 = phi_147_;
+    let _e66 = phi_148_;
     if _e66 {
-        phi_152_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_153_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_152_ = _e64;
+        phi_153_ = _e64;
     }
-    let _e71 = phi_152_;
+    let _e71 = phi_153_;
     return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
@@ -110,320 +114,320 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, param_5: vec4<f32>, param_6: vec4<f32>) -> f32 {
-    var phi_332_: bool;
-    var phi_336_: f32;
-    var phi_355_: f32;
-    var phi_360_: f32;
-    var phi_382_: f32;
-    var phi_387_: f32;
-    var phi_388_: bool;
-    var phi_389_: f32;
-    var phi_390_: bool;
-    var phi_394_: f32;
-    var phi_432_: f32;
-    var phi_443_: f32;
-    var phi_448_: f32;
-    var phi_470_: f32;
-    var phi_475_: f32;
-    var phi_476_: bool;
-    var phi_477_: f32;
-    var phi_478_: bool;
-    var phi_482_: f32;
-    var phi_520_: f32;
-    var phi_531_: f32;
-    var phi_536_: f32;
-    var phi_558_: f32;
-    var phi_563_: f32;
-    var phi_564_: bool;
-    var phi_565_: f32;
-    var phi_566_: bool;
-    var phi_570_: f32;
-    var phi_608_: f32;
-    var phi_619_: f32;
-    var phi_624_: f32;
-    var phi_646_: f32;
-    var phi_651_: f32;
-    var phi_652_: bool;
-    var phi_653_: f32;
-    var phi_654_: bool;
-    var phi_658_: f32;
-    var phi_696_: f32;
-    var phi_749_: bool;
-    var phi_753_: f32;
-    var phi_765_: bool;
-    var phi_772_: f32;
-    var phi_785_: bool;
-    var phi_789_: f32;
-    var phi_809_: f32;
-    var phi_814_: f32;
-    var phi_836_: f32;
-    var phi_841_: f32;
-    var phi_842_: bool;
-    var phi_843_: f32;
-    var phi_844_: bool;
-    var phi_848_: f32;
-    var phi_886_: f32;
-    var phi_897_: f32;
-    var phi_902_: f32;
-    var phi_924_: f32;
-    var phi_929_: f32;
-    var phi_930_: bool;
-    var phi_931_: f32;
-    var phi_932_: bool;
-    var phi_936_: f32;
-    var phi_974_: f32;
-    var phi_985_: f32;
-    var phi_990_: f32;
-    var phi_1012_: f32;
-    var phi_1017_: f32;
-    var phi_1018_: bool;
-    var phi_1019_: f32;
-    var phi_1020_: bool;
-    var phi_1024_: f32;
-    var phi_1062_: f32;
-    var phi_1073_: f32;
-    var phi_1078_: f32;
-    var phi_1100_: f32;
-    var phi_1105_: f32;
-    var phi_1106_: bool;
-    var phi_1107_: f32;
-    var phi_1108_: bool;
-    var phi_1112_: f32;
-    var phi_1150_: f32;
-    var phi_1203_: bool;
-    var phi_1207_: f32;
-    var phi_1219_: bool;
-    var phi_1226_: f32;
-    var phi_1237_: bool;
-    var phi_1241_: f32;
-    var phi_1256_: f32;
+    var phi_333_: bool;
+    var phi_337_: f32;
+    var phi_356_: f32;
+    var phi_361_: f32;
+    var phi_383_: f32;
+    var phi_388_: f32;
+    var phi_389_: bool;
+    var phi_390_: f32;
+    var phi_391_: bool;
+    var phi_395_: f32;
+    var phi_433_: f32;
+    var phi_444_: f32;
+    var phi_449_: f32;
+    var phi_471_: f32;
+    var phi_476_: f32;
+    var phi_477_: bool;
+    var phi_478_: f32;
+    var phi_479_: bool;
+    var phi_483_: f32;
+    var phi_521_: f32;
+    var phi_532_: f32;
+    var phi_537_: f32;
+    var phi_559_: f32;
+    var phi_564_: f32;
+    var phi_565_: bool;
+    var phi_566_: f32;
+    var phi_567_: bool;
+    var phi_571_: f32;
+    var phi_609_: f32;
+    var phi_620_: f32;
+    var phi_625_: f32;
+    var phi_647_: f32;
+    var phi_652_: f32;
+    var phi_653_: bool;
+    var phi_654_: f32;
+    var phi_655_: bool;
+    var phi_659_: f32;
+    var phi_697_: f32;
+    var phi_750_: bool;
+    var phi_754_: f32;
+    var phi_766_: bool;
+    var phi_773_: f32;
+    var phi_786_: bool;
+    var phi_790_: f32;
+    var phi_810_: f32;
+    var phi_815_: f32;
+    var phi_837_: f32;
+    var phi_842_: f32;
+    var phi_843_: bool;
+    var phi_844_: f32;
+    var phi_845_: bool;
+    var phi_849_: f32;
+    var phi_887_: f32;
+    var phi_898_: f32;
+    var phi_903_: f32;
+    var phi_925_: f32;
+    var phi_930_: f32;
+    var phi_931_: bool;
+    var phi_932_: f32;
+    var phi_933_: bool;
+    var phi_937_: f32;
+    var phi_975_: f32;
+    var phi_986_: f32;
+    var phi_991_: f32;
+    var phi_1013_: f32;
+    var phi_1018_: f32;
+    var phi_1019_: bool;
+    var phi_1020_: f32;
+    var phi_1021_: bool;
+    var phi_1025_: f32;
+    var phi_1063_: f32;
+    var phi_1074_: f32;
+    var phi_1079_: f32;
+    var phi_1101_: f32;
+    var phi_1106_: f32;
+    var phi_1107_: bool;
+    var phi_1108_: f32;
+    var phi_1109_: bool;
+    var phi_1113_: f32;
+    var phi_1151_: f32;
+    var phi_1204_: bool;
+    var phi_1208_: f32;
+    var phi_1220_: bool;
+    var phi_1227_: f32;
+    var phi_1238_: bool;
+    var phi_1242_: f32;
     var phi_1257_: f32;
     var phi_1258_: f32;
+    var phi_1259_: f32;
 
     let _e51 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_332_ = true;
+        phi_333_ = true;
     } else {
         let _e55 = (42f < _e51);
         if _e55 {
         }
-        phi_332_ = _e55;
+        phi_333_ = _e55;
     }
-    let _e57 = phi_332_;
+    let _e57 = phi_333_;
     if _e57 {
-        phi_336_ = 42f;
+        phi_337_ = 42f;
     } else {
-        phi_336_ = _e51;
+        phi_337_ = _e51;
     }
-    let _e59 = phi_336_;
+    let _e59 = phi_337_;
     let _e61 = (_e59 * param_5.x);
     let _e63 = (_e59 * param_5.y);
     let _e65 = (_e59 * param_5.z);
     let _e67 = (_e59 * param_5.w);
     if ((bitcast<u32>(_e61) & 2147483647u) > 2139095040u) {
-        phi_432_ = _e61;
+        phi_433_ = _e61;
     } else {
         if (_e61 < -87f) {
-            phi_355_ = -87f;
+            phi_356_ = -87f;
         } else {
-            phi_355_ = _e61;
+            phi_356_ = _e61;
         }
-        let _e73 = phi_355_;
+        let _e73 = phi_356_;
         if (_e73 > 88f) {
-            phi_360_ = 88f;
+            phi_361_ = 88f;
         } else {
-            phi_360_ = _e73;
+            phi_361_ = _e73;
         }
-        let _e76 = phi_360_;
+        let _e76 = phi_361_;
         let _e78 = ((_e76 * 1.442695f) + 0.5f);
         if (_e78 > -8388608f) {
             let _e90 = f32(select(0i, select(select(i32(_e78), i32(-2147483648), (_e78 < bitcast<f32>(3472883712u))), 2147483647i, (_e78 > bitcast<f32>(1325400063u))), (_e78 == _e78)));
             if (_e90 > _e78) {
-                phi_382_ = 1f;
+                phi_383_ = 1f;
             } else {
-                phi_382_ = 0f;
+                phi_383_ = 0f;
             }
-            let _e93 = phi_382_;
+            let _e93 = phi_383_;
             if (_e78 < 8388608f) {
-                phi_387_ = (_e90 - _e93);
-                phi_388_ = false;
+                phi_388_ = (_e90 - _e93);
+                phi_389_ = false;
             } else {
-                phi_387_ = f32();
-                phi_388_ = true;
+                phi_388_ = f32();
+                phi_389_ = true;
             }
-            let _e96 = phi_387_;
-            let _e98 = phi_388_;
-            phi_389_ = _e96;
-            phi_390_ = _e98;
+            let _e96 = phi_388_;
+            let _e98 = phi_389_;
+            phi_390_ = _e96;
+            phi_391_ = _e98;
         } else {
-            phi_389_ = f32();
-            phi_390_ = true;
+            phi_390_ = f32();
+            phi_391_ = true;
         }
-        let _e100 = phi_389_;
-        let _e102 = phi_390_;
+        let _e100 = phi_390_;
+        let _e102 = phi_391_;
         if _e102 {
-            phi_394_ = _e78;
+            phi_395_ = _e78;
         } else {
-            phi_394_ = _e100;
+            phi_395_ = _e100;
         }
-        let _e104 = phi_394_;
+        let _e104 = phi_395_;
         let _e108 = ((_e76 - (_e104 * 0.69314575f)) - (_e104 * 0.0000014286068f));
-        phi_432_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
+        phi_433_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e144 = phi_432_;
+    let _e144 = phi_433_;
     if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
-        phi_520_ = _e63;
+        phi_521_ = _e63;
     } else {
         if (_e63 < -87f) {
-            phi_443_ = -87f;
+            phi_444_ = -87f;
         } else {
-            phi_443_ = _e63;
+            phi_444_ = _e63;
         }
-        let _e150 = phi_443_;
+        let _e150 = phi_444_;
         if (_e150 > 88f) {
-            phi_448_ = 88f;
+            phi_449_ = 88f;
         } else {
-            phi_448_ = _e150;
+            phi_449_ = _e150;
         }
-        let _e153 = phi_448_;
+        let _e153 = phi_449_;
         let _e155 = ((_e153 * 1.442695f) + 0.5f);
         if (_e155 > -8388608f) {
             let _e167 = f32(select(0i, select(select(i32(_e155), i32(-2147483648), (_e155 < bitcast<f32>(3472883712u))), 2147483647i, (_e155 > bitcast<f32>(1325400063u))), (_e155 == _e155)));
             if (_e167 > _e155) {
-                phi_470_ = 1f;
+                phi_471_ = 1f;
             } else {
-                phi_470_ = 0f;
+                phi_471_ = 0f;
             }
-            let _e170 = phi_470_;
+            let _e170 = phi_471_;
             if (_e155 < 8388608f) {
-                phi_475_ = (_e167 - _e170);
-                phi_476_ = false;
+                phi_476_ = (_e167 - _e170);
+                phi_477_ = false;
             } else {
-                phi_475_ = f32();
-                phi_476_ = true;
+                phi_476_ = f32();
+                phi_477_ = true;
             }
-            let _e173 = phi_475_;
-            let _e175 = phi_476_;
-            phi_477_ = _e173;
-            phi_478_ = _e175;
+            let _e173 = phi_476_;
+            let _e175 = phi_477_;
+            phi_478_ = _e173;
+            phi_479_ = _e175;
         } else {
-            phi_477_ = f32();
-            phi_478_ = true;
+            phi_478_ = f32();
+            phi_479_ = true;
         }
-        let _e177 = phi_477_;
-        let _e179 = phi_478_;
+        let _e177 = phi_478_;
+        let _e179 = phi_479_;
         if _e179 {
-            phi_482_ = _e155;
+            phi_483_ = _e155;
         } else {
-            phi_482_ = _e177;
+            phi_483_ = _e177;
         }
-        let _e181 = phi_482_;
+        let _e181 = phi_483_;
         let _e185 = ((_e153 - (_e181 * 0.69314575f)) - (_e181 * 0.0000014286068f));
-        phi_520_ = ((((((((((((((((1f / 5040f) * _e185) + (1f / 720f)) * _e185) + (1f / 120f)) * _e185) + (1f / 24f)) * _e185) + (1f / 6f)) * _e185) + 0.5f) * _e185) + 1f) * _e185) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e181), i32(-2147483648), (_e181 < bitcast<f32>(3472883712u))), 2147483647i, (_e181 > bitcast<f32>(1325400063u))), (_e181 == _e181)) + 127i)) << bitcast<u32>(23i))));
+        phi_521_ = ((((((((((((((((1f / 5040f) * _e185) + (1f / 720f)) * _e185) + (1f / 120f)) * _e185) + (1f / 24f)) * _e185) + (1f / 6f)) * _e185) + 0.5f) * _e185) + 1f) * _e185) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e181), i32(-2147483648), (_e181 < bitcast<f32>(3472883712u))), 2147483647i, (_e181 > bitcast<f32>(1325400063u))), (_e181 == _e181)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e221 = phi_520_;
+    let _e221 = phi_521_;
     if ((bitcast<u32>(_e65) & 2147483647u) > 2139095040u) {
-        phi_608_ = _e65;
+        phi_609_ = _e65;
     } else {
         if (_e65 < -87f) {
-            phi_531_ = -87f;
+            phi_532_ = -87f;
         } else {
-            phi_531_ = _e65;
+            phi_532_ = _e65;
         }
-        let _e227 = phi_531_;
+        let _e227 = phi_532_;
         if (_e227 > 88f) {
-            phi_536_ = 88f;
+            phi_537_ = 88f;
         } else {
-            phi_536_ = _e227;
+            phi_537_ = _e227;
         }
-        let _e230 = phi_536_;
+        let _e230 = phi_537_;
         let _e232 = ((_e230 * 1.442695f) + 0.5f);
         if (_e232 > -8388608f) {
             let _e244 = f32(select(0i, select(select(i32(_e232), i32(-2147483648), (_e232 < bitcast<f32>(3472883712u))), 2147483647i, (_e232 > bitcast<f32>(1325400063u))), (_e232 == _e232)));
             if (_e244 > _e232) {
-                phi_558_ = 1f;
+                phi_559_ = 1f;
             } else {
-                phi_558_ = 0f;
+                phi_559_ = 0f;
             }
-            let _e247 = phi_558_;
+            let _e247 = phi_559_;
             if (_e232 < 8388608f) {
-                phi_563_ = (_e244 - _e247);
-                phi_564_ = false;
+                phi_564_ = (_e244 - _e247);
+                phi_565_ = false;
             } else {
-                phi_563_ = f32();
-                phi_564_ = true;
+                phi_564_ = f32();
+                phi_565_ = true;
             }
-            let _e250 = phi_563_;
-            let _e252 = phi_564_;
-            phi_565_ = _e250;
-            phi_566_ = _e252;
+            let _e250 = phi_564_;
+            let _e252 = phi_565_;
+            phi_566_ = _e250;
+            phi_567_ = _e252;
         } else {
-            phi_565_ = f32();
-            phi_566_ = true;
+            phi_566_ = f32();
+            phi_567_ = true;
         }
-        let _e254 = phi_565_;
-        let _e256 = phi_566_;
+        let _e254 = phi_566_;
+        let _e256 = phi_567_;
         if _e256 {
-            phi_570_ = _e232;
+            phi_571_ = _e232;
         } else {
-            phi_570_ = _e254;
+            phi_571_ = _e254;
         }
-        let _e258 = phi_570_;
+        let _e258 = phi_571_;
         let _e262 = ((_e230 - (_e258 * 0.69314575f)) - (_e258 * 0.0000014286068f));
-        phi_608_ = ((((((((((((((((1f / 5040f) * _e262) + (1f / 720f)) * _e262) + (1f / 120f)) * _e262) + (1f / 24f)) * _e262) + (1f / 6f)) * _e262) + 0.5f) * _e262) + 1f) * _e262) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e258), i32(-2147483648), (_e258 < bitcast<f32>(3472883712u))), 2147483647i, (_e258 > bitcast<f32>(1325400063u))), (_e258 == _e258)) + 127i)) << bitcast<u32>(23i))));
+        phi_609_ = ((((((((((((((((1f / 5040f) * _e262) + (1f / 720f)) * _e262) + (1f / 120f)) * _e262) + (1f / 24f)) * _e262) + (1f / 6f)) * _e262) + 0.5f) * _e262) + 1f) * _e262) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e258), i32(-2147483648), (_e258 < bitcast<f32>(3472883712u))), 2147483647i, (_e258 > bitcast<f32>(1325400063u))), (_e258 == _e258)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e298 = phi_608_;
+    let _e298 = phi_609_;
     if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-        phi_696_ = _e67;
+        phi_697_ = _e67;
     } else {
         if (_e67 < -87f) {
-            phi_619_ = -87f;
+            phi_620_ = -87f;
         } else {
-            phi_619_ = _e67;
+            phi_620_ = _e67;
         }
-        let _e304 = phi_619_;
+        let _e304 = phi_620_;
         if (_e304 > 88f) {
-            phi_624_ = 88f;
+            phi_625_ = 88f;
         } else {
-            phi_624_ = _e304;
+            phi_625_ = _e304;
         }
-        let _e307 = phi_624_;
+        let _e307 = phi_625_;
         let _e309 = ((_e307 * 1.442695f) + 0.5f);
         if (_e309 > -8388608f) {
             let _e321 = f32(select(0i, select(select(i32(_e309), i32(-2147483648), (_e309 < bitcast<f32>(3472883712u))), 2147483647i, (_e309 > bitcast<f32>(1325400063u))), (_e309 == _e309)));
             if (_e321 > _e309) {
-                phi_646_ = 1f;
+                phi_647_ = 1f;
             } else {
-                phi_646_ = 0f;
+                phi_647_ = 0f;
             }
-            let _e324 = phi_646_;
+            let _e324 = phi_647_;
             if (_e309 < 8388608f) {
-                phi_651_ = (_e321 - _e324);
-                phi_652_ = false;
+                phi_652_ = (_e321 - _e324);
+                phi_653_ = false;
             } else {
-                phi_651_ = f32();
-                phi_652_ = true;
+                phi_652_ = f32();
+                phi_653_ = true;
             }
-            let _e327 = phi_651_;
-            let _e329 = phi_652_;
-            phi_653_ = _e327;
-            phi_654_ = _e329;
+            let _e327 = phi_652_;
+            let _e329 = phi_653_;
+            phi_654_ = _e327;
+            phi_655_ = _e329;
         } else {
-            phi_653_ = f32();
-            phi_654_ = true;
+            phi_654_ = f32();
+            phi_655_ = true;
         }
-        let _e331 = phi_653_;
-        let _e333 = phi_654_;
+        let _e331 = phi_654_;
+        let _e333 = phi_655_;
         if _e333 {
-            phi_658_ = _e309;
+            phi_659_ = _e309;
         } else {
-            phi_658_ = _e331;
+            phi_659_ = _e331;
         }
-        let _e335 = phi_658_;
+        let _e335 = phi_659_;
         let _e339 = ((_e307 - (_e335 * 0.69314575f)) - (_e335 * 0.0000014286068f));
-        phi_696_ = ((((((((((((((((1f / 5040f) * _e339) + (1f / 720f)) * _e339) + (1f / 120f)) * _e339) + (1f / 24f)) * _e339) + (1f / 6f)) * _e339) + 0.5f) * _e339) + 1f) * _e339) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e335), i32(-2147483648), (_e335 < bitcast<f32>(3472883712u))), 2147483647i, (_e335 > bitcast<f32>(1325400063u))), (_e335 == _e335)) + 127i)) << bitcast<u32>(23i))));
+        phi_697_ = ((((((((((((((((1f / 5040f) * _e339) + (1f / 720f)) * _e339) + (1f / 120f)) * _e339) + (1f / 24f)) * _e339) + (1f / 6f)) * _e339) + 0.5f) * _e339) + 1f) * _e339) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e335), i32(-2147483648), (_e335 < bitcast<f32>(3472883712u))), 2147483647i, (_e335 > bitcast<f32>(1325400063u))), (_e335 == _e335)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e375 = phi_696_;
+    let _e375 = phi_697_;
     let _e377 = (_e144 - vec4<f32>(1f, 1f, 1f, 1f).x);
     let _e379 = (_e221 - vec4<f32>(1f, 1f, 1f, 1f).y);
     let _e381 = (_e298 - vec4<f32>(1f, 1f, 1f, 1f).z);
@@ -437,261 +441,261 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, par
     let _e402 = (_e383 - _e398);
     let _e417 = (((((_e399 * _e399) * param_6.x) + ((_e400 * _e400) * param_6.y)) + ((_e401 * _e401) * param_6.z)) + ((_e402 * _e402) * param_6.w));
     if ((bitcast<u32>(_e387) & 2147483647u) > 2139095040u) {
-        phi_749_ = true;
+        phi_750_ = true;
     } else {
         let _e421 = (_e387 > _e417);
         if _e421 {
         }
-        phi_749_ = _e421;
+        phi_750_ = _e421;
     }
-    let _e423 = phi_749_;
+    let _e423 = phi_750_;
     if _e423 {
-        phi_753_ = _e387;
+        phi_754_ = _e387;
     } else {
-        phi_753_ = _e417;
+        phi_754_ = _e417;
     }
-    let _e425 = phi_753_;
+    let _e425 = phi_754_;
     let _e426 = -(_e398);
     if (_e426 <= 0f) {
         let _e430 = ((bitcast<u32>(_e425) & 2147483647u) > 2139095040u);
         if _e430 {
         }
-        phi_765_ = _e430;
+        phi_766_ = _e430;
     } else {
-        phi_765_ = true;
+        phi_766_ = true;
     }
-    let _e432 = phi_765_;
+    let _e432 = phi_766_;
     if _e432 {
-        phi_772_ = (_e425 / (_e425 + (_e426 * _e426)));
+        phi_773_ = (_e425 / (_e425 + (_e426 * _e426)));
     } else {
-        phi_772_ = 1f;
+        phi_773_ = 1f;
     }
-    let _e437 = phi_772_;
+    let _e437 = phi_773_;
     let _e439 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_785_ = true;
+        phi_786_ = true;
     } else {
         let _e443 = (42f < _e439);
         if _e443 {
         }
-        phi_785_ = _e443;
+        phi_786_ = _e443;
     }
-    let _e445 = phi_785_;
+    let _e445 = phi_786_;
     if _e445 {
-        phi_789_ = 42f;
+        phi_790_ = 42f;
     } else {
-        phi_789_ = _e439;
+        phi_790_ = _e439;
     }
-    let _e447 = phi_789_;
+    let _e447 = phi_790_;
     let _e448 = -(_e447);
     let _e450 = (_e448 * param_5.x);
     let _e452 = (_e448 * param_5.y);
     let _e454 = (_e448 * param_5.z);
     let _e456 = (_e448 * param_5.w);
     if ((bitcast<u32>(_e450) & 2147483647u) > 2139095040u) {
-        phi_886_ = _e450;
+        phi_887_ = _e450;
     } else {
         if (_e450 < -87f) {
-            phi_809_ = -87f;
+            phi_810_ = -87f;
         } else {
-            phi_809_ = _e450;
+            phi_810_ = _e450;
         }
-        let _e462 = phi_809_;
+        let _e462 = phi_810_;
         if (_e462 > 88f) {
-            phi_814_ = 88f;
+            phi_815_ = 88f;
         } else {
-            phi_814_ = _e462;
+            phi_815_ = _e462;
         }
-        let _e465 = phi_814_;
+        let _e465 = phi_815_;
         let _e467 = ((_e465 * 1.442695f) + 0.5f);
         if (_e467 > -8388608f) {
             let _e479 = f32(select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < bitcast<f32>(3472883712u))), 2147483647i, (_e467 > bitcast<f32>(1325400063u))), (_e467 == _e467)));
             if (_e479 > _e467) {
-                phi_836_ = 1f;
+                phi_837_ = 1f;
             } else {
-                phi_836_ = 0f;
+                phi_837_ = 0f;
             }
-            let _e482 = phi_836_;
+            let _e482 = phi_837_;
             if (_e467 < 8388608f) {
-                phi_841_ = (_e479 - _e482);
-                phi_842_ = false;
+                phi_842_ = (_e479 - _e482);
+                phi_843_ = false;
             } else {
-                phi_841_ = f32();
-                phi_842_ = true;
+                phi_842_ = f32();
+                phi_843_ = true;
             }
-            let _e485 = phi_841_;
-            let _e487 = phi_842_;
-            phi_843_ = _e485;
-            phi_844_ = _e487;
+            let _e485 = phi_842_;
+            let _e487 = phi_843_;
+            phi_844_ = _e485;
+            phi_845_ = _e487;
         } else {
-            phi_843_ = f32();
-            phi_844_ = true;
+            phi_844_ = f32();
+            phi_845_ = true;
         }
-        let _e489 = phi_843_;
-        let _e491 = phi_844_;
+        let _e489 = phi_844_;
+        let _e491 = phi_845_;
         if _e491 {
-            phi_848_ = _e467;
+            phi_849_ = _e467;
         } else {
-            phi_848_ = _e489;
+            phi_849_ = _e489;
         }
-        let _e493 = phi_848_;
+        let _e493 = phi_849_;
         let _e497 = ((_e465 - (_e493 * 0.69314575f)) - (_e493 * 0.0000014286068f));
-        phi_886_ = ((((((((((((((((1f / 5040f) * _e497) + (1f / 720f)) * _e497) + (1f / 120f)) * _e497) + (1f / 24f)) * _e497) + (1f / 6f)) * _e497) + 0.5f) * _e497) + 1f) * _e497) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e493), i32(-2147483648), (_e493 < bitcast<f32>(3472883712u))), 2147483647i, (_e493 > bitcast<f32>(1325400063u))), (_e493 == _e493)) + 127i)) << bitcast<u32>(23i))));
+        phi_887_ = ((((((((((((((((1f / 5040f) * _e497) + (1f / 720f)) * _e497) + (1f / 120f)) * _e497) + (1f / 24f)) * _e497) + (1f / 6f)) * _e497) + 0.5f) * _e497) + 1f) * _e497) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e493), i32(-2147483648), (_e493 < bitcast<f32>(3472883712u))), 2147483647i, (_e493 > bitcast<f32>(1325400063u))), (_e493 == _e493)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e533 = phi_886_;
+    let _e533 = phi_887_;
     if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
-        phi_974_ = _e452;
+        phi_975_ = _e452;
     } else {
         if (_e452 < -87f) {
-            phi_897_ = -87f;
+            phi_898_ = -87f;
         } else {
-            phi_897_ = _e452;
+            phi_898_ = _e452;
         }
-        let _e539 = phi_897_;
+        let _e539 = phi_898_;
         if (_e539 > 88f) {
-            phi_902_ = 88f;
+            phi_903_ = 88f;
         } else {
-            phi_902_ = _e539;
+            phi_903_ = _e539;
         }
-        let _e542 = phi_902_;
+        let _e542 = phi_903_;
         let _e544 = ((_e542 * 1.442695f) + 0.5f);
         if (_e544 > -8388608f) {
             let _e556 = f32(select(0i, select(select(i32(_e544), i32(-2147483648), (_e544 < bitcast<f32>(3472883712u))), 2147483647i, (_e544 > bitcast<f32>(1325400063u))), (_e544 == _e544)));
             if (_e556 > _e544) {
-                phi_924_ = 1f;
+                phi_925_ = 1f;
             } else {
-                phi_924_ = 0f;
+                phi_925_ = 0f;
             }
-            let _e559 = phi_924_;
+            let _e559 = phi_925_;
             if (_e544 < 8388608f) {
-                phi_929_ = (_e556 - _e559);
-                phi_930_ = false;
+                phi_930_ = (_e556 - _e559);
+                phi_931_ = false;
             } else {
-                phi_929_ = f32();
-                phi_930_ = true;
+                phi_930_ = f32();
+                phi_931_ = true;
             }
-            let _e562 = phi_929_;
-            let _e564 = phi_930_;
-            phi_931_ = _e562;
-            phi_932_ = _e564;
+            let _e562 = phi_930_;
+            let _e564 = phi_931_;
+            phi_932_ = _e562;
+            phi_933_ = _e564;
         } else {
-            phi_931_ = f32();
-            phi_932_ = true;
+            phi_932_ = f32();
+            phi_933_ = true;
         }
-        let _e566 = phi_931_;
-        let _e568 = phi_932_;
+        let _e566 = phi_932_;
+        let _e568 = phi_933_;
         if _e568 {
-            phi_936_ = _e544;
+            phi_937_ = _e544;
         } else {
-            phi_936_ = _e566;
+            phi_937_ = _e566;
         }
-        let _e570 = phi_936_;
+        let _e570 = phi_937_;
         let _e574 = ((_e542 - (_e570 * 0.69314575f)) - (_e570 * 0.0000014286068f));
-        phi_974_ = ((((((((((((((((1f / 5040f) * _e574) + (1f / 720f)) * _e574) + (1f / 120f)) * _e574) + (1f / 24f)) * _e574) + (1f / 6f)) * _e574) + 0.5f) * _e574) + 1f) * _e574) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e570), i32(-2147483648), (_e570 < bitcast<f32>(3472883712u))), 2147483647i, (_e570 > bitcast<f32>(1325400063u))), (_e570 == _e570)) + 127i)) << bitcast<u32>(23i))));
+        phi_975_ = ((((((((((((((((1f / 5040f) * _e574) + (1f / 720f)) * _e574) + (1f / 120f)) * _e574) + (1f / 24f)) * _e574) + (1f / 6f)) * _e574) + 0.5f) * _e574) + 1f) * _e574) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e570), i32(-2147483648), (_e570 < bitcast<f32>(3472883712u))), 2147483647i, (_e570 > bitcast<f32>(1325400063u))), (_e570 == _e570)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e610 = phi_974_;
+    let _e610 = phi_975_;
     if ((bitcast<u32>(_e454) & 2147483647u) > 2139095040u) {
-        phi_1062_ = _e454;
+        phi_1063_ = _e454;
     } else {
         if (_e454 < -87f) {
-            phi_985_ = -87f;
+            phi_986_ = -87f;
         } else {
-            phi_985_ = _e454;
+            phi_986_ = _e454;
         }
-        let _e616 = phi_985_;
+        let _e616 = phi_986_;
         if (_e616 > 88f) {
-            phi_990_ = 88f;
+            phi_991_ = 88f;
         } else {
-            phi_990_ = _e616;
+            phi_991_ = _e616;
         }
-        let _e619 = phi_990_;
+        let _e619 = phi_991_;
         let _e621 = ((_e619 * 1.442695f) + 0.5f);
         if (_e621 > -8388608f) {
             let _e633 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
             if (_e633 > _e621) {
-                phi_1012_ = 1f;
+                phi_1013_ = 1f;
             } else {
-                phi_1012_ = 0f;
+                phi_1013_ = 0f;
             }
-            let _e636 = phi_1012_;
+            let _e636 = phi_1013_;
             if (_e621 < 8388608f) {
-                phi_1017_ = (_e633 - _e636);
-                phi_1018_ = false;
+                phi_1018_ = (_e633 - _e636);
+                phi_1019_ = false;
             } else {
-                phi_1017_ = f32();
-                phi_1018_ = true;
+                phi_1018_ = f32();
+                phi_1019_ = true;
             }
-            let _e639 = phi_1017_;
-            let _e641 = phi_1018_;
-            phi_1019_ = _e639;
-            phi_1020_ = _e641;
+            let _e639 = phi_1018_;
+            let _e641 = phi_1019_;
+            phi_1020_ = _e639;
+            phi_1021_ = _e641;
         } else {
-            phi_1019_ = f32();
-            phi_1020_ = true;
+            phi_1020_ = f32();
+            phi_1021_ = true;
         }
-        let _e643 = phi_1019_;
-        let _e645 = phi_1020_;
+        let _e643 = phi_1020_;
+        let _e645 = phi_1021_;
         if _e645 {
-            phi_1024_ = _e621;
+            phi_1025_ = _e621;
         } else {
-            phi_1024_ = _e643;
+            phi_1025_ = _e643;
         }
-        let _e647 = phi_1024_;
+        let _e647 = phi_1025_;
         let _e651 = ((_e619 - (_e647 * 0.69314575f)) - (_e647 * 0.0000014286068f));
-        phi_1062_ = ((((((((((((((((1f / 5040f) * _e651) + (1f / 720f)) * _e651) + (1f / 120f)) * _e651) + (1f / 24f)) * _e651) + (1f / 6f)) * _e651) + 0.5f) * _e651) + 1f) * _e651) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647)) + 127i)) << bitcast<u32>(23i))));
+        phi_1063_ = ((((((((((((((((1f / 5040f) * _e651) + (1f / 720f)) * _e651) + (1f / 120f)) * _e651) + (1f / 24f)) * _e651) + (1f / 6f)) * _e651) + 0.5f) * _e651) + 1f) * _e651) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e687 = phi_1062_;
+    let _e687 = phi_1063_;
     if ((bitcast<u32>(_e456) & 2147483647u) > 2139095040u) {
-        phi_1150_ = _e456;
+        phi_1151_ = _e456;
     } else {
         if (_e456 < -87f) {
-            phi_1073_ = -87f;
+            phi_1074_ = -87f;
         } else {
-            phi_1073_ = _e456;
+            phi_1074_ = _e456;
         }
-        let _e693 = phi_1073_;
+        let _e693 = phi_1074_;
         if (_e693 > 88f) {
-            phi_1078_ = 88f;
+            phi_1079_ = 88f;
         } else {
-            phi_1078_ = _e693;
+            phi_1079_ = _e693;
         }
-        let _e696 = phi_1078_;
+        let _e696 = phi_1079_;
         let _e698 = ((_e696 * 1.442695f) + 0.5f);
         if (_e698 > -8388608f) {
             let _e710 = f32(select(0i, select(select(i32(_e698), i32(-2147483648), (_e698 < bitcast<f32>(3472883712u))), 2147483647i, (_e698 > bitcast<f32>(1325400063u))), (_e698 == _e698)));
             if (_e710 > _e698) {
-                phi_1100_ = 1f;
+                phi_1101_ = 1f;
             } else {
-                phi_1100_ = 0f;
+                phi_1101_ = 0f;
             }
-            let _e713 = phi_1100_;
+            let _e713 = phi_1101_;
             if (_e698 < 8388608f) {
-                phi_1105_ = (_e710 - _e713);
-                phi_1106_ = false;
+                phi_1106_ = (_e710 - _e713);
+                phi_1107_ = false;
             } else {
-                phi_1105_ = f32();
-                phi_1106_ = true;
+                phi_1106_ = f32();
+                phi_1107_ = true;
             }
-            let _e716 = phi_1105_;
-            let _e718 = phi_1106_;
-            phi_1107_ = _e716;
-            phi_1108_ = _e718;
+            let _e716 = phi_1106_;
+            let _e718 = phi_1107_;
+            phi_1108_ = _e716;
+            phi_1109_ = _e718;
         } else {
-            phi_1107_ = f32();
-            phi_1108_ = true;
+            phi_1108_ = f32();
+            phi_1109_ = true;
         }
-        let _e720 = phi_1107_;
-        let _e722 = phi_1108_;
+        let _e720 = phi_1108_;
+        let _e722 = phi_1109_;
         if _e722 {
-            phi_1112_ = _e698;
+            phi_1113_ = _e698;
         } else {
-            phi_1112_ = _e720;
+            phi_1113_ = _e720;
         }
-        let _e724 = phi_1112_;
+        let _e724 = phi_1113_;
         let _e728 = ((_e696 - (_e724 * 0.69314575f)) - (_e724 * 0.0000014286068f));
-        phi_1150_ = ((((((((((((((((1f / 5040f) * _e728) + (1f / 720f)) * _e728) + (1f / 120f)) * _e728) + (1f / 24f)) * _e728) + (1f / 6f)) * _e728) + 0.5f) * _e728) + 1f) * _e728) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e724), i32(-2147483648), (_e724 < bitcast<f32>(3472883712u))), 2147483647i, (_e724 > bitcast<f32>(1325400063u))), (_e724 == _e724)) + 127i)) << bitcast<u32>(23i))));
+        phi_1151_ = ((((((((((((((((1f / 5040f) * _e728) + (1f / 720f)) * _e728) + (1f / 120f)) * _e728) + (1f / 24f)) * _e728) + (1f / 6f)) * _e728) + 0.5f) * _e728) + 1f) * _e728) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e724), i32(-2147483648), (_e724 < bitcast<f32>(3472883712u))), 2147483647i, (_e724 > bitcast<f32>(1325400063u))), (_e724 == _e724)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e764 = phi_1150_;
+    let _e764 = phi_1151_;
     let _e766 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e533);
     let _e768 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e610);
     let _e770 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e687);
@@ -705,89 +709,88 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, par
     let _e791 = (_e772 - _e787);
     let _e806 = (((((_e788 * _e788) * param_6.x) + ((_e789 * _e789) * param_6.y)) + ((_e790 * _e790) * param_6.z)) + ((_e791 * _e791) * param_6.w));
     if ((bitcast<u32>(_e776) & 2147483647u) > 2139095040u) {
-        phi_1203_ = true;
+        phi_1204_ = true;
     } else {
         let _e810 = (_e776 > _e806);
         if _e810 {
         }
-        phi_1203_ = _e810;
+        phi_1204_ = _e810;
     }
-    let _e812 = phi_1203_;
+    let _e812 = phi_1204_;
     if _e812 {
-        phi_1207_ = _e776;
+        phi_1208_ = _e776;
     } else {
-        phi_1207_ = _e806;
+        phi_1208_ = _e806;
     }
-    let _e814 = phi_1207_;
+    let _e814 = phi_1208_;
     let _e815 = -(_e787);
     if (_e815 <= 0f) {
         let _e819 = ((bitcast<u32>(_e814) & 2147483647u) > 2139095040u);
         if _e819 {
         }
-        phi_1219_ = _e819;
+        phi_1220_ = _e819;
     } else {
-        phi_1219_ = true;
+        phi_1220_ = true;
     }
-    let _e821 = phi_1219_;
+    let _e821 = phi_1220_;
     if _e821 {
-        phi_1226_ = (_e814 / (_e814 + (_e815 * _e815)));
+        phi_1227_ = (_e814 / (_e814 + (_e815 * _e815)));
     } else {
-        phi_1226_ = 1f;
+        phi_1227_ = 1f;
     }
-    let _e826 = phi_1226_;
+    let _e826 = phi_1227_;
     if ((bitcast<u32>(_e826) & 2147483647u) > 2139095040u) {
-        phi_1237_ = true;
+        phi_1238_ = true;
     } else {
         let _e830 = (_e826 < _e437);
         if _e830 {
         }
-        phi_1237_ = _e830;
+        phi_1238_ = _e830;
     }
-    let _e832 = phi_1237_;
+    let _e832 = phi_1238_;
     if _e832 {
-        phi_1241_ = _e826;
+        phi_1242_ = _e826;
     } else {
-        phi_1241_ = _e437;
+        phi_1242_ = _e437;
     }
-    let _e834 = phi_1241_;
+    let _e834 = phi_1242_;
     if ((bitcast<u32>(_e834) & 2147483647u) > 2139095040u) {
-        phi_1258_ = _e834;
+        phi_1259_ = _e834;
     } else {
         if (_e834 < 0f) {
-            phi_1257_ = 0f;
+            phi_1258_ = 0f;
         } else {
             if (_e834 > 1f) {
-                phi_1256_ = 1f;
+                phi_1257_ = 1f;
             } else {
-                phi_1256_ = _e834;
+                phi_1257_ = _e834;
             }
-            let _e841 = phi_1256_;
-            phi_1257_ = _e841;
+            let _e841 = phi_1257_;
+            phi_1258_ = _e841;
         }
-        let _e843 = phi_1257_;
-        phi_1258_ = _e843;
+        let _e843 = phi_1258_;
+        phi_1259_ = _e843;
     }
-    let _e845 = phi_1258_;
+    let _e845 = phi_1259_;
     return _e845;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_7: ptr<function, lt_math_Evsm>, param_8: vec4<f32>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_181_: f32;
     var phi_182_: f32;
     var phi_183_: f32;
-    var phi_199_: f32;
+    var phi_184_: f32;
     var phi_200_: f32;
     var phi_201_: f32;
-    var phi_217_: f32;
+    var phi_202_: f32;
     var phi_218_: f32;
     var phi_219_: f32;
-    var phi_235_: f32;
+    var phi_220_: f32;
     var phi_236_: f32;
     var phi_237_: f32;
-    var phi_253_: f32;
+    var phi_238_: f32;
     var phi_254_: f32;
     var phi_255_: f32;
-    var phi_292_: bool;
+    var phi_256_: f32;
     var phi_293_: bool;
     var phi_294_: bool;
     var phi_295_: bool;
@@ -798,100 +801,101 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
     var phi_300_: bool;
     var phi_301_: bool;
     var phi_302_: bool;
-    var phi_306_: bool;
-    var phi_310_: bool;
-    var phi_315_: f32;
+    var phi_303_: bool;
+    var phi_307_: bool;
+    var phi_311_: bool;
+    var phi_316_: f32;
 
     if ((bitcast<u32>(param_10) & 2147483647u) > 2139095040u) {
-        phi_183_ = param_10;
+        phi_184_ = param_10;
     } else {
         if (param_10 < 0f) {
-            phi_182_ = 0f;
+            phi_183_ = 0f;
         } else {
             if (param_10 > 1f) {
-                phi_181_ = 1f;
+                phi_182_ = 1f;
             } else {
-                phi_181_ = param_10;
+                phi_182_ = param_10;
             }
-            let _e57 = phi_181_;
-            phi_182_ = _e57;
+            let _e57 = phi_182_;
+            phi_183_ = _e57;
         }
-        let _e59 = phi_182_;
-        phi_183_ = _e59;
+        let _e59 = phi_183_;
+        phi_184_ = _e59;
     }
-    let _e61 = phi_183_;
+    let _e61 = phi_184_;
     if ((bitcast<u32>(param_8.x) & 2147483647u) > 2139095040u) {
-        phi_201_ = param_8.x;
+        phi_202_ = param_8.x;
     } else {
         if (param_8.x < 0f) {
-            phi_200_ = 0f;
+            phi_201_ = 0f;
         } else {
             if (param_8.x > 1f) {
-                phi_199_ = 1f;
+                phi_200_ = 1f;
             } else {
-                phi_199_ = param_8.x;
+                phi_200_ = param_8.x;
             }
-            let _e69 = phi_199_;
-            phi_200_ = _e69;
+            let _e69 = phi_200_;
+            phi_201_ = _e69;
         }
-        let _e71 = phi_200_;
-        phi_201_ = _e71;
+        let _e71 = phi_201_;
+        phi_202_ = _e71;
     }
-    let _e73 = phi_201_;
+    let _e73 = phi_202_;
     if ((bitcast<u32>(param_8.y) & 2147483647u) > 2139095040u) {
-        phi_219_ = param_8.y;
+        phi_220_ = param_8.y;
     } else {
         if (param_8.y < 0f) {
-            phi_218_ = 0f;
+            phi_219_ = 0f;
         } else {
             if (param_8.y > 1f) {
-                phi_217_ = 1f;
+                phi_218_ = 1f;
             } else {
-                phi_217_ = param_8.y;
+                phi_218_ = param_8.y;
             }
-            let _e81 = phi_217_;
-            phi_218_ = _e81;
+            let _e81 = phi_218_;
+            phi_219_ = _e81;
         }
-        let _e83 = phi_218_;
-        phi_219_ = _e83;
+        let _e83 = phi_219_;
+        phi_220_ = _e83;
     }
-    let _e85 = phi_219_;
+    let _e85 = phi_220_;
     if ((bitcast<u32>(param_8.z) & 2147483647u) > 2139095040u) {
-        phi_237_ = param_8.z;
+        phi_238_ = param_8.z;
     } else {
         if (param_8.z < 0f) {
-            phi_236_ = 0f;
+            phi_237_ = 0f;
         } else {
             if (param_8.z > 1f) {
-                phi_235_ = 1f;
+                phi_236_ = 1f;
             } else {
-                phi_235_ = param_8.z;
+                phi_236_ = param_8.z;
             }
-            let _e93 = phi_235_;
-            phi_236_ = _e93;
+            let _e93 = phi_236_;
+            phi_237_ = _e93;
         }
-        let _e95 = phi_236_;
-        phi_237_ = _e95;
+        let _e95 = phi_237_;
+        phi_238_ = _e95;
     }
-    let _e97 = phi_237_;
+    let _e97 = phi_238_;
     if ((bitcast<u32>(param_8.w) & 2147483647u) > 2139095040u) {
-        phi_255_ = param_8.w;
+        phi_256_ = param_8.w;
     } else {
         if (param_8.w < 0f) {
-            phi_254_ = 0f;
+            phi_255_ = 0f;
         } else {
             if (param_8.w > 1f) {
-                phi_253_ = 1f;
+                phi_254_ = 1f;
             } else {
-                phi_253_ = param_8.w;
+                phi_254_ = param_8.w;
             }
-            let _e105 = phi_253_;
-            phi_254_ = _e105;
+            let _e105 = phi_254_;
+            phi_255_ = _e105;
         }
-        let _e107 = phi_254_;
-        phi_255_ = _e107;
+        let _e107 = phi_255_;
+        phi_256_ = _e107;
     }
-    let _e109 = phi_255_;
+    let _e109 = phi_256_;
     let _e110 = (_e73 - _e61);
     let _e111 = (_e85 - _e61);
     let _e112 = (_e97 - _e61);
@@ -900,119 +904,119 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
         if (_e111 >= 0f) {
             if (_e112 >= 0f) {
                 if (_e113 >= 0f) {
-                    phi_292_ = !(((bitcast<u32>(((((_e110 * param_9.x) + (_e111 * param_9.y)) + (_e112 * param_9.z)) + (_e113 * param_9.w))) & 2147483647u) > 2139095040u));
-                    phi_293_ = false;
+                    phi_293_ = !(((bitcast<u32>(((((_e110 * param_9.x) + (_e111 * param_9.y)) + (_e112 * param_9.z)) + (_e113 * param_9.w))) & 2147483647u) > 2139095040u));
+                    phi_294_ = false;
                 } else {
-                    phi_292_ = bool();
-                    phi_293_ = true;
+                    phi_293_ = bool();
+                    phi_294_ = true;
                 }
-                let _e135 = phi_292_;
-                let _e137 = phi_293_;
-                phi_294_ = _e135;
-                phi_295_ = false;
-                phi_296_ = _e137;
-            } else {
-                phi_294_ = bool();
-                phi_295_ = true;
+                let _e135 = phi_293_;
+                let _e137 = phi_294_;
+                phi_295_ = _e135;
                 phi_296_ = false;
+                phi_297_ = _e137;
+            } else {
+                phi_295_ = bool();
+                phi_296_ = true;
+                phi_297_ = false;
             }
-            let _e139 = phi_294_;
-            let _e141 = phi_295_;
-            let _e143 = phi_296_;
-            phi_297_ = _e139;
-            phi_298_ = _e141;
-            phi_299_ = _e143;
+            let _e139 = phi_295_;
+            let _e141 = phi_296_;
+            let _e143 = phi_297_;
+            phi_298_ = _e139;
+            phi_299_ = _e141;
+            phi_300_ = _e143;
         } else {
-            phi_297_ = bool();
-            phi_298_ = true;
-            phi_299_ = false;
+            phi_298_ = bool();
+            phi_299_ = true;
+            phi_300_ = false;
         }
-        let _e145 = phi_297_;
-        let _e147 = phi_298_;
-        let _e149 = phi_299_;
-        phi_300_ = _e145;
-        phi_301_ = _e147;
-        phi_302_ = _e149;
+        let _e145 = phi_298_;
+        let _e147 = phi_299_;
+        let _e149 = phi_300_;
+        phi_301_ = _e145;
+        phi_302_ = _e147;
+        phi_303_ = _e149;
     } else {
-        phi_300_ = bool();
-        phi_301_ = true;
-        phi_302_ = false;
+        phi_301_ = bool();
+        phi_302_ = true;
+        phi_303_ = false;
     }
-    let _e151 = phi_300_;
-    let _e153 = phi_301_;
-    let _e155 = phi_302_;
+    let _e151 = phi_301_;
+    let _e153 = phi_302_;
+    let _e155 = phi_303_;
     if _e153 {
-        phi_306_ = true;
+        phi_307_ = true;
     } else {
-        phi_306_ = _e155;
+        phi_307_ = _e155;
     }
-    let _e157 = phi_306_;
+    let _e157 = phi_307_;
     if _e157 {
-        phi_310_ = false;
+        phi_311_ = false;
     } else {
-        phi_310_ = _e151;
+        phi_311_ = _e151;
     }
-    let _e159 = phi_310_;
+    let _e159 = phi_311_;
     if _e159 {
-        phi_315_ = 1f;
+        phi_316_ = 1f;
     } else {
         let _e160 = _lt_math_evsm_Evsm_bound_of_offsets(param_7, vec4<f32>(_e110, _e111, _e112, _e113), param_9);
-        phi_315_ = _e160;
+        phi_316_ = _e160;
     }
-    let _e162 = phi_315_;
+    let _e162 = phi_316_;
     return _e162;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_1312_: bool;
-    var phi_1313_: bool;
-    var phi_1314_: bool;
-    var phi_1315_: bool;
+    var phi_1316_: bool;
+    var phi_1317_: bool;
+    var phi_1318_: bool;
     var phi_1319_: bool;
-    var phi_1363_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1323_: bool;
     var phi_1367_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1444_: bool;
-    var phi_1453_: bool;
-    var phi_1462_: bool;
+    var phi_1371_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1445_: bool;
+    var phi_1454_: bool;
     var phi_1463_: bool;
     var phi_1464_: bool;
     var phi_1465_: bool;
     var phi_1466_: bool;
     var phi_1467_: bool;
     var phi_1468_: bool;
-    var phi_1472_: bool;
+    var phi_1469_: bool;
+    var phi_1473_: bool;
+    var phi_1563_: f32;
     var phi_1566_: f32;
-    var phi_1569_: f32;
-    var phi_1598_: f32;
-    var phi_1603_: f32;
-    var phi_1604_: bool;
-    var phi_1605_: f32;
-    var phi_1606_: bool;
-    var phi_1610_: f32;
-    var phi_1630_: f32;
-    var phi_1635_: f32;
-    var phi_1636_: bool;
-    var phi_1637_: f32;
-    var phi_1638_: bool;
-    var phi_1642_: f32;
-    var phi_1692_: i32;
-    var phi_1697_: i32;
-    var phi_1702_: i32;
-    var phi_1707_: i32;
-    var phi_1716_: i32;
-    var phi_1721_: i32;
-    var phi_1726_: i32;
-    var phi_1731_: i32;
-    var phi_1778_: bool;
-    var phi_1786_: bool;
-    var phi_1798_: bool;
-    var phi_1799_: bool;
-    var phi_1803_: f32;
-    var phi_1809_: f32;
-    var phi_1811_: evaluate_Verdict;
-    var phi_1816_: evaluate_Verdict;
-    var phi_1817_: evaluate_Verdict;
+    var phi_1595_: f32;
+    var phi_1600_: f32;
+    var phi_1601_: bool;
+    var phi_1602_: f32;
+    var phi_1603_: bool;
+    var phi_1607_: f32;
+    var phi_1627_: f32;
+    var phi_1632_: f32;
+    var phi_1633_: bool;
+    var phi_1634_: f32;
+    var phi_1635_: bool;
+    var phi_1639_: f32;
+    var phi_1691_: i32;
+    var phi_1696_: i32;
+    var phi_1701_: i32;
+    var phi_1706_: i32;
+    var phi_1715_: i32;
+    var phi_1720_: i32;
+    var phi_1725_: i32;
+    var phi_1730_: i32;
+    var phi_1781_: bool;
+    var phi_1789_: bool;
+    var phi_1801_: bool;
+    var phi_1802_: bool;
+    var phi_1806_: f32;
+    var phi_1812_: f32;
+    var phi_1814_: evaluate_Verdict;
+    var phi_1819_: evaluate_Verdict;
+    var phi_1820_: evaluate_Verdict;
 
     let _e48 = id_1;
     let _e55 = arrayLength((&map.member));
@@ -1020,210 +1024,205 @@ fn function_() {
     let _e63 = p.member.size[1u];
     let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
     if (bitcast<i32>(_e64.root) != 0i) {
+        let _e70 = p.member.projection;
         if (_e64.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = p.member.light;
-        let _e76 = samples.member[(0u + _e64.first_primitive)].normal[0u];
-        let _e78 = global[0u];
-        if (_e76 == _e78) {
-            let _e81 = samples.member[(0u + _e64.first_primitive)].normal[1u];
-            let _e83 = global[1u];
-            if (_e81 == _e83) {
-                let _e86 = samples.member[(0u + _e64.first_primitive)].normal[2u];
-                let _e88 = global[2u];
-                phi_1312_ = (_e86 == _e88);
-                phi_1313_ = false;
+        let _e74 = lt_math_OneLevel(_e70);
+        let _e76 = p.member.light;
+        let _e79 = samples.member[(0u + _e64.first_primitive)].normal[0u];
+        let _e81 = global[0u];
+        if (_e79 == _e81) {
+            let _e84 = samples.member[(0u + _e64.first_primitive)].normal[1u];
+            let _e86 = global[1u];
+            if (_e84 == _e86) {
+                let _e89 = samples.member[(0u + _e64.first_primitive)].normal[2u];
+                let _e91 = global[2u];
+                phi_1316_ = (_e89 == _e91);
+                phi_1317_ = false;
             } else {
-                phi_1312_ = bool();
-                phi_1313_ = true;
+                phi_1316_ = bool();
+                phi_1317_ = true;
             }
-            let _e91 = phi_1312_;
-            let _e93 = phi_1313_;
-            phi_1314_ = _e91;
-            phi_1315_ = _e93;
+            let _e94 = phi_1316_;
+            let _e96 = phi_1317_;
+            phi_1318_ = _e94;
+            phi_1319_ = _e96;
         } else {
-            phi_1314_ = bool();
-            phi_1315_ = true;
+            phi_1318_ = bool();
+            phi_1319_ = true;
         }
-        let _e95 = phi_1314_;
-        let _e97 = phi_1315_;
-        if _e97 {
-            phi_1319_ = false;
+        let _e98 = phi_1318_;
+        let _e100 = phi_1319_;
+        if _e100 {
+            phi_1323_ = false;
         } else {
-            phi_1319_ = _e95;
+            phi_1323_ = _e98;
         }
-        let _e99 = phi_1319_;
-        if !(_e99) {
-            let _e102 = samples.member[(0u + _e64.first_primitive)].normal;
-            let _e104 = samples.member[(0u + _e64.first_primitive)].position;
-            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
-                let _e128 = samples.member[(0u + _e64.first_primitive)].flags;
-                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_1363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
+        let _e102 = phi_1323_;
+        if !(_e102) {
+            let _e105 = samples.member[(0u + _e64.first_primitive)].normal;
+            let _e107 = samples.member[(0u + _e64.first_primitive)].position;
+            if ((((_e105.x * (_e76.x - (_e107.x * _e76.w))) + (_e105.y * (_e76.y - (_e107.y * _e76.w)))) + (_e105.z * (_e76.z - (_e107.z * _e76.w)))) > 0f) {
+                let _e131 = samples.member[(0u + _e64.first_primitive)].flags;
+                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e139.unnamed.visibility, false), _e139.unnamed_1);
+                phi_1367_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e145.unnamed, ((_e131 & 1u) == 0u));
             } else {
-                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
-                phi_1363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
+                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e154.unnamed.visibility, false), _e154.unnamed_1);
+                phi_1367_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e160.unnamed, true);
             }
-            let _e162 = phi_1363_;
-            phi_1367_ = _e162;
+            let _e165 = phi_1367_;
+            phi_1371_ = _e165;
         } else {
-            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-            phi_1367_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
+            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+            phi_1371_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, true);
         }
-        let _e179 = phi_1367_;
-        if _e179.unnamed_1 {
-            phi_1817_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
+        let _e182 = phi_1371_;
+        if _e182.unnamed_1 {
+            phi_1820_ = evaluate_Verdict(_e182.unnamed.visibility, _e182.unnamed.is_doubted);
         } else {
-            let _e187 = samples.member[(0u + _e64.first_primitive)].position;
-            let _e193 = p.member.projection.row_w;
-            let _e204 = ((((_e193.x * _e187.x) + (_e193.y * _e187.y)) + (_e193.z * _e187.z)) + (_e193.w * 1f));
-            let _e206 = p.member.projection.row_x;
-            let _e218 = (((((_e206.x * _e187.x) + (_e206.y * _e187.y)) + (_e206.z * _e187.z)) + (_e206.w * 1f)) / _e204);
-            let _e220 = p.member.projection.row_y;
-            let _e232 = (((((_e220.x * _e187.x) + (_e220.y * _e187.y)) + (_e220.z * _e187.z)) + (_e220.w * 1f)) / _e204);
-            let _e234 = p.member.projection.row_z;
-            let _e245 = ((((_e234.x * _e187.x) + (_e234.y * _e187.y)) + (_e234.z * _e187.z)) + (_e234.w * 1f));
-            if (_e204 > 0f) {
-                if (_e218 >= 0f) {
-                    phi_1444_ = (_e218 <= 1f);
+            let _e190 = samples.member[(0u + _e64.first_primitive)].position;
+            let _e208 = ((((_e74.projection.row_w.x * _e190.x) + (_e74.projection.row_w.y * _e190.y)) + (_e74.projection.row_w.z * _e190.z)) + (_e74.projection.row_w.w * 1f));
+            let _e222 = (((((_e74.projection.row_x.x * _e190.x) + (_e74.projection.row_x.y * _e190.y)) + (_e74.projection.row_x.z * _e190.z)) + (_e74.projection.row_x.w * 1f)) / _e208);
+            let _e236 = (((((_e74.projection.row_y.x * _e190.x) + (_e74.projection.row_y.y * _e190.y)) + (_e74.projection.row_y.z * _e190.z)) + (_e74.projection.row_y.w * 1f)) / _e208);
+            let _e249 = ((((_e74.projection.row_z.x * _e190.x) + (_e74.projection.row_z.y * _e190.y)) + (_e74.projection.row_z.z * _e190.z)) + (_e74.projection.row_z.w * 1f));
+            if (_e208 > 0f) {
+                if (_e222 >= 0f) {
+                    phi_1445_ = (_e222 <= 1f);
                 } else {
-                    phi_1444_ = false;
+                    phi_1445_ = false;
                 }
-                let _e250 = phi_1444_;
-                if _e250 {
-                    if (_e232 >= 0f) {
-                        phi_1453_ = (_e232 <= 1f);
+                let _e254 = phi_1445_;
+                if _e254 {
+                    if (_e236 >= 0f) {
+                        phi_1454_ = (_e236 <= 1f);
                     } else {
-                        phi_1453_ = false;
+                        phi_1454_ = false;
                     }
-                    let _e254 = phi_1453_;
-                    if _e254 {
-                        if (_e245 >= 0f) {
-                            phi_1462_ = (_e245 <= 1f);
+                    let _e258 = phi_1454_;
+                    if _e258 {
+                        if (_e249 >= 0f) {
+                            phi_1463_ = (_e249 <= 1f);
                         } else {
-                            phi_1462_ = false;
+                            phi_1463_ = false;
                         }
-                        let _e258 = phi_1462_;
-                        phi_1463_ = _e258;
-                        phi_1464_ = false;
+                        let _e262 = phi_1463_;
+                        phi_1464_ = _e262;
+                        phi_1465_ = false;
                     } else {
-                        phi_1463_ = bool();
-                        phi_1464_ = true;
+                        phi_1464_ = bool();
+                        phi_1465_ = true;
                     }
-                    let _e260 = phi_1463_;
-                    let _e262 = phi_1464_;
-                    phi_1465_ = _e260;
-                    phi_1466_ = _e262;
+                    let _e264 = phi_1464_;
+                    let _e266 = phi_1465_;
+                    phi_1466_ = _e264;
+                    phi_1467_ = _e266;
                 } else {
-                    phi_1465_ = bool();
-                    phi_1466_ = true;
+                    phi_1466_ = bool();
+                    phi_1467_ = true;
                 }
-                let _e264 = phi_1465_;
-                let _e266 = phi_1466_;
-                phi_1467_ = _e264;
-                phi_1468_ = _e266;
+                let _e268 = phi_1466_;
+                let _e270 = phi_1467_;
+                phi_1468_ = _e268;
+                phi_1469_ = _e270;
             } else {
-                phi_1467_ = bool();
-                phi_1468_ = true;
+                phi_1468_ = bool();
+                phi_1469_ = true;
             }
-            let _e268 = phi_1467_;
-            let _e270 = phi_1468_;
-            if _e270 {
-                phi_1472_ = false;
+            let _e272 = phi_1468_;
+            let _e274 = phi_1469_;
+            if _e274 {
+                phi_1473_ = false;
             } else {
-                phi_1472_ = _e268;
+                phi_1473_ = _e272;
             }
-            let _e272 = phi_1472_;
-            if _e272 {
+            let _e276 = phi_1473_;
+            if _e276 {
                 if (0f > 0f) {
-                    let _e275 = samples.member[(0u + _e64.first_primitive)].normal;
-                    let _e277 = p.member.map_size;
-                    let _e280 = p.member.projection.row_x;
-                    let _e302 = p.member.projection.row_y;
-                    let _e324 = p.member.projection.row_z;
-                    let _e351 = ((abs(((((_e280.x * _e275.x) + (_e280.y * _e275.y)) + (_e280.z * _e275.z)) / (((_e280.x * _e280.x) + (_e280.y * _e280.y)) + (_e280.z * _e280.z)))) + abs(((((_e302.x * _e275.x) + (_e302.y * _e275.y)) + (_e302.z * _e275.z)) / (((_e302.x * _e302.x) + (_e302.y * _e302.y)) + (_e302.z * _e302.z))))) / (abs(((((_e324.x * _e275.x) + (_e324.y * _e275.y)) + (_e324.z * _e275.z)) / (((_e324.x * _e324.x) + (_e324.y * _e324.y)) + (_e324.z * _e324.z)))) * f32(_e277)));
+                    let _e279 = samples.member[(0u + _e64.first_primitive)].normal;
+                    let _e281 = p.member.map_size;
+                    let _e351 = ((abs(((((_e70.row_x.x * _e279.x) + (_e70.row_x.y * _e279.y)) + (_e70.row_x.z * _e279.z)) / (((_e70.row_x.x * _e70.row_x.x) + (_e70.row_x.y * _e70.row_x.y)) + (_e70.row_x.z * _e70.row_x.z)))) + abs(((((_e70.row_y.x * _e279.x) + (_e70.row_y.y * _e279.y)) + (_e70.row_y.z * _e279.z)) / (((_e70.row_y.x * _e70.row_y.x) + (_e70.row_y.y * _e70.row_y.y)) + (_e70.row_y.z * _e70.row_y.z))))) / (abs(((((_e70.row_z.x * _e279.x) + (_e70.row_z.y * _e279.y)) + (_e70.row_z.z * _e279.z)) / (((_e70.row_z.x * _e70.row_z.x) + (_e70.row_z.y * _e70.row_z.y)) + (_e70.row_z.z * _e70.row_z.z)))) * f32(_e281)));
                     if (_e351 < 0.002f) {
-                        phi_1566_ = _e351;
+                        phi_1563_ = _e351;
                     } else {
-                        phi_1566_ = 0.002f;
+                        phi_1563_ = 0.002f;
                     }
-                    let _e354 = phi_1566_;
-                    phi_1569_ = (_e245 - (0f * _e354));
+                    let _e354 = phi_1563_;
+                    phi_1566_ = (_e249 - (0f * _e354));
                 } else {
-                    phi_1569_ = _e245;
+                    phi_1566_ = _e249;
                 }
-                let _e358 = phi_1569_;
+                let _e358 = phi_1566_;
                 let _e360 = p.member.map_size;
                 let _e361 = f32(_e360);
-                let _e364 = ((_e218 * _e361) - 0.5f);
-                let _e365 = ((_e232 * _e361) - 0.5f);
+                let _e364 = ((_e222 * _e361) - 0.5f);
+                let _e365 = ((_e236 * _e361) - 0.5f);
                 if (_e364 > -8388608f) {
                     let _e377 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
                     if (_e377 > _e364) {
-                        phi_1598_ = 1f;
+                        phi_1595_ = 1f;
                     } else {
-                        phi_1598_ = 0f;
+                        phi_1595_ = 0f;
                     }
-                    let _e380 = phi_1598_;
+                    let _e380 = phi_1595_;
                     if (_e364 < 8388608f) {
-                        phi_1603_ = (_e377 - _e380);
-                        phi_1604_ = false;
+                        phi_1600_ = (_e377 - _e380);
+                        phi_1601_ = false;
                     } else {
-                        phi_1603_ = f32();
-                        phi_1604_ = true;
+                        phi_1600_ = f32();
+                        phi_1601_ = true;
                     }
-                    let _e383 = phi_1603_;
-                    let _e385 = phi_1604_;
-                    phi_1605_ = _e383;
-                    phi_1606_ = _e385;
+                    let _e383 = phi_1600_;
+                    let _e385 = phi_1601_;
+                    phi_1602_ = _e383;
+                    phi_1603_ = _e385;
                 } else {
-                    phi_1605_ = f32();
-                    phi_1606_ = true;
+                    phi_1602_ = f32();
+                    phi_1603_ = true;
                 }
-                let _e387 = phi_1605_;
-                let _e389 = phi_1606_;
+                let _e387 = phi_1602_;
+                let _e389 = phi_1603_;
                 if _e389 {
-                    phi_1610_ = _e364;
+                    phi_1607_ = _e364;
                 } else {
-                    phi_1610_ = _e387;
+                    phi_1607_ = _e387;
                 }
-                let _e391 = phi_1610_;
+                let _e391 = phi_1607_;
                 if (_e365 > -8388608f) {
                     let _e403 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
                     if (_e403 > _e365) {
-                        phi_1630_ = 1f;
+                        phi_1627_ = 1f;
                     } else {
-                        phi_1630_ = 0f;
+                        phi_1627_ = 0f;
                     }
-                    let _e406 = phi_1630_;
+                    let _e406 = phi_1627_;
                     if (_e365 < 8388608f) {
-                        phi_1635_ = (_e403 - _e406);
-                        phi_1636_ = false;
+                        phi_1632_ = (_e403 - _e406);
+                        phi_1633_ = false;
                     } else {
-                        phi_1635_ = f32();
-                        phi_1636_ = true;
+                        phi_1632_ = f32();
+                        phi_1633_ = true;
                     }
-                    let _e409 = phi_1635_;
-                    let _e411 = phi_1636_;
-                    phi_1637_ = _e409;
-                    phi_1638_ = _e411;
+                    let _e409 = phi_1632_;
+                    let _e411 = phi_1633_;
+                    phi_1634_ = _e409;
+                    phi_1635_ = _e411;
                 } else {
-                    phi_1637_ = f32();
-                    phi_1638_ = true;
+                    phi_1634_ = f32();
+                    phi_1635_ = true;
                 }
-                let _e413 = phi_1637_;
-                let _e415 = phi_1638_;
+                let _e413 = phi_1634_;
+                let _e415 = phi_1635_;
                 if _e415 {
-                    phi_1642_ = _e365;
+                    phi_1639_ = _e365;
                 } else {
-                    phi_1642_ = _e413;
+                    phi_1639_ = _e413;
                 }
-                let _e417 = phi_1642_;
+                let _e417 = phi_1639_;
                 let _e418 = (_e364 - _e391);
                 let _e419 = (_e365 - _e417);
                 let _e428 = select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391));
@@ -1232,142 +1231,143 @@ fn function_() {
                 let _e449 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e448);
                 let _e451 = p.member.map_size;
                 local = lt_math_Evsm(_e449.positive_exponent, _e449.negative_exponent, _e449.min_variance);
-                let _e457 = (bitcast<i32>(_e451) - 1i);
+                let _e457 = ((0u * _e451) * _e451);
+                let _e459 = (bitcast<i32>(_e451) - 1i);
                 if (_e428 > 0i) {
-                    phi_1692_ = _e428;
+                    phi_1691_ = _e428;
                 } else {
-                    phi_1692_ = 0i;
+                    phi_1691_ = 0i;
                 }
-                let _e460 = phi_1692_;
+                let _e462 = phi_1691_;
                 if (_e437 > 0i) {
-                    phi_1697_ = _e437;
+                    phi_1696_ = _e437;
                 } else {
-                    phi_1697_ = 0i;
+                    phi_1696_ = 0i;
                 }
-                let _e463 = phi_1697_;
-                if (_e460 < _e457) {
-                    phi_1702_ = _e460;
+                let _e465 = phi_1696_;
+                if (_e462 < _e459) {
+                    phi_1701_ = _e462;
                 } else {
-                    phi_1702_ = _e457;
+                    phi_1701_ = _e459;
                 }
-                let _e466 = phi_1702_;
-                if (_e463 < _e457) {
-                    phi_1707_ = _e463;
+                let _e468 = phi_1701_;
+                if (_e465 < _e459) {
+                    phi_1706_ = _e465;
                 } else {
-                    phi_1707_ = _e457;
+                    phi_1706_ = _e459;
                 }
-                let _e469 = phi_1707_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (_e428 + 1i);
-                let _e473 = (_e437 + 1i);
-                if (_e472 > 0i) {
-                    phi_1716_ = _e472;
+                let _e471 = phi_1706_;
+                let _e472 = bitcast<u32>(_e468);
+                let _e474 = (_e428 + 1i);
+                let _e475 = (_e437 + 1i);
+                if (_e474 > 0i) {
+                    phi_1715_ = _e474;
                 } else {
-                    phi_1716_ = 0i;
+                    phi_1715_ = 0i;
                 }
-                let _e476 = phi_1716_;
-                if (_e473 > 0i) {
-                    phi_1721_ = _e473;
+                let _e478 = phi_1715_;
+                if (_e475 > 0i) {
+                    phi_1720_ = _e475;
                 } else {
-                    phi_1721_ = 0i;
+                    phi_1720_ = 0i;
                 }
-                let _e479 = phi_1721_;
-                if (_e476 < _e457) {
-                    phi_1726_ = _e476;
+                let _e481 = phi_1720_;
+                if (_e478 < _e459) {
+                    phi_1725_ = _e478;
                 } else {
-                    phi_1726_ = _e457;
+                    phi_1725_ = _e459;
                 }
-                let _e482 = phi_1726_;
-                if (_e479 < _e457) {
-                    phi_1731_ = _e479;
+                let _e484 = phi_1725_;
+                if (_e481 < _e459) {
+                    phi_1730_ = _e481;
                 } else {
-                    phi_1731_ = _e457;
+                    phi_1730_ = _e459;
                 }
-                let _e485 = phi_1731_;
-                let _e486 = bitcast<u32>(_e482);
-                let _e488 = (bitcast<u32>(_e469) * _e451);
-                let _e489 = (bitcast<u32>(_e485) * _e451);
-                let _e490 = (_e488 + _e470);
-                let _e491 = (_e488 + _e486);
-                let _e492 = (_e489 + _e470);
-                let _e493 = (_e489 + _e486);
-                if (_e490 < _e55) {
-                } else {
-                    return;
-                }
-                let _e497 = map.member[(0u + _e490)];
-                if (_e491 < _e55) {
+                let _e487 = phi_1730_;
+                let _e488 = bitcast<u32>(_e484);
+                let _e490 = (bitcast<u32>(_e471) * _e451);
+                let _e491 = (bitcast<u32>(_e487) * _e451);
+                let _e496 = ((_e490 + _e472) + _e457);
+                let _e497 = ((_e490 + _e488) + _e457);
+                let _e498 = ((_e491 + _e472) + _e457);
+                let _e499 = ((_e491 + _e488) + _e457);
+                if (_e496 < _e55) {
                 } else {
                     return;
                 }
-                let _e501 = map.member[(0u + _e491)];
-                if (_e492 < _e55) {
+                let _e503 = map.member[(0u + _e496)];
+                if (_e497 < _e55) {
                 } else {
                     return;
                 }
-                let _e505 = map.member[(0u + _e492)];
-                if (_e493 < _e55) {
+                let _e507 = map.member[(0u + _e497)];
+                if (_e498 < _e55) {
                 } else {
                     return;
                 }
-                let _e509 = map.member[(0u + _e493)];
-                let _e511 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e497, _e501, _e505, _e509), vec4<f32>(((1f - _e418) * (1f - _e419)), (_e418 * (1f - _e419)), ((1f - _e418) * _e419), (_e418 * _e419)), _e358);
-                let _e513 = p.member.epsilon;
-                if (_e511 <= _e513) {
-                    phi_1778_ = true;
+                let _e511 = map.member[(0u + _e498)];
+                if (_e499 < _e55) {
                 } else {
-                    phi_1778_ = (_e511 >= (1f - _e513));
+                    return;
                 }
-                let _e518 = phi_1778_;
-                if ((bitcast<u32>(_e511) & 2147483647u) > 2139095040u) {
-                    phi_1786_ = true;
+                let _e515 = map.member[(0u + _e499)];
+                let _e517 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e503, _e507, _e511, _e515), vec4<f32>(((1f - _e418) * (1f - _e419)), (_e418 * (1f - _e419)), ((1f - _e418) * _e419), (_e418 * _e419)), _e358);
+                let _e519 = p.member.epsilon;
+                if (_e517 <= _e519) {
+                    phi_1781_ = true;
                 } else {
-                    phi_1786_ = !(_e518);
+                    phi_1781_ = (_e517 >= (1f - _e519));
                 }
-                let _e524 = phi_1786_;
-                if _e524 {
-                    if (_e511 > 0f) {
-                        if (_e511 < 1f) {
-                            phi_1798_ = false;
+                let _e524 = phi_1781_;
+                if ((bitcast<u32>(_e517) & 2147483647u) > 2139095040u) {
+                    phi_1789_ = true;
+                } else {
+                    phi_1789_ = !(_e524);
+                }
+                let _e530 = phi_1789_;
+                if _e530 {
+                    if (_e517 > 0f) {
+                        if (_e517 < 1f) {
+                            phi_1801_ = false;
                         } else {
-                            phi_1798_ = true;
+                            phi_1801_ = true;
                         }
-                        let _e528 = phi_1798_;
-                        phi_1799_ = _e528;
+                        let _e534 = phi_1801_;
+                        phi_1802_ = _e534;
                     } else {
-                        phi_1799_ = true;
+                        phi_1802_ = true;
                     }
-                    let _e530 = phi_1799_;
-                    if _e530 {
-                        phi_1803_ = 0.5f;
+                    let _e536 = phi_1802_;
+                    if _e536 {
+                        phi_1806_ = 0.5f;
                     } else {
-                        phi_1803_ = _e511;
+                        phi_1806_ = _e517;
                     }
-                    let _e532 = phi_1803_;
-                    phi_1811_ = evaluate_Verdict(_e532, true);
+                    let _e538 = phi_1806_;
+                    phi_1814_ = evaluate_Verdict(_e538, true);
                 } else {
-                    if (_e511 > 0.5f) {
-                        phi_1809_ = 1f;
+                    if (_e517 > 0.5f) {
+                        phi_1812_ = 1f;
                     } else {
-                        phi_1809_ = 0f;
+                        phi_1812_ = 0f;
                     }
-                    let _e536 = phi_1809_;
-                    phi_1811_ = evaluate_Verdict(_e536, false);
+                    let _e542 = phi_1812_;
+                    phi_1814_ = evaluate_Verdict(_e542, false);
                 }
-                let _e539 = phi_1811_;
-                phi_1816_ = evaluate_Verdict(_e539.visibility, _e539.is_doubted);
+                let _e545 = phi_1814_;
+                phi_1819_ = evaluate_Verdict(_e545.visibility, _e545.is_doubted);
             } else {
-                phi_1816_ = evaluate_Verdict(0.5f, true);
+                phi_1819_ = evaluate_Verdict(0.5f, true);
             }
-            let _e545 = phi_1816_;
-            phi_1817_ = _e545;
+            let _e551 = phi_1819_;
+            phi_1820_ = _e551;
         }
-        let _e547 = phi_1817_;
+        let _e553 = phi_1820_;
         if (_e64.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e64.first_primitive)] = _e547.visibility;
+        visibility.member[(0u + _e64.first_primitive)] = _e553.visibility;
     }
     return;
 }

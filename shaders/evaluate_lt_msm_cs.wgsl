@@ -45,13 +45,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_28 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 struct lt_bvh_slab_Span {
@@ -71,36 +75,36 @@ var<storage> map: type_13;
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_130_: lt_bvh_traverse_Tree;
-    var phi_131_: bool;
-    var phi_132_: lt_bvh_traverse_Tree;
-    var phi_133_: bool;
-    var phi_138_: lt_bvh_traverse_Tree;
+    var phi_131_: lt_bvh_traverse_Tree;
+    var phi_132_: bool;
+    var phi_133_: lt_bvh_traverse_Tree;
+    var phi_134_: bool;
+    var phi_139_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_130_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_131_ = false;
+            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_132_ = false;
         } else {
-            phi_130_ = lt_bvh_traverse_Tree();
-            phi_131_ = true;
+            phi_131_ = lt_bvh_traverse_Tree();
+            phi_132_ = true;
         }
-        let _e49 = phi_130_;
-        let _e51 = phi_131_;
-        phi_132_ = _e49;
-        phi_133_ = _e51;
+        let _e49 = phi_131_;
+        let _e51 = phi_132_;
+        phi_133_ = _e49;
+        phi_134_ = _e51;
     } else {
-        phi_132_ = lt_bvh_traverse_Tree();
-        phi_133_ = true;
+        phi_133_ = lt_bvh_traverse_Tree();
+        phi_134_ = true;
     }
-    let _e53 = phi_132_;
-    let _e55 = phi_133_;
+    let _e53 = phi_133_;
+    let _e55 = phi_134_;
     if _e55 {
-        phi_138_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_138_ = _e53;
+        phi_139_ = _e53;
     }
-    let _e60 = phi_138_;
+    let _e60 = phi_139_;
     return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
@@ -109,205 +113,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_165_: f32;
     var phi_166_: f32;
     var phi_167_: f32;
-    var phi_184_: f32;
+    var phi_168_: f32;
     var phi_185_: f32;
     var phi_186_: f32;
-    var phi_202_: f32;
+    var phi_187_: f32;
     var phi_203_: f32;
     var phi_204_: f32;
-    var phi_220_: f32;
+    var phi_205_: f32;
     var phi_221_: f32;
     var phi_222_: f32;
-    var phi_238_: f32;
+    var phi_223_: f32;
     var phi_239_: f32;
     var phi_240_: f32;
-    var phi_275_: bool;
+    var phi_241_: f32;
     var phi_276_: bool;
     var phi_277_: bool;
     var phi_278_: bool;
     var phi_279_: bool;
     var phi_280_: bool;
-    var phi_284_: bool;
-    var phi_595_: f32;
+    var phi_281_: bool;
+    var phi_285_: bool;
     var phi_596_: f32;
     var phi_597_: f32;
-    var phi_614_: f32;
+    var phi_598_: f32;
     var phi_615_: f32;
     var phi_616_: f32;
-    var phi_633_: f32;
+    var phi_617_: f32;
     var phi_634_: f32;
     var phi_635_: f32;
-    var phi_652_: f32;
+    var phi_636_: f32;
     var phi_653_: f32;
     var phi_654_: f32;
-    var phi_677_: f32;
+    var phi_655_: f32;
     var phi_678_: f32;
     var phi_679_: f32;
-    var phi_690_: f32;
-    var phi_705_: f32;
-    var phi_707_: lt_bvh_slab_Span;
-    var phi_765_: f32;
+    var phi_680_: f32;
+    var phi_691_: f32;
+    var phi_706_: f32;
+    var phi_708_: lt_bvh_slab_Span;
     var phi_766_: f32;
     var phi_767_: f32;
     var phi_768_: f32;
     var phi_769_: f32;
-    var phi_770_: bool;
-    var phi_774_: f32;
-    var phi_789_: f32;
+    var phi_770_: f32;
+    var phi_771_: bool;
+    var phi_775_: f32;
     var phi_790_: f32;
     var phi_791_: f32;
     var phi_792_: f32;
     var phi_793_: f32;
     var phi_794_: f32;
     var phi_795_: f32;
-    var phi_796_: bool;
-    var phi_797_: f32;
+    var phi_796_: f32;
+    var phi_797_: bool;
     var phi_798_: f32;
-    var phi_799_: bool;
-    var phi_803_: f32;
+    var phi_799_: f32;
+    var phi_800_: bool;
+    var phi_804_: f32;
 
     let _e40 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_167_ = param_7;
+        phi_168_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_166_ = 0f;
+            phi_167_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_165_ = 1f;
+                phi_166_ = 1f;
             } else {
-                phi_165_ = param_7;
+                phi_166_ = param_7;
             }
-            let _e47 = phi_165_;
-            phi_166_ = _e47;
+            let _e47 = phi_166_;
+            phi_167_ = _e47;
         }
-        let _e49 = phi_166_;
-        phi_167_ = _e49;
+        let _e49 = phi_167_;
+        phi_168_ = _e49;
     }
-    let _e51 = phi_167_;
+    let _e51 = phi_168_;
     let _e52 = (_e51 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_186_ = param_5.x;
+        phi_187_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_185_ = 0f;
+            phi_186_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_184_ = 1f;
+                phi_185_ = 1f;
             } else {
-                phi_184_ = param_5.x;
+                phi_185_ = param_5.x;
             }
-            let _e60 = phi_184_;
-            phi_185_ = _e60;
+            let _e60 = phi_185_;
+            phi_186_ = _e60;
         }
-        let _e62 = phi_185_;
-        phi_186_ = _e62;
+        let _e62 = phi_186_;
+        phi_187_ = _e62;
     }
-    let _e64 = phi_186_;
+    let _e64 = phi_187_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_204_ = param_5.y;
+        phi_205_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_203_ = 0f;
+            phi_204_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_202_ = 1f;
+                phi_203_ = 1f;
             } else {
-                phi_202_ = param_5.y;
+                phi_203_ = param_5.y;
             }
-            let _e72 = phi_202_;
-            phi_203_ = _e72;
+            let _e72 = phi_203_;
+            phi_204_ = _e72;
         }
-        let _e74 = phi_203_;
-        phi_204_ = _e74;
+        let _e74 = phi_204_;
+        phi_205_ = _e74;
     }
-    let _e76 = phi_204_;
+    let _e76 = phi_205_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_222_ = param_5.z;
+        phi_223_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_221_ = 0f;
+            phi_222_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_220_ = 1f;
+                phi_221_ = 1f;
             } else {
-                phi_220_ = param_5.z;
+                phi_221_ = param_5.z;
             }
-            let _e84 = phi_220_;
-            phi_221_ = _e84;
+            let _e84 = phi_221_;
+            phi_222_ = _e84;
         }
-        let _e86 = phi_221_;
-        phi_222_ = _e86;
+        let _e86 = phi_222_;
+        phi_223_ = _e86;
     }
-    let _e88 = phi_222_;
+    let _e88 = phi_223_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_240_ = param_5.w;
+        phi_241_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_239_ = 0f;
+            phi_240_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_238_ = 1f;
+                phi_239_ = 1f;
             } else {
-                phi_238_ = param_5.w;
+                phi_239_ = param_5.w;
             }
-            let _e96 = phi_238_;
-            phi_239_ = _e96;
+            let _e96 = phi_239_;
+            phi_240_ = _e96;
         }
-        let _e98 = phi_239_;
-        phi_240_ = _e98;
+        let _e98 = phi_240_;
+        phi_241_ = _e98;
     }
-    let _e100 = phi_240_;
+    let _e100 = phi_241_;
     let _e101 = (_e64 - _e52);
     let _e102 = (_e76 - _e52);
     let _e103 = (_e88 - _e52);
     let _e104 = (_e100 - _e52);
     let _e115 = ((((_e101 * param_6.x) + (_e102 * param_6.y)) + (_e103 * param_6.z)) + (_e104 * param_6.w));
     if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_797_ = _e115;
-        phi_798_ = f32();
-        phi_799_ = true;
+        phi_798_ = _e115;
+        phi_799_ = f32();
+        phi_800_ = true;
     } else {
         if (_e101 >= 0f) {
             if (_e102 >= 0f) {
                 if (_e103 >= 0f) {
-                    phi_275_ = (_e104 >= 0f);
-                    phi_276_ = false;
+                    phi_276_ = (_e104 >= 0f);
+                    phi_277_ = false;
                 } else {
-                    phi_275_ = bool();
-                    phi_276_ = true;
+                    phi_276_ = bool();
+                    phi_277_ = true;
                 }
-                let _e124 = phi_275_;
-                let _e126 = phi_276_;
-                phi_277_ = _e124;
-                phi_278_ = _e126;
+                let _e124 = phi_276_;
+                let _e126 = phi_277_;
+                phi_278_ = _e124;
+                phi_279_ = _e126;
             } else {
-                phi_277_ = bool();
-                phi_278_ = true;
+                phi_278_ = bool();
+                phi_279_ = true;
             }
-            let _e128 = phi_277_;
-            let _e130 = phi_278_;
-            phi_279_ = _e128;
-            phi_280_ = _e130;
+            let _e128 = phi_278_;
+            let _e130 = phi_279_;
+            phi_280_ = _e128;
+            phi_281_ = _e130;
         } else {
-            phi_279_ = bool();
-            phi_280_ = true;
+            phi_280_ = bool();
+            phi_281_ = true;
         }
-        let _e132 = phi_279_;
-        let _e134 = phi_280_;
+        let _e132 = phi_280_;
+        let _e134 = phi_281_;
         if _e134 {
-            phi_284_ = false;
+            phi_285_ = false;
         } else {
-            phi_284_ = _e132;
+            phi_285_ = _e132;
         }
-        let _e136 = phi_284_;
+        let _e136 = phi_285_;
         if _e136 {
-            phi_794_ = 1f;
-            phi_795_ = f32();
-            phi_796_ = true;
+            phi_795_ = 1f;
+            phi_796_ = f32();
+            phi_797_ = true;
         } else {
             let _e137 = (0.5f * _e40);
             let _e138 = (1f - _e40);
@@ -387,254 +391,254 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e424 = (_e418 < 0.0000000000000000000000000000000001f);
             if _e424 {
                 if ((bitcast<u32>(_e101) & 2147483647u) > 2139095040u) {
-                    phi_597_ = _e101;
+                    phi_598_ = _e101;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_596_ = 0f;
+                        phi_597_ = 0f;
                     } else {
                         if (_e101 < 0f) {
-                            phi_595_ = 0f;
+                            phi_596_ = 0f;
                         } else {
-                            phi_595_ = 1f;
+                            phi_596_ = 1f;
                         }
-                        let _e433 = phi_595_;
-                        phi_596_ = _e433;
+                        let _e433 = phi_596_;
+                        phi_597_ = _e433;
                     }
-                    let _e435 = phi_596_;
-                    phi_597_ = _e435;
+                    let _e435 = phi_597_;
+                    phi_598_ = _e435;
                 }
-                let _e437 = phi_597_;
+                let _e437 = phi_598_;
                 if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
-                    phi_616_ = _e102;
+                    phi_617_ = _e102;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_615_ = 0f;
+                        phi_616_ = 0f;
                     } else {
                         if (_e102 < 0f) {
-                            phi_614_ = 0f;
+                            phi_615_ = 0f;
                         } else {
-                            phi_614_ = 1f;
+                            phi_615_ = 1f;
                         }
-                        let _e446 = phi_614_;
-                        phi_615_ = _e446;
+                        let _e446 = phi_615_;
+                        phi_616_ = _e446;
                     }
-                    let _e448 = phi_615_;
-                    phi_616_ = _e448;
+                    let _e448 = phi_616_;
+                    phi_617_ = _e448;
                 }
-                let _e450 = phi_616_;
+                let _e450 = phi_617_;
                 if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
-                    phi_635_ = _e103;
+                    phi_636_ = _e103;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_634_ = 0f;
+                        phi_635_ = 0f;
                     } else {
                         if (_e103 < 0f) {
-                            phi_633_ = 0f;
+                            phi_634_ = 0f;
                         } else {
-                            phi_633_ = 1f;
+                            phi_634_ = 1f;
                         }
-                        let _e459 = phi_633_;
-                        phi_634_ = _e459;
+                        let _e459 = phi_634_;
+                        phi_635_ = _e459;
                     }
-                    let _e461 = phi_634_;
-                    phi_635_ = _e461;
+                    let _e461 = phi_635_;
+                    phi_636_ = _e461;
                 }
-                let _e463 = phi_635_;
+                let _e463 = phi_636_;
                 if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-                    phi_654_ = _e104;
+                    phi_655_ = _e104;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_653_ = 0f;
+                        phi_654_ = 0f;
                     } else {
                         if (_e104 < 0f) {
-                            phi_652_ = 0f;
+                            phi_653_ = 0f;
                         } else {
-                            phi_652_ = 1f;
+                            phi_653_ = 1f;
                         }
-                        let _e472 = phi_652_;
-                        phi_653_ = _e472;
+                        let _e472 = phi_653_;
+                        phi_654_ = _e472;
                     }
-                    let _e474 = phi_653_;
-                    phi_654_ = _e474;
+                    let _e474 = phi_654_;
+                    phi_655_ = _e474;
                 }
-                let _e476 = phi_654_;
+                let _e476 = phi_655_;
                 let _e484 = (((((_e437 * _e140) + (_e450 * _e142)) + (_e463 * _e144)) + (_e476 * _e146)) + _e137);
                 if ((bitcast<u32>(_e484) & 2147483647u) > 2139095040u) {
-                    phi_679_ = _e484;
+                    phi_680_ = _e484;
                 } else {
                     if (_e484 < 0f) {
-                        phi_678_ = 0f;
+                        phi_679_ = 0f;
                     } else {
                         if (_e484 > 1f) {
-                            phi_677_ = 1f;
+                            phi_678_ = 1f;
                         } else {
-                            phi_677_ = _e484;
+                            phi_678_ = _e484;
                         }
-                        let _e491 = phi_677_;
-                        phi_678_ = _e491;
+                        let _e491 = phi_678_;
+                        phi_679_ = _e491;
                     }
-                    let _e493 = phi_678_;
-                    phi_679_ = _e493;
+                    let _e493 = phi_679_;
+                    phi_680_ = _e493;
                 }
-                let _e495 = phi_679_;
-                phi_792_ = _e495;
-                phi_793_ = f32();
+                let _e495 = phi_680_;
+                phi_793_ = _e495;
+                phi_794_ = f32();
             } else {
                 let _e497 = ((0.5f * -(((((((((_e201 * (_e101 + _e102)) + (_e205 * (_e101 + _e103))) + (_e229 * (_e101 + _e147))) + (_e241 * (_e101 + _e148))) + ((((_e202 * (_e102 + _e103)) + (_e206 * (_e102 + _e104))) + (_e230 * (_e102 + _e147))) + (_e242 * (_e102 + _e148)))) + ((((_e203 * (_e103 + _e104)) + (_e207 * (_e103 + _e101))) + (_e231 * (_e103 + _e147))) + (_e243 * (_e103 + _e148)))) + ((((_e204 * (_e104 + _e101)) + (_e208 * (_e104 + _e102))) + (_e232 * (_e104 + _e147))) + (_e244 * (_e104 + _e148)))) + (_e415 * (_e147 + _e148))))) / _e418);
                 let _e498 = ((((((((_e201 + _e205) + _e229) + _e241) + (((_e202 + _e206) + _e230) + _e242)) + (((_e203 + _e207) + _e231) + _e243)) + (((_e204 + _e208) + _e232) + _e244)) + _e415) / _e418);
                 let _e500 = ((_e497 * _e497) - _e498);
                 if (_e500 > 0f) {
-                    phi_690_ = sqrt(_e500);
+                    phi_691_ = sqrt(_e500);
                 } else {
-                    phi_690_ = 0f;
+                    phi_691_ = 0f;
                 }
-                let _e504 = phi_690_;
+                let _e504 = phi_691_;
                 if (_e497 > 0f) {
                     let _e507 = (-(_e497) - _e504);
-                    phi_707_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
+                    phi_708_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
                 } else {
                     let _e510 = (_e504 - _e497);
                     if (_e510 > 0f) {
-                        phi_705_ = (_e498 / _e510);
+                        phi_706_ = (_e498 / _e510);
                     } else {
-                        phi_705_ = 0f;
+                        phi_706_ = 0f;
                     }
-                    let _e514 = phi_705_;
-                    phi_707_ = lt_bvh_slab_Span(_e514, _e510);
+                    let _e514 = phi_706_;
+                    phi_708_ = lt_bvh_slab_Span(_e514, _e510);
                 }
-                let _e517 = phi_707_;
+                let _e517 = phi_708_;
                 if (_e517.near >= 0f) {
-                    phi_768_ = 1f;
-                    phi_769_ = f32();
-                    phi_770_ = true;
+                    phi_769_ = 1f;
+                    phi_770_ = f32();
+                    phi_771_ = true;
                 } else {
                     let _e521 = (_e517.far <= 0f);
                     if _e521 {
-                        phi_766_ = (_e412 / _e418);
-                        phi_767_ = f32();
+                        phi_767_ = (_e412 / _e418);
+                        phi_768_ = f32();
                     } else {
                         let _e532 = (((((_e140 * _e101) + (_e142 * _e102)) + (_e144 * _e103)) + (_e146 * _e104)) + (_e137 * (_e147 + _e148)));
                         let _e548 = (((((_e140 * (_e101 * _e101)) + (_e142 * (_e102 * _e102))) + (_e144 * (_e103 * _e103))) + (_e146 * (_e104 * _e104))) + (_e137 * ((_e147 * _e147) + (_e148 * _e148))));
                         if (-(_e517.near) <= _e517.far) {
-                            phi_765_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
+                            phi_766_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
                         } else {
-                            phi_765_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
+                            phi_766_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
                         }
-                        let _e567 = phi_765_;
-                        phi_766_ = f32();
-                        phi_767_ = _e567;
+                        let _e567 = phi_766_;
+                        phi_767_ = f32();
+                        phi_768_ = _e567;
                     }
-                    let _e569 = phi_766_;
-                    let _e571 = phi_767_;
-                    phi_768_ = _e569;
-                    phi_769_ = _e571;
-                    phi_770_ = _e521;
+                    let _e569 = phi_767_;
+                    let _e571 = phi_768_;
+                    phi_769_ = _e569;
+                    phi_770_ = _e571;
+                    phi_771_ = _e521;
                 }
-                let _e573 = phi_768_;
-                let _e575 = phi_769_;
-                let _e577 = phi_770_;
+                let _e573 = phi_769_;
+                let _e575 = phi_770_;
+                let _e577 = phi_771_;
                 if _e577 {
-                    phi_774_ = _e573;
+                    phi_775_ = _e573;
                 } else {
-                    phi_774_ = _e575;
+                    phi_775_ = _e575;
                 }
-                let _e579 = phi_774_;
+                let _e579 = phi_775_;
                 if ((bitcast<u32>(_e579) & 2147483647u) > 2139095040u) {
-                    phi_791_ = _e579;
+                    phi_792_ = _e579;
                 } else {
                     if (_e579 < 0f) {
-                        phi_790_ = 0f;
+                        phi_791_ = 0f;
                     } else {
                         if (_e579 > 1f) {
-                            phi_789_ = 1f;
+                            phi_790_ = 1f;
                         } else {
-                            phi_789_ = _e579;
+                            phi_790_ = _e579;
                         }
-                        let _e586 = phi_789_;
-                        phi_790_ = _e586;
+                        let _e586 = phi_790_;
+                        phi_791_ = _e586;
                     }
-                    let _e588 = phi_790_;
-                    phi_791_ = _e588;
+                    let _e588 = phi_791_;
+                    phi_792_ = _e588;
                 }
-                let _e590 = phi_791_;
-                phi_792_ = f32();
-                phi_793_ = _e590;
+                let _e590 = phi_792_;
+                phi_793_ = f32();
+                phi_794_ = _e590;
             }
-            let _e592 = phi_792_;
-            let _e594 = phi_793_;
-            phi_794_ = _e592;
-            phi_795_ = _e594;
-            phi_796_ = _e424;
+            let _e592 = phi_793_;
+            let _e594 = phi_794_;
+            phi_795_ = _e592;
+            phi_796_ = _e594;
+            phi_797_ = _e424;
         }
-        let _e596 = phi_794_;
-        let _e598 = phi_795_;
-        let _e600 = phi_796_;
-        phi_797_ = _e596;
-        phi_798_ = _e598;
-        phi_799_ = _e600;
+        let _e596 = phi_795_;
+        let _e598 = phi_796_;
+        let _e600 = phi_797_;
+        phi_798_ = _e596;
+        phi_799_ = _e598;
+        phi_800_ = _e600;
     }
-    let _e602 = phi_797_;
-    let _e604 = phi_798_;
-    let _e606 = phi_799_;
+    let _e602 = phi_798_;
+    let _e604 = phi_799_;
+    let _e606 = phi_800_;
     if _e606 {
-        phi_803_ = _e602;
+        phi_804_ = _e602;
     } else {
-        phi_803_ = _e604;
+        phi_804_ = _e604;
     }
-    let _e608 = phi_803_;
+    let _e608 = phi_804_;
     return _e608;
 }
 
 fn function_() {
     var local: f32;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: bool;
+    var phi_861_: bool;
+    var phi_862_: bool;
+    var phi_863_: bool;
     var phi_864_: bool;
-    var phi_908_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_868_: bool;
     var phi_912_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_989_: bool;
-    var phi_998_: bool;
-    var phi_1007_: bool;
+    var phi_916_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_990_: bool;
+    var phi_999_: bool;
     var phi_1008_: bool;
     var phi_1009_: bool;
     var phi_1010_: bool;
     var phi_1011_: bool;
     var phi_1012_: bool;
     var phi_1013_: bool;
-    var phi_1017_: bool;
+    var phi_1014_: bool;
+    var phi_1018_: bool;
+    var phi_1108_: f32;
     var phi_1111_: f32;
-    var phi_1114_: f32;
-    var phi_1143_: f32;
-    var phi_1148_: f32;
-    var phi_1149_: bool;
-    var phi_1150_: f32;
-    var phi_1151_: bool;
-    var phi_1155_: f32;
-    var phi_1175_: f32;
-    var phi_1180_: f32;
-    var phi_1181_: bool;
-    var phi_1182_: f32;
-    var phi_1183_: bool;
-    var phi_1187_: f32;
-    var phi_1233_: i32;
-    var phi_1238_: i32;
-    var phi_1243_: i32;
-    var phi_1248_: i32;
-    var phi_1257_: i32;
-    var phi_1262_: i32;
-    var phi_1267_: i32;
-    var phi_1272_: i32;
-    var phi_1319_: bool;
-    var phi_1327_: bool;
-    var phi_1339_: bool;
-    var phi_1340_: bool;
-    var phi_1344_: f32;
-    var phi_1350_: f32;
-    var phi_1352_: evaluate_Verdict;
-    var phi_1357_: evaluate_Verdict;
-    var phi_1358_: evaluate_Verdict;
+    var phi_1140_: f32;
+    var phi_1145_: f32;
+    var phi_1146_: bool;
+    var phi_1147_: f32;
+    var phi_1148_: bool;
+    var phi_1152_: f32;
+    var phi_1172_: f32;
+    var phi_1177_: f32;
+    var phi_1178_: bool;
+    var phi_1179_: f32;
+    var phi_1180_: bool;
+    var phi_1184_: f32;
+    var phi_1232_: i32;
+    var phi_1237_: i32;
+    var phi_1242_: i32;
+    var phi_1247_: i32;
+    var phi_1256_: i32;
+    var phi_1261_: i32;
+    var phi_1266_: i32;
+    var phi_1271_: i32;
+    var phi_1322_: bool;
+    var phi_1330_: bool;
+    var phi_1342_: bool;
+    var phi_1343_: bool;
+    var phi_1347_: f32;
+    var phi_1353_: f32;
+    var phi_1355_: evaluate_Verdict;
+    var phi_1360_: evaluate_Verdict;
+    var phi_1361_: evaluate_Verdict;
 
     let _e37 = id_1;
     let _e44 = arrayLength((&map.member));
@@ -642,210 +646,205 @@ fn function_() {
     let _e52 = p.member.size[1u];
     let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
     if (bitcast<i32>(_e53.root) != 0i) {
+        let _e59 = p.member.projection;
         if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e62 = p.member.light;
-        let _e65 = samples.member[(0u + _e53.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e53.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e53.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_857_ = (_e75 == _e77);
-                phi_858_ = false;
+        let _e63 = lt_math_OneLevel(_e59);
+        let _e65 = p.member.light;
+        let _e68 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e70 = global[0u];
+        if (_e68 == _e70) {
+            let _e73 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e75 = global[1u];
+            if (_e73 == _e75) {
+                let _e78 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e80 = global[2u];
+                phi_861_ = (_e78 == _e80);
+                phi_862_ = false;
             } else {
-                phi_857_ = bool();
-                phi_858_ = true;
+                phi_861_ = bool();
+                phi_862_ = true;
             }
-            let _e80 = phi_857_;
-            let _e82 = phi_858_;
-            phi_859_ = _e80;
-            phi_860_ = _e82;
+            let _e83 = phi_861_;
+            let _e85 = phi_862_;
+            phi_863_ = _e83;
+            phi_864_ = _e85;
         } else {
-            phi_859_ = bool();
-            phi_860_ = true;
+            phi_863_ = bool();
+            phi_864_ = true;
         }
-        let _e84 = phi_859_;
-        let _e86 = phi_860_;
-        if _e86 {
-            phi_864_ = false;
+        let _e87 = phi_863_;
+        let _e89 = phi_864_;
+        if _e89 {
+            phi_868_ = false;
         } else {
-            phi_864_ = _e84;
+            phi_868_ = _e87;
         }
-        let _e88 = phi_864_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e53.first_primitive)].normal;
-            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[(0u + _e53.first_primitive)].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_908_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
+        let _e91 = phi_868_;
+        if !(_e91) {
+            let _e94 = samples.member[(0u + _e53.first_primitive)].normal;
+            let _e96 = samples.member[(0u + _e53.first_primitive)].position;
+            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
+                let _e120 = samples.member[(0u + _e53.first_primitive)].flags;
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
+                phi_912_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
             } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_908_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
+                phi_912_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
             }
-            let _e151 = phi_908_;
-            phi_912_ = _e151;
+            let _e154 = phi_912_;
+            phi_916_ = _e154;
         } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_912_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
+            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+            phi_916_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
         }
-        let _e168 = phi_912_;
-        if _e168.unnamed_1 {
-            phi_1358_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
+        let _e171 = phi_916_;
+        if _e171.unnamed_1 {
+            phi_1361_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
         } else {
-            let _e176 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e182 = p.member.projection.row_w;
-            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
-            let _e195 = p.member.projection.row_x;
-            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
-            let _e209 = p.member.projection.row_y;
-            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
-            let _e223 = p.member.projection.row_z;
-            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
-            if (_e193 > 0f) {
-                if (_e207 >= 0f) {
-                    phi_989_ = (_e207 <= 1f);
+            let _e179 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e197 = ((((_e63.projection.row_w.x * _e179.x) + (_e63.projection.row_w.y * _e179.y)) + (_e63.projection.row_w.z * _e179.z)) + (_e63.projection.row_w.w * 1f));
+            let _e211 = (((((_e63.projection.row_x.x * _e179.x) + (_e63.projection.row_x.y * _e179.y)) + (_e63.projection.row_x.z * _e179.z)) + (_e63.projection.row_x.w * 1f)) / _e197);
+            let _e225 = (((((_e63.projection.row_y.x * _e179.x) + (_e63.projection.row_y.y * _e179.y)) + (_e63.projection.row_y.z * _e179.z)) + (_e63.projection.row_y.w * 1f)) / _e197);
+            let _e238 = ((((_e63.projection.row_z.x * _e179.x) + (_e63.projection.row_z.y * _e179.y)) + (_e63.projection.row_z.z * _e179.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e197 > 0f) {
+                if (_e211 >= 0f) {
+                    phi_990_ = (_e211 <= 1f);
                 } else {
-                    phi_989_ = false;
+                    phi_990_ = false;
                 }
-                let _e239 = phi_989_;
-                if _e239 {
-                    if (_e221 >= 0f) {
-                        phi_998_ = (_e221 <= 1f);
+                let _e243 = phi_990_;
+                if _e243 {
+                    if (_e225 >= 0f) {
+                        phi_999_ = (_e225 <= 1f);
                     } else {
-                        phi_998_ = false;
+                        phi_999_ = false;
                     }
-                    let _e243 = phi_998_;
-                    if _e243 {
-                        if (_e234 >= 0f) {
-                            phi_1007_ = (_e234 <= 1f);
+                    let _e247 = phi_999_;
+                    if _e247 {
+                        if (_e238 >= 0f) {
+                            phi_1008_ = (_e238 <= 1f);
                         } else {
-                            phi_1007_ = false;
+                            phi_1008_ = false;
                         }
-                        let _e247 = phi_1007_;
-                        phi_1008_ = _e247;
-                        phi_1009_ = false;
+                        let _e251 = phi_1008_;
+                        phi_1009_ = _e251;
+                        phi_1010_ = false;
                     } else {
-                        phi_1008_ = bool();
-                        phi_1009_ = true;
+                        phi_1009_ = bool();
+                        phi_1010_ = true;
                     }
-                    let _e249 = phi_1008_;
-                    let _e251 = phi_1009_;
-                    phi_1010_ = _e249;
-                    phi_1011_ = _e251;
+                    let _e253 = phi_1009_;
+                    let _e255 = phi_1010_;
+                    phi_1011_ = _e253;
+                    phi_1012_ = _e255;
                 } else {
-                    phi_1010_ = bool();
-                    phi_1011_ = true;
+                    phi_1011_ = bool();
+                    phi_1012_ = true;
                 }
-                let _e253 = phi_1010_;
-                let _e255 = phi_1011_;
-                phi_1012_ = _e253;
-                phi_1013_ = _e255;
+                let _e257 = phi_1011_;
+                let _e259 = phi_1012_;
+                phi_1013_ = _e257;
+                phi_1014_ = _e259;
             } else {
-                phi_1012_ = bool();
-                phi_1013_ = true;
+                phi_1013_ = bool();
+                phi_1014_ = true;
             }
-            let _e257 = phi_1012_;
-            let _e259 = phi_1013_;
-            if _e259 {
-                phi_1017_ = false;
+            let _e261 = phi_1013_;
+            let _e263 = phi_1014_;
+            if _e263 {
+                phi_1018_ = false;
             } else {
-                phi_1017_ = _e257;
+                phi_1018_ = _e261;
             }
-            let _e261 = phi_1017_;
-            if _e261 {
+            let _e265 = phi_1018_;
+            if _e265 {
                 if (0f > 0f) {
-                    let _e264 = samples.member[(0u + _e53.first_primitive)].normal;
-                    let _e266 = p.member.map_size;
-                    let _e269 = p.member.projection.row_x;
-                    let _e291 = p.member.projection.row_y;
-                    let _e313 = p.member.projection.row_z;
-                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    let _e268 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e270 = p.member.map_size;
+                    let _e340 = ((abs(((((_e59.row_x.x * _e268.x) + (_e59.row_x.y * _e268.y)) + (_e59.row_x.z * _e268.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e268.x) + (_e59.row_y.y * _e268.y)) + (_e59.row_y.z * _e268.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e268.x) + (_e59.row_z.y * _e268.y)) + (_e59.row_z.z * _e268.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e270)));
                     if (_e340 < 0.002f) {
-                        phi_1111_ = _e340;
+                        phi_1108_ = _e340;
                     } else {
-                        phi_1111_ = 0.002f;
+                        phi_1108_ = 0.002f;
                     }
-                    let _e343 = phi_1111_;
-                    phi_1114_ = (_e234 - (0f * _e343));
+                    let _e343 = phi_1108_;
+                    phi_1111_ = (_e238 - (0f * _e343));
                 } else {
-                    phi_1114_ = _e234;
+                    phi_1111_ = _e238;
                 }
-                let _e347 = phi_1114_;
+                let _e347 = phi_1111_;
                 let _e349 = p.member.map_size;
                 let _e350 = f32(_e349);
-                let _e353 = ((_e207 * _e350) - 0.5f);
-                let _e354 = ((_e221 * _e350) - 0.5f);
+                let _e353 = ((_e211 * _e350) - 0.5f);
+                let _e354 = ((_e225 * _e350) - 0.5f);
                 if (_e353 > -8388608f) {
                     let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
                     if (_e366 > _e353) {
-                        phi_1143_ = 1f;
+                        phi_1140_ = 1f;
                     } else {
-                        phi_1143_ = 0f;
+                        phi_1140_ = 0f;
                     }
-                    let _e369 = phi_1143_;
+                    let _e369 = phi_1140_;
                     if (_e353 < 8388608f) {
-                        phi_1148_ = (_e366 - _e369);
-                        phi_1149_ = false;
+                        phi_1145_ = (_e366 - _e369);
+                        phi_1146_ = false;
                     } else {
-                        phi_1148_ = f32();
-                        phi_1149_ = true;
+                        phi_1145_ = f32();
+                        phi_1146_ = true;
                     }
-                    let _e372 = phi_1148_;
-                    let _e374 = phi_1149_;
-                    phi_1150_ = _e372;
-                    phi_1151_ = _e374;
+                    let _e372 = phi_1145_;
+                    let _e374 = phi_1146_;
+                    phi_1147_ = _e372;
+                    phi_1148_ = _e374;
                 } else {
-                    phi_1150_ = f32();
-                    phi_1151_ = true;
+                    phi_1147_ = f32();
+                    phi_1148_ = true;
                 }
-                let _e376 = phi_1150_;
-                let _e378 = phi_1151_;
+                let _e376 = phi_1147_;
+                let _e378 = phi_1148_;
                 if _e378 {
-                    phi_1155_ = _e353;
+                    phi_1152_ = _e353;
                 } else {
-                    phi_1155_ = _e376;
+                    phi_1152_ = _e376;
                 }
-                let _e380 = phi_1155_;
+                let _e380 = phi_1152_;
                 if (_e354 > -8388608f) {
                     let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
                     if (_e392 > _e354) {
-                        phi_1175_ = 1f;
+                        phi_1172_ = 1f;
                     } else {
-                        phi_1175_ = 0f;
+                        phi_1172_ = 0f;
                     }
-                    let _e395 = phi_1175_;
+                    let _e395 = phi_1172_;
                     if (_e354 < 8388608f) {
-                        phi_1180_ = (_e392 - _e395);
-                        phi_1181_ = false;
+                        phi_1177_ = (_e392 - _e395);
+                        phi_1178_ = false;
                     } else {
-                        phi_1180_ = f32();
-                        phi_1181_ = true;
+                        phi_1177_ = f32();
+                        phi_1178_ = true;
                     }
-                    let _e398 = phi_1180_;
-                    let _e400 = phi_1181_;
-                    phi_1182_ = _e398;
-                    phi_1183_ = _e400;
+                    let _e398 = phi_1177_;
+                    let _e400 = phi_1178_;
+                    phi_1179_ = _e398;
+                    phi_1180_ = _e400;
                 } else {
-                    phi_1182_ = f32();
-                    phi_1183_ = true;
+                    phi_1179_ = f32();
+                    phi_1180_ = true;
                 }
-                let _e402 = phi_1182_;
-                let _e404 = phi_1183_;
+                let _e402 = phi_1179_;
+                let _e404 = phi_1180_;
                 if _e404 {
-                    phi_1187_ = _e354;
+                    phi_1184_ = _e354;
                 } else {
-                    phi_1187_ = _e402;
+                    phi_1184_ = _e402;
                 }
-                let _e406 = phi_1187_;
+                let _e406 = phi_1184_;
                 let _e407 = (_e353 - _e380);
                 let _e408 = (_e354 - _e406);
                 let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
@@ -854,142 +853,143 @@ fn function_() {
                 let _e438 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e437);
                 let _e440 = p.member.map_size;
                 local = _e438;
-                let _e442 = (bitcast<i32>(_e440) - 1i);
+                let _e442 = ((0u * _e440) * _e440);
+                let _e444 = (bitcast<i32>(_e440) - 1i);
                 if (_e417 > 0i) {
-                    phi_1233_ = _e417;
+                    phi_1232_ = _e417;
                 } else {
-                    phi_1233_ = 0i;
+                    phi_1232_ = 0i;
                 }
-                let _e445 = phi_1233_;
+                let _e447 = phi_1232_;
                 if (_e426 > 0i) {
-                    phi_1238_ = _e426;
+                    phi_1237_ = _e426;
                 } else {
-                    phi_1238_ = 0i;
+                    phi_1237_ = 0i;
                 }
-                let _e448 = phi_1238_;
-                if (_e445 < _e442) {
-                    phi_1243_ = _e445;
+                let _e450 = phi_1237_;
+                if (_e447 < _e444) {
+                    phi_1242_ = _e447;
                 } else {
-                    phi_1243_ = _e442;
+                    phi_1242_ = _e444;
                 }
-                let _e451 = phi_1243_;
-                if (_e448 < _e442) {
-                    phi_1248_ = _e448;
+                let _e453 = phi_1242_;
+                if (_e450 < _e444) {
+                    phi_1247_ = _e450;
                 } else {
-                    phi_1248_ = _e442;
+                    phi_1247_ = _e444;
                 }
-                let _e454 = phi_1248_;
-                let _e455 = bitcast<u32>(_e451);
-                let _e457 = (_e417 + 1i);
-                let _e458 = (_e426 + 1i);
-                if (_e457 > 0i) {
-                    phi_1257_ = _e457;
+                let _e456 = phi_1247_;
+                let _e457 = bitcast<u32>(_e453);
+                let _e459 = (_e417 + 1i);
+                let _e460 = (_e426 + 1i);
+                if (_e459 > 0i) {
+                    phi_1256_ = _e459;
                 } else {
-                    phi_1257_ = 0i;
+                    phi_1256_ = 0i;
                 }
-                let _e461 = phi_1257_;
-                if (_e458 > 0i) {
-                    phi_1262_ = _e458;
+                let _e463 = phi_1256_;
+                if (_e460 > 0i) {
+                    phi_1261_ = _e460;
                 } else {
-                    phi_1262_ = 0i;
+                    phi_1261_ = 0i;
                 }
-                let _e464 = phi_1262_;
-                if (_e461 < _e442) {
-                    phi_1267_ = _e461;
+                let _e466 = phi_1261_;
+                if (_e463 < _e444) {
+                    phi_1266_ = _e463;
                 } else {
-                    phi_1267_ = _e442;
+                    phi_1266_ = _e444;
                 }
-                let _e467 = phi_1267_;
-                if (_e464 < _e442) {
-                    phi_1272_ = _e464;
+                let _e469 = phi_1266_;
+                if (_e466 < _e444) {
+                    phi_1271_ = _e466;
                 } else {
-                    phi_1272_ = _e442;
+                    phi_1271_ = _e444;
                 }
-                let _e470 = phi_1272_;
-                let _e471 = bitcast<u32>(_e467);
-                let _e473 = (bitcast<u32>(_e454) * _e440);
-                let _e474 = (bitcast<u32>(_e470) * _e440);
-                let _e475 = (_e473 + _e455);
-                let _e476 = (_e473 + _e471);
-                let _e477 = (_e474 + _e455);
-                let _e478 = (_e474 + _e471);
-                if (_e475 < _e44) {
-                } else {
-                    return;
-                }
-                let _e482 = map.member[(0u + _e475)];
-                if (_e476 < _e44) {
+                let _e472 = phi_1271_;
+                let _e473 = bitcast<u32>(_e469);
+                let _e475 = (bitcast<u32>(_e456) * _e440);
+                let _e476 = (bitcast<u32>(_e472) * _e440);
+                let _e481 = ((_e475 + _e457) + _e442);
+                let _e482 = ((_e475 + _e473) + _e442);
+                let _e483 = ((_e476 + _e457) + _e442);
+                let _e484 = ((_e476 + _e473) + _e442);
+                if (_e481 < _e44) {
                 } else {
                     return;
                 }
-                let _e486 = map.member[(0u + _e476)];
-                if (_e477 < _e44) {
+                let _e488 = map.member[(0u + _e481)];
+                if (_e482 < _e44) {
                 } else {
                     return;
                 }
-                let _e490 = map.member[(0u + _e477)];
-                if (_e478 < _e44) {
+                let _e492 = map.member[(0u + _e482)];
+                if (_e483 < _e44) {
                 } else {
                     return;
                 }
-                let _e494 = map.member[(0u + _e478)];
-                let _e496 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e482, _e486, _e490, _e494), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
-                let _e498 = p.member.epsilon;
-                if (_e496 <= _e498) {
-                    phi_1319_ = true;
+                let _e496 = map.member[(0u + _e483)];
+                if (_e484 < _e44) {
                 } else {
-                    phi_1319_ = (_e496 >= (1f - _e498));
+                    return;
                 }
-                let _e503 = phi_1319_;
-                if ((bitcast<u32>(_e496) & 2147483647u) > 2139095040u) {
-                    phi_1327_ = true;
+                let _e500 = map.member[(0u + _e484)];
+                let _e502 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e488, _e492, _e496, _e500), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
+                let _e504 = p.member.epsilon;
+                if (_e502 <= _e504) {
+                    phi_1322_ = true;
                 } else {
-                    phi_1327_ = !(_e503);
+                    phi_1322_ = (_e502 >= (1f - _e504));
                 }
-                let _e509 = phi_1327_;
-                if _e509 {
-                    if (_e496 > 0f) {
-                        if (_e496 < 1f) {
-                            phi_1339_ = false;
+                let _e509 = phi_1322_;
+                if ((bitcast<u32>(_e502) & 2147483647u) > 2139095040u) {
+                    phi_1330_ = true;
+                } else {
+                    phi_1330_ = !(_e509);
+                }
+                let _e515 = phi_1330_;
+                if _e515 {
+                    if (_e502 > 0f) {
+                        if (_e502 < 1f) {
+                            phi_1342_ = false;
                         } else {
-                            phi_1339_ = true;
+                            phi_1342_ = true;
                         }
-                        let _e513 = phi_1339_;
-                        phi_1340_ = _e513;
+                        let _e519 = phi_1342_;
+                        phi_1343_ = _e519;
                     } else {
-                        phi_1340_ = true;
+                        phi_1343_ = true;
                     }
-                    let _e515 = phi_1340_;
-                    if _e515 {
-                        phi_1344_ = 0.5f;
+                    let _e521 = phi_1343_;
+                    if _e521 {
+                        phi_1347_ = 0.5f;
                     } else {
-                        phi_1344_ = _e496;
+                        phi_1347_ = _e502;
                     }
-                    let _e517 = phi_1344_;
-                    phi_1352_ = evaluate_Verdict(_e517, true);
+                    let _e523 = phi_1347_;
+                    phi_1355_ = evaluate_Verdict(_e523, true);
                 } else {
-                    if (_e496 > 0.5f) {
-                        phi_1350_ = 1f;
+                    if (_e502 > 0.5f) {
+                        phi_1353_ = 1f;
                     } else {
-                        phi_1350_ = 0f;
+                        phi_1353_ = 0f;
                     }
-                    let _e521 = phi_1350_;
-                    phi_1352_ = evaluate_Verdict(_e521, false);
+                    let _e527 = phi_1353_;
+                    phi_1355_ = evaluate_Verdict(_e527, false);
                 }
-                let _e524 = phi_1352_;
-                phi_1357_ = evaluate_Verdict(_e524.visibility, _e524.is_doubted);
+                let _e530 = phi_1355_;
+                phi_1360_ = evaluate_Verdict(_e530.visibility, _e530.is_doubted);
             } else {
-                phi_1357_ = evaluate_Verdict(0.5f, true);
+                phi_1360_ = evaluate_Verdict(0.5f, true);
             }
-            let _e530 = phi_1357_;
-            phi_1358_ = _e530;
+            let _e536 = phi_1360_;
+            phi_1361_ = _e536;
         }
-        let _e532 = phi_1358_;
+        let _e538 = phi_1361_;
         if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.first_primitive)] = _e532.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e538.visibility;
     }
     return;
 }

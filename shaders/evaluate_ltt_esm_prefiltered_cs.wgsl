@@ -53,13 +53,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_41 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 struct type_48 {
@@ -82,36 +86,36 @@ var<storage, read_write> list: type_48;
 var<storage> map: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_160_: lt_bvh_traverse_Tree;
+    var phi_161_: bool;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_160_ = false;
+            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_161_ = false;
         } else {
-            phi_159_ = lt_bvh_traverse_Tree();
-            phi_160_ = true;
+            phi_160_ = lt_bvh_traverse_Tree();
+            phi_161_ = true;
         }
-        let _e63 = phi_159_;
-        let _e65 = phi_160_;
-        phi_161_ = _e63;
-        phi_162_ = _e65;
+        let _e63 = phi_160_;
+        let _e65 = phi_161_;
+        phi_162_ = _e63;
+        phi_163_ = _e65;
     } else {
-        phi_161_ = lt_bvh_traverse_Tree();
-        phi_162_ = true;
+        phi_162_ = lt_bvh_traverse_Tree();
+        phi_163_ = true;
     }
-    let _e67 = phi_161_;
-    let _e69 = phi_162_;
+    let _e67 = phi_162_;
+    let _e69 = phi_163_;
     if _e69 {
-        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_167_ = _e67;
+        phi_168_ = _e67;
     }
-    let _e74 = phi_167_;
+    let _e74 = phi_168_;
     return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
@@ -120,191 +124,191 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_187_: bool;
-    var phi_191_: f32;
+    var phi_188_: bool;
+    var phi_192_: f32;
 
     let _e51 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_187_ = true;
+        phi_188_ = true;
     } else {
         let _e55 = (84f < _e51);
         if _e55 {
         }
-        phi_187_ = _e55;
+        phi_188_ = _e55;
     }
-    let _e57 = phi_187_;
+    let _e57 = phi_188_;
     if _e57 {
-        phi_191_ = 84f;
+        phi_192_ = 84f;
     } else {
-        phi_191_ = _e51;
+        phi_192_ = _e51;
     }
-    let _e59 = phi_191_;
+    let _e59 = phi_192_;
     return _e59;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_210_: f32;
     var phi_211_: f32;
     var phi_212_: f32;
-    var phi_227_: f32;
-    var phi_232_: f32;
-    var phi_254_: f32;
-    var phi_259_: f32;
-    var phi_260_: bool;
-    var phi_261_: f32;
-    var phi_262_: bool;
-    var phi_266_: f32;
-    var phi_304_: f32;
-    var phi_320_: f32;
+    var phi_213_: f32;
+    var phi_228_: f32;
+    var phi_233_: f32;
+    var phi_255_: f32;
+    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
+    var phi_305_: f32;
     var phi_321_: f32;
     var phi_322_: f32;
+    var phi_323_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_212_ = param_7;
+        phi_213_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_211_ = 0f;
+            phi_212_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_210_ = 1f;
+                phi_211_ = 1f;
             } else {
-                phi_210_ = param_7;
+                phi_211_ = param_7;
             }
-            let _e59 = phi_210_;
-            phi_211_ = _e59;
+            let _e59 = phi_211_;
+            phi_212_ = _e59;
         }
-        let _e61 = phi_211_;
-        phi_212_ = _e61;
+        let _e61 = phi_212_;
+        phi_213_ = _e61;
     }
-    let _e63 = phi_212_;
+    let _e63 = phi_213_;
     let _e65 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e67 = (_e65 * (1f - _e63));
     if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-        phi_304_ = _e67;
+        phi_305_ = _e67;
     } else {
         if (_e67 < -87f) {
-            phi_227_ = -87f;
+            phi_228_ = -87f;
         } else {
-            phi_227_ = _e67;
+            phi_228_ = _e67;
         }
-        let _e73 = phi_227_;
+        let _e73 = phi_228_;
         if (_e73 > 88f) {
-            phi_232_ = 88f;
+            phi_233_ = 88f;
         } else {
-            phi_232_ = _e73;
+            phi_233_ = _e73;
         }
-        let _e76 = phi_232_;
+        let _e76 = phi_233_;
         let _e78 = ((_e76 * 1.442695f) + 0.5f);
         if (_e78 > -8388608f) {
             let _e90 = f32(select(0i, select(select(i32(_e78), i32(-2147483648), (_e78 < bitcast<f32>(3472883712u))), 2147483647i, (_e78 > bitcast<f32>(1325400063u))), (_e78 == _e78)));
             if (_e90 > _e78) {
-                phi_254_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_254_ = 0f;
+                phi_255_ = 0f;
             }
-            let _e93 = phi_254_;
+            let _e93 = phi_255_;
             if (_e78 < 8388608f) {
-                phi_259_ = (_e90 - _e93);
-                phi_260_ = false;
+                phi_260_ = (_e90 - _e93);
+                phi_261_ = false;
             } else {
-                phi_259_ = f32();
-                phi_260_ = true;
+                phi_260_ = f32();
+                phi_261_ = true;
             }
-            let _e96 = phi_259_;
-            let _e98 = phi_260_;
-            phi_261_ = _e96;
-            phi_262_ = _e98;
+            let _e96 = phi_260_;
+            let _e98 = phi_261_;
+            phi_262_ = _e96;
+            phi_263_ = _e98;
         } else {
-            phi_261_ = f32();
-            phi_262_ = true;
+            phi_262_ = f32();
+            phi_263_ = true;
         }
-        let _e100 = phi_261_;
-        let _e102 = phi_262_;
+        let _e100 = phi_262_;
+        let _e102 = phi_263_;
         if _e102 {
-            phi_266_ = _e78;
+            phi_267_ = _e78;
         } else {
-            phi_266_ = _e100;
+            phi_267_ = _e100;
         }
-        let _e104 = phi_266_;
+        let _e104 = phi_267_;
         let _e108 = ((_e76 - (_e104 * 0.69314575f)) - (_e104 * 0.0000014286068f));
-        phi_304_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
+        phi_305_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e144 = phi_304_;
+    let _e144 = phi_305_;
     let _e145 = (param_6.x * _e144);
     if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
-        phi_322_ = _e145;
+        phi_323_ = _e145;
     } else {
         if (_e145 < 0f) {
-            phi_321_ = 0f;
+            phi_322_ = 0f;
         } else {
             if (_e145 > 1f) {
-                phi_320_ = 1f;
+                phi_321_ = 1f;
             } else {
-                phi_320_ = _e145;
+                phi_321_ = _e145;
             }
-            let _e152 = phi_320_;
-            phi_321_ = _e152;
+            let _e152 = phi_321_;
+            phi_322_ = _e152;
         }
-        let _e154 = phi_321_;
-        phi_322_ = _e154;
+        let _e154 = phi_322_;
+        phi_323_ = _e154;
     }
-    let _e156 = phi_322_;
+    let _e156 = phi_323_;
     return _e156;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_371_: bool;
-    var phi_372_: bool;
-    var phi_373_: bool;
-    var phi_374_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
+    var phi_377_: bool;
     var phi_378_: bool;
-    var phi_422_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_382_: bool;
     var phi_426_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_503_: bool;
-    var phi_512_: bool;
-    var phi_521_: bool;
+    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_504_: bool;
+    var phi_513_: bool;
     var phi_522_: bool;
     var phi_523_: bool;
     var phi_524_: bool;
     var phi_525_: bool;
     var phi_526_: bool;
     var phi_527_: bool;
-    var phi_531_: bool;
+    var phi_528_: bool;
+    var phi_532_: bool;
+    var phi_622_: f32;
     var phi_625_: f32;
-    var phi_628_: f32;
-    var phi_657_: f32;
-    var phi_662_: f32;
-    var phi_663_: bool;
-    var phi_664_: f32;
-    var phi_665_: bool;
-    var phi_669_: f32;
-    var phi_689_: f32;
-    var phi_694_: f32;
-    var phi_695_: bool;
-    var phi_696_: f32;
-    var phi_697_: bool;
-    var phi_701_: f32;
-    var phi_747_: i32;
-    var phi_752_: i32;
-    var phi_757_: i32;
-    var phi_762_: i32;
-    var phi_771_: i32;
-    var phi_776_: i32;
-    var phi_781_: i32;
-    var phi_786_: i32;
-    var phi_877_: bool;
-    var phi_885_: bool;
-    var phi_897_: bool;
-    var phi_898_: bool;
-    var phi_902_: f32;
-    var phi_908_: f32;
-    var phi_910_: evaluate_Verdict;
-    var phi_915_: evaluate_Verdict;
-    var phi_916_: evaluate_Verdict;
-    var phi_920_: bool;
-    var phi_921_: u32;
-    var phi_932_: u32;
+    var phi_654_: f32;
+    var phi_659_: f32;
+    var phi_660_: bool;
+    var phi_661_: f32;
+    var phi_662_: bool;
+    var phi_666_: f32;
+    var phi_686_: f32;
+    var phi_691_: f32;
+    var phi_692_: bool;
+    var phi_693_: f32;
+    var phi_694_: bool;
+    var phi_698_: f32;
+    var phi_746_: i32;
+    var phi_751_: i32;
+    var phi_756_: i32;
+    var phi_761_: i32;
+    var phi_770_: i32;
+    var phi_775_: i32;
+    var phi_780_: i32;
+    var phi_785_: i32;
+    var phi_880_: bool;
+    var phi_888_: bool;
+    var phi_900_: bool;
+    var phi_901_: bool;
+    var phi_905_: f32;
+    var phi_911_: f32;
+    var phi_913_: evaluate_Verdict;
+    var phi_918_: evaluate_Verdict;
+    var phi_919_: evaluate_Verdict;
+    var phi_923_: bool;
+    var phi_924_: u32;
+    var phi_935_: u32;
 
     let _e51 = id_1;
     let _e52 = local_2;
@@ -313,206 +317,201 @@ fn function_() {
     let _e64 = p.member.size[1u];
     let _e65 = lt_shaders_entry_pixel_index(_e51, _e62, _e64);
     if (bitcast<i32>(_e65.root) != 0i) {
-        let _e72 = p.member.light;
-        let _e75 = samples.member[_e65.first_primitive].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[_e65.first_primitive].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[_e65.first_primitive].normal[2u];
-                let _e87 = global[2u];
-                phi_371_ = (_e85 == _e87);
-                phi_372_ = false;
+        let _e72 = p.member.projection;
+        let _e73 = lt_math_OneLevel(_e72);
+        let _e75 = p.member.light;
+        let _e78 = samples.member[_e65.first_primitive].normal[0u];
+        let _e80 = global[0u];
+        if (_e78 == _e80) {
+            let _e83 = samples.member[_e65.first_primitive].normal[1u];
+            let _e85 = global[1u];
+            if (_e83 == _e85) {
+                let _e88 = samples.member[_e65.first_primitive].normal[2u];
+                let _e90 = global[2u];
+                phi_375_ = (_e88 == _e90);
+                phi_376_ = false;
             } else {
-                phi_371_ = bool();
-                phi_372_ = true;
+                phi_375_ = bool();
+                phi_376_ = true;
             }
-            let _e90 = phi_371_;
-            let _e92 = phi_372_;
-            phi_373_ = _e90;
-            phi_374_ = _e92;
+            let _e93 = phi_375_;
+            let _e95 = phi_376_;
+            phi_377_ = _e93;
+            phi_378_ = _e95;
         } else {
-            phi_373_ = bool();
-            phi_374_ = true;
+            phi_377_ = bool();
+            phi_378_ = true;
         }
-        let _e94 = phi_373_;
-        let _e96 = phi_374_;
-        if _e96 {
-            phi_378_ = false;
+        let _e97 = phi_377_;
+        let _e99 = phi_378_;
+        if _e99 {
+            phi_382_ = false;
         } else {
-            phi_378_ = _e94;
+            phi_382_ = _e97;
         }
-        let _e98 = phi_378_;
-        if !(_e98) {
-            let _e101 = samples.member[_e65.first_primitive].normal;
-            let _e103 = samples.member[_e65.first_primitive].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[_e65.first_primitive].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_422_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
+        let _e101 = phi_382_;
+        if !(_e101) {
+            let _e104 = samples.member[_e65.first_primitive].normal;
+            let _e106 = samples.member[_e65.first_primitive].position;
+            if ((((_e104.x * (_e75.x - (_e106.x * _e75.w))) + (_e104.y * (_e75.y - (_e106.y * _e75.w)))) + (_e104.z * (_e75.z - (_e106.z * _e75.w)))) > 0f) {
+                let _e130 = samples.member[_e65.first_primitive].flags;
+                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
+                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, ((_e130 & 1u) == 0u));
             } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_422_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
+                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
+                phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, true);
             }
-            let _e161 = phi_422_;
-            phi_426_ = _e161;
+            let _e164 = phi_426_;
+            phi_430_ = _e164;
         } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
+            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+            phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
         }
-        let _e178 = phi_426_;
-        if _e178.unnamed_1 {
-            phi_916_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
+        let _e181 = phi_430_;
+        if _e181.unnamed_1 {
+            phi_919_ = evaluate_Verdict(_e181.unnamed.visibility, _e181.unnamed.is_doubted);
         } else {
-            let _e186 = samples.member[_e65.first_primitive].position;
-            let _e192 = p.member.projection.row_w;
-            let _e203 = ((((_e192.x * _e186.x) + (_e192.y * _e186.y)) + (_e192.z * _e186.z)) + (_e192.w * 1f));
-            let _e205 = p.member.projection.row_x;
-            let _e217 = (((((_e205.x * _e186.x) + (_e205.y * _e186.y)) + (_e205.z * _e186.z)) + (_e205.w * 1f)) / _e203);
-            let _e219 = p.member.projection.row_y;
-            let _e231 = (((((_e219.x * _e186.x) + (_e219.y * _e186.y)) + (_e219.z * _e186.z)) + (_e219.w * 1f)) / _e203);
-            let _e233 = p.member.projection.row_z;
-            let _e244 = ((((_e233.x * _e186.x) + (_e233.y * _e186.y)) + (_e233.z * _e186.z)) + (_e233.w * 1f));
-            if (_e203 > 0f) {
-                if (_e217 >= 0f) {
-                    phi_503_ = (_e217 <= 1f);
+            let _e189 = samples.member[_e65.first_primitive].position;
+            let _e207 = ((((_e73.projection.row_w.x * _e189.x) + (_e73.projection.row_w.y * _e189.y)) + (_e73.projection.row_w.z * _e189.z)) + (_e73.projection.row_w.w * 1f));
+            let _e221 = (((((_e73.projection.row_x.x * _e189.x) + (_e73.projection.row_x.y * _e189.y)) + (_e73.projection.row_x.z * _e189.z)) + (_e73.projection.row_x.w * 1f)) / _e207);
+            let _e235 = (((((_e73.projection.row_y.x * _e189.x) + (_e73.projection.row_y.y * _e189.y)) + (_e73.projection.row_y.z * _e189.z)) + (_e73.projection.row_y.w * 1f)) / _e207);
+            let _e248 = ((((_e73.projection.row_z.x * _e189.x) + (_e73.projection.row_z.y * _e189.y)) + (_e73.projection.row_z.z * _e189.z)) + (_e73.projection.row_z.w * 1f));
+            if (_e207 > 0f) {
+                if (_e221 >= 0f) {
+                    phi_504_ = (_e221 <= 1f);
                 } else {
-                    phi_503_ = false;
+                    phi_504_ = false;
                 }
-                let _e249 = phi_503_;
-                if _e249 {
-                    if (_e231 >= 0f) {
-                        phi_512_ = (_e231 <= 1f);
+                let _e253 = phi_504_;
+                if _e253 {
+                    if (_e235 >= 0f) {
+                        phi_513_ = (_e235 <= 1f);
                     } else {
-                        phi_512_ = false;
+                        phi_513_ = false;
                     }
-                    let _e253 = phi_512_;
-                    if _e253 {
-                        if (_e244 >= 0f) {
-                            phi_521_ = (_e244 <= 1f);
+                    let _e257 = phi_513_;
+                    if _e257 {
+                        if (_e248 >= 0f) {
+                            phi_522_ = (_e248 <= 1f);
                         } else {
-                            phi_521_ = false;
+                            phi_522_ = false;
                         }
-                        let _e257 = phi_521_;
-                        phi_522_ = _e257;
-                        phi_523_ = false;
+                        let _e261 = phi_522_;
+                        phi_523_ = _e261;
+                        phi_524_ = false;
                     } else {
-                        phi_522_ = bool();
-                        phi_523_ = true;
+                        phi_523_ = bool();
+                        phi_524_ = true;
                     }
-                    let _e259 = phi_522_;
-                    let _e261 = phi_523_;
-                    phi_524_ = _e259;
-                    phi_525_ = _e261;
+                    let _e263 = phi_523_;
+                    let _e265 = phi_524_;
+                    phi_525_ = _e263;
+                    phi_526_ = _e265;
                 } else {
-                    phi_524_ = bool();
-                    phi_525_ = true;
+                    phi_525_ = bool();
+                    phi_526_ = true;
                 }
-                let _e263 = phi_524_;
-                let _e265 = phi_525_;
-                phi_526_ = _e263;
-                phi_527_ = _e265;
+                let _e267 = phi_525_;
+                let _e269 = phi_526_;
+                phi_527_ = _e267;
+                phi_528_ = _e269;
             } else {
-                phi_526_ = bool();
-                phi_527_ = true;
+                phi_527_ = bool();
+                phi_528_ = true;
             }
-            let _e267 = phi_526_;
-            let _e269 = phi_527_;
-            if _e269 {
-                phi_531_ = false;
+            let _e271 = phi_527_;
+            let _e273 = phi_528_;
+            if _e273 {
+                phi_532_ = false;
             } else {
-                phi_531_ = _e267;
+                phi_532_ = _e271;
             }
-            let _e271 = phi_531_;
-            if _e271 {
+            let _e275 = phi_532_;
+            if _e275 {
                 if (0f > 0f) {
-                    let _e274 = samples.member[_e65.first_primitive].normal;
-                    let _e276 = p.member.map_size;
-                    let _e279 = p.member.projection.row_x;
-                    let _e301 = p.member.projection.row_y;
-                    let _e323 = p.member.projection.row_z;
-                    let _e350 = ((abs(((((_e279.x * _e274.x) + (_e279.y * _e274.y)) + (_e279.z * _e274.z)) / (((_e279.x * _e279.x) + (_e279.y * _e279.y)) + (_e279.z * _e279.z)))) + abs(((((_e301.x * _e274.x) + (_e301.y * _e274.y)) + (_e301.z * _e274.z)) / (((_e301.x * _e301.x) + (_e301.y * _e301.y)) + (_e301.z * _e301.z))))) / (abs(((((_e323.x * _e274.x) + (_e323.y * _e274.y)) + (_e323.z * _e274.z)) / (((_e323.x * _e323.x) + (_e323.y * _e323.y)) + (_e323.z * _e323.z)))) * f32(_e276)));
+                    let _e278 = samples.member[_e65.first_primitive].normal;
+                    let _e280 = p.member.map_size;
+                    let _e350 = ((abs(((((_e72.row_x.x * _e278.x) + (_e72.row_x.y * _e278.y)) + (_e72.row_x.z * _e278.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e278.x) + (_e72.row_y.y * _e278.y)) + (_e72.row_y.z * _e278.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e278.x) + (_e72.row_z.y * _e278.y)) + (_e72.row_z.z * _e278.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e280)));
                     if (_e350 < 0.002f) {
-                        phi_625_ = _e350;
+                        phi_622_ = _e350;
                     } else {
-                        phi_625_ = 0.002f;
+                        phi_622_ = 0.002f;
                     }
-                    let _e353 = phi_625_;
-                    phi_628_ = (_e244 - (0f * _e353));
+                    let _e353 = phi_622_;
+                    phi_625_ = (_e248 - (0f * _e353));
                 } else {
-                    phi_628_ = _e244;
+                    phi_625_ = _e248;
                 }
-                let _e357 = phi_628_;
+                let _e357 = phi_625_;
                 let _e359 = p.member.map_size;
                 let _e360 = f32(_e359);
-                let _e363 = ((_e217 * _e360) - 0.5f);
-                let _e364 = ((_e231 * _e360) - 0.5f);
+                let _e363 = ((_e221 * _e360) - 0.5f);
+                let _e364 = ((_e235 * _e360) - 0.5f);
                 if (_e363 > -8388608f) {
                     let _e376 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
                     if (_e376 > _e363) {
-                        phi_657_ = 1f;
+                        phi_654_ = 1f;
                     } else {
-                        phi_657_ = 0f;
+                        phi_654_ = 0f;
                     }
-                    let _e379 = phi_657_;
+                    let _e379 = phi_654_;
                     if (_e363 < 8388608f) {
-                        phi_662_ = (_e376 - _e379);
-                        phi_663_ = false;
+                        phi_659_ = (_e376 - _e379);
+                        phi_660_ = false;
                     } else {
-                        phi_662_ = f32();
-                        phi_663_ = true;
+                        phi_659_ = f32();
+                        phi_660_ = true;
                     }
-                    let _e382 = phi_662_;
-                    let _e384 = phi_663_;
-                    phi_664_ = _e382;
-                    phi_665_ = _e384;
+                    let _e382 = phi_659_;
+                    let _e384 = phi_660_;
+                    phi_661_ = _e382;
+                    phi_662_ = _e384;
                 } else {
-                    phi_664_ = f32();
-                    phi_665_ = true;
+                    phi_661_ = f32();
+                    phi_662_ = true;
                 }
-                let _e386 = phi_664_;
-                let _e388 = phi_665_;
+                let _e386 = phi_661_;
+                let _e388 = phi_662_;
                 if _e388 {
-                    phi_669_ = _e363;
+                    phi_666_ = _e363;
                 } else {
-                    phi_669_ = _e386;
+                    phi_666_ = _e386;
                 }
-                let _e390 = phi_669_;
+                let _e390 = phi_666_;
                 if (_e364 > -8388608f) {
                     let _e402 = f32(select(0i, select(select(i32(_e364), i32(-2147483648), (_e364 < bitcast<f32>(3472883712u))), 2147483647i, (_e364 > bitcast<f32>(1325400063u))), (_e364 == _e364)));
                     if (_e402 > _e364) {
-                        phi_689_ = 1f;
+                        phi_686_ = 1f;
                     } else {
-                        phi_689_ = 0f;
+                        phi_686_ = 0f;
                     }
-                    let _e405 = phi_689_;
+                    let _e405 = phi_686_;
                     if (_e364 < 8388608f) {
-                        phi_694_ = (_e402 - _e405);
-                        phi_695_ = false;
+                        phi_691_ = (_e402 - _e405);
+                        phi_692_ = false;
                     } else {
-                        phi_694_ = f32();
-                        phi_695_ = true;
+                        phi_691_ = f32();
+                        phi_692_ = true;
                     }
-                    let _e408 = phi_694_;
-                    let _e410 = phi_695_;
-                    phi_696_ = _e408;
-                    phi_697_ = _e410;
+                    let _e408 = phi_691_;
+                    let _e410 = phi_692_;
+                    phi_693_ = _e408;
+                    phi_694_ = _e410;
                 } else {
-                    phi_696_ = f32();
-                    phi_697_ = true;
+                    phi_693_ = f32();
+                    phi_694_ = true;
                 }
-                let _e412 = phi_696_;
-                let _e414 = phi_697_;
+                let _e412 = phi_693_;
+                let _e414 = phi_694_;
                 if _e414 {
-                    phi_701_ = _e364;
+                    phi_698_ = _e364;
                 } else {
-                    phi_701_ = _e412;
+                    phi_698_ = _e412;
                 }
-                let _e416 = phi_701_;
+                let _e416 = phi_698_;
                 let _e417 = (_e363 - _e390);
                 let _e418 = (_e364 - _e416);
                 let _e427 = select(0i, select(select(i32(_e390), i32(-2147483648), (_e390 < bitcast<f32>(3472883712u))), 2147483647i, (_e390 > bitcast<f32>(1325400063u))), (_e390 == _e390));
@@ -525,167 +524,168 @@ fn function_() {
                 let _e447 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e446);
                 let _e449 = p.member.map_size;
                 local_1 = _e447;
-                let _e451 = (bitcast<i32>(_e449) - 1i);
+                let _e451 = ((0u * _e449) * _e449);
+                let _e453 = (bitcast<i32>(_e449) - 1i);
                 if (_e427 > 0i) {
-                    phi_747_ = _e427;
+                    phi_746_ = _e427;
                 } else {
-                    phi_747_ = 0i;
+                    phi_746_ = 0i;
                 }
-                let _e454 = phi_747_;
+                let _e456 = phi_746_;
                 if (_e436 > 0i) {
-                    phi_752_ = _e436;
+                    phi_751_ = _e436;
                 } else {
-                    phi_752_ = 0i;
+                    phi_751_ = 0i;
                 }
-                let _e457 = phi_752_;
-                if (_e454 < _e451) {
-                    phi_757_ = _e454;
+                let _e459 = phi_751_;
+                if (_e456 < _e453) {
+                    phi_756_ = _e456;
                 } else {
-                    phi_757_ = _e451;
+                    phi_756_ = _e453;
                 }
-                let _e460 = phi_757_;
-                if (_e457 < _e451) {
-                    phi_762_ = _e457;
+                let _e462 = phi_756_;
+                if (_e459 < _e453) {
+                    phi_761_ = _e459;
                 } else {
-                    phi_762_ = _e451;
+                    phi_761_ = _e453;
                 }
-                let _e463 = phi_762_;
-                let _e464 = bitcast<u32>(_e460);
-                let _e466 = (_e427 + 1i);
-                let _e467 = (_e436 + 1i);
-                if (_e466 > 0i) {
-                    phi_771_ = _e466;
+                let _e465 = phi_761_;
+                let _e466 = bitcast<u32>(_e462);
+                let _e468 = (_e427 + 1i);
+                let _e469 = (_e436 + 1i);
+                if (_e468 > 0i) {
+                    phi_770_ = _e468;
                 } else {
-                    phi_771_ = 0i;
+                    phi_770_ = 0i;
                 }
-                let _e470 = phi_771_;
-                if (_e467 > 0i) {
-                    phi_776_ = _e467;
+                let _e472 = phi_770_;
+                if (_e469 > 0i) {
+                    phi_775_ = _e469;
                 } else {
-                    phi_776_ = 0i;
+                    phi_775_ = 0i;
                 }
-                let _e473 = phi_776_;
-                if (_e470 < _e451) {
-                    phi_781_ = _e470;
+                let _e475 = phi_775_;
+                if (_e472 < _e453) {
+                    phi_780_ = _e472;
                 } else {
-                    phi_781_ = _e451;
+                    phi_780_ = _e453;
                 }
-                let _e476 = phi_781_;
-                if (_e473 < _e451) {
-                    phi_786_ = _e473;
+                let _e478 = phi_780_;
+                if (_e475 < _e453) {
+                    phi_785_ = _e475;
                 } else {
-                    phi_786_ = _e451;
+                    phi_785_ = _e453;
                 }
-                let _e479 = phi_786_;
-                let _e480 = bitcast<u32>(_e476);
-                let _e482 = (bitcast<u32>(_e463) * _e449);
-                let _e483 = (bitcast<u32>(_e479) * _e449);
-                let _e484 = (_e482 + _e464);
-                let _e485 = (_e482 + _e480);
-                let _e486 = (_e483 + _e464);
-                let _e487 = (_e483 + _e480);
-                if (_e484 < _e57) {
-                } else {
-                    return;
-                }
-                let _e491 = map.member[(0u + _e484)];
-                if (_e485 < _e57) {
+                let _e481 = phi_785_;
+                let _e482 = bitcast<u32>(_e478);
+                let _e484 = (bitcast<u32>(_e465) * _e449);
+                let _e485 = (bitcast<u32>(_e481) * _e449);
+                let _e490 = ((_e484 + _e466) + _e451);
+                let _e491 = ((_e484 + _e482) + _e451);
+                let _e492 = ((_e485 + _e466) + _e451);
+                let _e493 = ((_e485 + _e482) + _e451);
+                if (_e490 < _e57) {
                 } else {
                     return;
                 }
-                let _e503 = map.member[(0u + _e485)];
-                if (_e486 < _e57) {
+                let _e497 = map.member[(0u + _e490)];
+                if (_e491 < _e57) {
                 } else {
                     return;
                 }
-                let _e519 = map.member[(0u + _e486)];
-                if (_e487 < _e57) {
+                let _e509 = map.member[(0u + _e491)];
+                if (_e492 < _e57) {
                 } else {
                     return;
                 }
-                let _e535 = map.member[(0u + _e487)];
-                let _e549 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e491.x * _e439) + (_e503.x * _e441)) + (_e519.x * _e443)) + (_e535.x * _e444)), ((((_e491.y * _e439) + (_e503.y * _e441)) + (_e519.y * _e443)) + (_e535.y * _e444)), ((((_e491.z * _e439) + (_e503.z * _e441)) + (_e519.z * _e443)) + (_e535.z * _e444)), ((((_e491.w * _e439) + (_e503.w * _e441)) + (_e519.w * _e443)) + (_e535.w * _e444))), _e357);
-                let _e551 = p.member.epsilon;
-                if (_e549 <= _e551) {
-                    phi_877_ = true;
+                let _e525 = map.member[(0u + _e492)];
+                if (_e493 < _e57) {
                 } else {
-                    phi_877_ = (_e549 >= (1f - _e551));
+                    return;
                 }
-                let _e556 = phi_877_;
-                if ((bitcast<u32>(_e549) & 2147483647u) > 2139095040u) {
-                    phi_885_ = true;
+                let _e541 = map.member[(0u + _e493)];
+                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e497.x * _e439) + (_e509.x * _e441)) + (_e525.x * _e443)) + (_e541.x * _e444)), ((((_e497.y * _e439) + (_e509.y * _e441)) + (_e525.y * _e443)) + (_e541.y * _e444)), ((((_e497.z * _e439) + (_e509.z * _e441)) + (_e525.z * _e443)) + (_e541.z * _e444)), ((((_e497.w * _e439) + (_e509.w * _e441)) + (_e525.w * _e443)) + (_e541.w * _e444))), _e357);
+                let _e557 = p.member.epsilon;
+                if (_e555 <= _e557) {
+                    phi_880_ = true;
                 } else {
-                    phi_885_ = !(_e556);
+                    phi_880_ = (_e555 >= (1f - _e557));
                 }
-                let _e562 = phi_885_;
-                if _e562 {
-                    if (_e549 > 0f) {
-                        if (_e549 < 1f) {
-                            phi_897_ = false;
+                let _e562 = phi_880_;
+                if ((bitcast<u32>(_e555) & 2147483647u) > 2139095040u) {
+                    phi_888_ = true;
+                } else {
+                    phi_888_ = !(_e562);
+                }
+                let _e568 = phi_888_;
+                if _e568 {
+                    if (_e555 > 0f) {
+                        if (_e555 < 1f) {
+                            phi_900_ = false;
                         } else {
-                            phi_897_ = true;
+                            phi_900_ = true;
                         }
-                        let _e566 = phi_897_;
-                        phi_898_ = _e566;
+                        let _e572 = phi_900_;
+                        phi_901_ = _e572;
                     } else {
-                        phi_898_ = true;
+                        phi_901_ = true;
                     }
-                    let _e568 = phi_898_;
-                    if _e568 {
-                        phi_902_ = 0.5f;
+                    let _e574 = phi_901_;
+                    if _e574 {
+                        phi_905_ = 0.5f;
                     } else {
-                        phi_902_ = _e549;
+                        phi_905_ = _e555;
                     }
-                    let _e570 = phi_902_;
-                    phi_910_ = evaluate_Verdict(_e570, true);
+                    let _e576 = phi_905_;
+                    phi_913_ = evaluate_Verdict(_e576, true);
                 } else {
-                    if (_e549 > 0.5f) {
-                        phi_908_ = 1f;
+                    if (_e555 > 0.5f) {
+                        phi_911_ = 1f;
                     } else {
-                        phi_908_ = 0f;
+                        phi_911_ = 0f;
                     }
-                    let _e574 = phi_908_;
-                    phi_910_ = evaluate_Verdict(_e574, false);
+                    let _e580 = phi_911_;
+                    phi_913_ = evaluate_Verdict(_e580, false);
                 }
-                let _e577 = phi_910_;
-                phi_915_ = evaluate_Verdict(_e577.visibility, _e577.is_doubted);
+                let _e583 = phi_913_;
+                phi_918_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
             } else {
-                phi_915_ = evaluate_Verdict(0.5f, true);
+                phi_918_ = evaluate_Verdict(0.5f, true);
             }
-            let _e583 = phi_915_;
-            phi_916_ = _e583;
+            let _e589 = phi_918_;
+            phi_919_ = _e589;
         }
-        let _e585 = phi_916_;
-        visibility.member[_e65.first_primitive] = _e585.visibility;
-        phi_920_ = _e585.is_doubted;
-        phi_921_ = _e65.first_primitive;
+        let _e591 = phi_919_;
+        visibility.member[_e65.first_primitive] = _e591.visibility;
+        phi_923_ = _e591.is_doubted;
+        phi_924_ = _e65.first_primitive;
     } else {
-        phi_920_ = false;
-        phi_921_ = 0u;
+        phi_923_ = false;
+        phi_924_ = 0u;
     }
-    let _e590 = phi_920_;
-    let _e592 = phi_921_;
+    let _e596 = phi_923_;
+    let _e598 = phi_924_;
     if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e590 {
-        let _e596 = atomicAdd((&shared_[0u]), 1u);
-        phi_932_ = _e596;
+    if _e596 {
+        let _e602 = atomicAdd((&shared_[0u]), 1u);
+        phi_935_ = _e602;
     } else {
-        phi_932_ = 0u;
+        phi_935_ = 0u;
     }
-    let _e598 = phi_932_;
+    let _e604 = phi_935_;
     workgroupBarrier();
     if (_e52 == 0u) {
-        let _e602 = atomicLoad((&shared_[0u]));
-        let _e603 = atomicAdd((&list.member[3u]), _e602);
-        atomicStore((&shared_[1u]), _e603);
+        let _e608 = atomicLoad((&shared_[0u]));
+        let _e609 = atomicAdd((&list.member[3u]), _e608);
+        atomicStore((&shared_[1u]), _e609);
     }
     workgroupBarrier();
-    if _e590 {
-        let _e606 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e606) + _e598)]), _e592);
+    if _e596 {
+        let _e612 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e612) + _e604)]), _e598);
     }
     return;
 }

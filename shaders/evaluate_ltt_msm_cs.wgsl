@@ -49,13 +49,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_36 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 struct lt_bvh_slab_Span {
@@ -83,36 +87,36 @@ var<storage, read_write> visibility: type_18;
 var<storage, read_write> list: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_147_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_146_ = lt_bvh_traverse_Tree();
-            phi_147_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e53 = phi_146_;
-        let _e55 = phi_147_;
-        phi_148_ = _e53;
-        phi_149_ = _e55;
+        let _e53 = phi_147_;
+        let _e55 = phi_148_;
+        phi_149_ = _e53;
+        phi_150_ = _e55;
     } else {
-        phi_148_ = lt_bvh_traverse_Tree();
-        phi_149_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e57 = phi_148_;
-    let _e59 = phi_149_;
+    let _e57 = phi_149_;
+    let _e59 = phi_150_;
     if _e59 {
-        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_154_ = _e57;
+        phi_155_ = _e57;
     }
-    let _e64 = phi_154_;
+    let _e64 = phi_155_;
     return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
@@ -121,205 +125,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_181_: f32;
     var phi_182_: f32;
     var phi_183_: f32;
-    var phi_200_: f32;
+    var phi_184_: f32;
     var phi_201_: f32;
     var phi_202_: f32;
-    var phi_218_: f32;
+    var phi_203_: f32;
     var phi_219_: f32;
     var phi_220_: f32;
-    var phi_236_: f32;
+    var phi_221_: f32;
     var phi_237_: f32;
     var phi_238_: f32;
-    var phi_254_: f32;
+    var phi_239_: f32;
     var phi_255_: f32;
     var phi_256_: f32;
-    var phi_291_: bool;
+    var phi_257_: f32;
     var phi_292_: bool;
     var phi_293_: bool;
     var phi_294_: bool;
     var phi_295_: bool;
     var phi_296_: bool;
-    var phi_300_: bool;
-    var phi_611_: f32;
+    var phi_297_: bool;
+    var phi_301_: bool;
     var phi_612_: f32;
     var phi_613_: f32;
-    var phi_630_: f32;
+    var phi_614_: f32;
     var phi_631_: f32;
     var phi_632_: f32;
-    var phi_649_: f32;
+    var phi_633_: f32;
     var phi_650_: f32;
     var phi_651_: f32;
-    var phi_668_: f32;
+    var phi_652_: f32;
     var phi_669_: f32;
     var phi_670_: f32;
-    var phi_693_: f32;
+    var phi_671_: f32;
     var phi_694_: f32;
     var phi_695_: f32;
-    var phi_706_: f32;
-    var phi_721_: f32;
-    var phi_723_: lt_bvh_slab_Span;
-    var phi_781_: f32;
+    var phi_696_: f32;
+    var phi_707_: f32;
+    var phi_722_: f32;
+    var phi_724_: lt_bvh_slab_Span;
     var phi_782_: f32;
     var phi_783_: f32;
     var phi_784_: f32;
     var phi_785_: f32;
-    var phi_786_: bool;
-    var phi_790_: f32;
-    var phi_805_: f32;
+    var phi_786_: f32;
+    var phi_787_: bool;
+    var phi_791_: f32;
     var phi_806_: f32;
     var phi_807_: f32;
     var phi_808_: f32;
     var phi_809_: f32;
     var phi_810_: f32;
     var phi_811_: f32;
-    var phi_812_: bool;
-    var phi_813_: f32;
+    var phi_812_: f32;
+    var phi_813_: bool;
     var phi_814_: f32;
-    var phi_815_: bool;
-    var phi_819_: f32;
+    var phi_815_: f32;
+    var phi_816_: bool;
+    var phi_820_: f32;
 
     let _e44 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_183_ = param_7;
+        phi_184_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_182_ = 0f;
+            phi_183_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_181_ = 1f;
+                phi_182_ = 1f;
             } else {
-                phi_181_ = param_7;
+                phi_182_ = param_7;
             }
-            let _e51 = phi_181_;
-            phi_182_ = _e51;
+            let _e51 = phi_182_;
+            phi_183_ = _e51;
         }
-        let _e53 = phi_182_;
-        phi_183_ = _e53;
+        let _e53 = phi_183_;
+        phi_184_ = _e53;
     }
-    let _e55 = phi_183_;
+    let _e55 = phi_184_;
     let _e56 = (_e55 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_202_ = param_5.x;
+        phi_203_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_201_ = 0f;
+            phi_202_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_200_ = 1f;
+                phi_201_ = 1f;
             } else {
-                phi_200_ = param_5.x;
+                phi_201_ = param_5.x;
             }
-            let _e64 = phi_200_;
-            phi_201_ = _e64;
+            let _e64 = phi_201_;
+            phi_202_ = _e64;
         }
-        let _e66 = phi_201_;
-        phi_202_ = _e66;
+        let _e66 = phi_202_;
+        phi_203_ = _e66;
     }
-    let _e68 = phi_202_;
+    let _e68 = phi_203_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_220_ = param_5.y;
+        phi_221_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_219_ = 0f;
+            phi_220_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_218_ = 1f;
+                phi_219_ = 1f;
             } else {
-                phi_218_ = param_5.y;
+                phi_219_ = param_5.y;
             }
-            let _e76 = phi_218_;
-            phi_219_ = _e76;
+            let _e76 = phi_219_;
+            phi_220_ = _e76;
         }
-        let _e78 = phi_219_;
-        phi_220_ = _e78;
+        let _e78 = phi_220_;
+        phi_221_ = _e78;
     }
-    let _e80 = phi_220_;
+    let _e80 = phi_221_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_238_ = param_5.z;
+        phi_239_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_237_ = 0f;
+            phi_238_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_236_ = 1f;
+                phi_237_ = 1f;
             } else {
-                phi_236_ = param_5.z;
+                phi_237_ = param_5.z;
             }
-            let _e88 = phi_236_;
-            phi_237_ = _e88;
+            let _e88 = phi_237_;
+            phi_238_ = _e88;
         }
-        let _e90 = phi_237_;
-        phi_238_ = _e90;
+        let _e90 = phi_238_;
+        phi_239_ = _e90;
     }
-    let _e92 = phi_238_;
+    let _e92 = phi_239_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_256_ = param_5.w;
+        phi_257_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_255_ = 0f;
+            phi_256_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_254_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_254_ = param_5.w;
+                phi_255_ = param_5.w;
             }
-            let _e100 = phi_254_;
-            phi_255_ = _e100;
+            let _e100 = phi_255_;
+            phi_256_ = _e100;
         }
-        let _e102 = phi_255_;
-        phi_256_ = _e102;
+        let _e102 = phi_256_;
+        phi_257_ = _e102;
     }
-    let _e104 = phi_256_;
+    let _e104 = phi_257_;
     let _e105 = (_e68 - _e56);
     let _e106 = (_e80 - _e56);
     let _e107 = (_e92 - _e56);
     let _e108 = (_e104 - _e56);
     let _e119 = ((((_e105 * param_6.x) + (_e106 * param_6.y)) + (_e107 * param_6.z)) + (_e108 * param_6.w));
     if ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u) {
-        phi_813_ = _e119;
-        phi_814_ = f32();
-        phi_815_ = true;
+        phi_814_ = _e119;
+        phi_815_ = f32();
+        phi_816_ = true;
     } else {
         if (_e105 >= 0f) {
             if (_e106 >= 0f) {
                 if (_e107 >= 0f) {
-                    phi_291_ = (_e108 >= 0f);
-                    phi_292_ = false;
+                    phi_292_ = (_e108 >= 0f);
+                    phi_293_ = false;
                 } else {
-                    phi_291_ = bool();
-                    phi_292_ = true;
+                    phi_292_ = bool();
+                    phi_293_ = true;
                 }
-                let _e128 = phi_291_;
-                let _e130 = phi_292_;
-                phi_293_ = _e128;
-                phi_294_ = _e130;
+                let _e128 = phi_292_;
+                let _e130 = phi_293_;
+                phi_294_ = _e128;
+                phi_295_ = _e130;
             } else {
-                phi_293_ = bool();
-                phi_294_ = true;
+                phi_294_ = bool();
+                phi_295_ = true;
             }
-            let _e132 = phi_293_;
-            let _e134 = phi_294_;
-            phi_295_ = _e132;
-            phi_296_ = _e134;
+            let _e132 = phi_294_;
+            let _e134 = phi_295_;
+            phi_296_ = _e132;
+            phi_297_ = _e134;
         } else {
-            phi_295_ = bool();
-            phi_296_ = true;
+            phi_296_ = bool();
+            phi_297_ = true;
         }
-        let _e136 = phi_295_;
-        let _e138 = phi_296_;
+        let _e136 = phi_296_;
+        let _e138 = phi_297_;
         if _e138 {
-            phi_300_ = false;
+            phi_301_ = false;
         } else {
-            phi_300_ = _e136;
+            phi_301_ = _e136;
         }
-        let _e140 = phi_300_;
+        let _e140 = phi_301_;
         if _e140 {
-            phi_810_ = 1f;
-            phi_811_ = f32();
-            phi_812_ = true;
+            phi_811_ = 1f;
+            phi_812_ = f32();
+            phi_813_ = true;
         } else {
             let _e141 = (0.5f * _e44);
             let _e142 = (1f - _e44);
@@ -399,257 +403,257 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e428 = (_e422 < 0.0000000000000000000000000000000001f);
             if _e428 {
                 if ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u) {
-                    phi_613_ = _e105;
+                    phi_614_ = _e105;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_612_ = 0f;
+                        phi_613_ = 0f;
                     } else {
                         if (_e105 < 0f) {
-                            phi_611_ = 0f;
+                            phi_612_ = 0f;
                         } else {
-                            phi_611_ = 1f;
+                            phi_612_ = 1f;
                         }
-                        let _e437 = phi_611_;
-                        phi_612_ = _e437;
+                        let _e437 = phi_612_;
+                        phi_613_ = _e437;
                     }
-                    let _e439 = phi_612_;
-                    phi_613_ = _e439;
+                    let _e439 = phi_613_;
+                    phi_614_ = _e439;
                 }
-                let _e441 = phi_613_;
+                let _e441 = phi_614_;
                 if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-                    phi_632_ = _e106;
+                    phi_633_ = _e106;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_631_ = 0f;
+                        phi_632_ = 0f;
                     } else {
                         if (_e106 < 0f) {
-                            phi_630_ = 0f;
+                            phi_631_ = 0f;
                         } else {
-                            phi_630_ = 1f;
+                            phi_631_ = 1f;
                         }
-                        let _e450 = phi_630_;
-                        phi_631_ = _e450;
+                        let _e450 = phi_631_;
+                        phi_632_ = _e450;
                     }
-                    let _e452 = phi_631_;
-                    phi_632_ = _e452;
+                    let _e452 = phi_632_;
+                    phi_633_ = _e452;
                 }
-                let _e454 = phi_632_;
+                let _e454 = phi_633_;
                 if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                    phi_651_ = _e107;
+                    phi_652_ = _e107;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_650_ = 0f;
+                        phi_651_ = 0f;
                     } else {
                         if (_e107 < 0f) {
-                            phi_649_ = 0f;
+                            phi_650_ = 0f;
                         } else {
-                            phi_649_ = 1f;
+                            phi_650_ = 1f;
                         }
-                        let _e463 = phi_649_;
-                        phi_650_ = _e463;
+                        let _e463 = phi_650_;
+                        phi_651_ = _e463;
                     }
-                    let _e465 = phi_650_;
-                    phi_651_ = _e465;
+                    let _e465 = phi_651_;
+                    phi_652_ = _e465;
                 }
-                let _e467 = phi_651_;
+                let _e467 = phi_652_;
                 if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                    phi_670_ = _e108;
+                    phi_671_ = _e108;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_669_ = 0f;
+                        phi_670_ = 0f;
                     } else {
                         if (_e108 < 0f) {
-                            phi_668_ = 0f;
+                            phi_669_ = 0f;
                         } else {
-                            phi_668_ = 1f;
+                            phi_669_ = 1f;
                         }
-                        let _e476 = phi_668_;
-                        phi_669_ = _e476;
+                        let _e476 = phi_669_;
+                        phi_670_ = _e476;
                     }
-                    let _e478 = phi_669_;
-                    phi_670_ = _e478;
+                    let _e478 = phi_670_;
+                    phi_671_ = _e478;
                 }
-                let _e480 = phi_670_;
+                let _e480 = phi_671_;
                 let _e488 = (((((_e441 * _e144) + (_e454 * _e146)) + (_e467 * _e148)) + (_e480 * _e150)) + _e141);
                 if ((bitcast<u32>(_e488) & 2147483647u) > 2139095040u) {
-                    phi_695_ = _e488;
+                    phi_696_ = _e488;
                 } else {
                     if (_e488 < 0f) {
-                        phi_694_ = 0f;
+                        phi_695_ = 0f;
                     } else {
                         if (_e488 > 1f) {
-                            phi_693_ = 1f;
+                            phi_694_ = 1f;
                         } else {
-                            phi_693_ = _e488;
+                            phi_694_ = _e488;
                         }
-                        let _e495 = phi_693_;
-                        phi_694_ = _e495;
+                        let _e495 = phi_694_;
+                        phi_695_ = _e495;
                     }
-                    let _e497 = phi_694_;
-                    phi_695_ = _e497;
+                    let _e497 = phi_695_;
+                    phi_696_ = _e497;
                 }
-                let _e499 = phi_695_;
-                phi_808_ = _e499;
-                phi_809_ = f32();
+                let _e499 = phi_696_;
+                phi_809_ = _e499;
+                phi_810_ = f32();
             } else {
                 let _e501 = ((0.5f * -(((((((((_e205 * (_e105 + _e106)) + (_e209 * (_e105 + _e107))) + (_e233 * (_e105 + _e151))) + (_e245 * (_e105 + _e152))) + ((((_e206 * (_e106 + _e107)) + (_e210 * (_e106 + _e108))) + (_e234 * (_e106 + _e151))) + (_e246 * (_e106 + _e152)))) + ((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e105))) + (_e235 * (_e107 + _e151))) + (_e247 * (_e107 + _e152)))) + ((((_e208 * (_e108 + _e105)) + (_e212 * (_e108 + _e106))) + (_e236 * (_e108 + _e151))) + (_e248 * (_e108 + _e152)))) + (_e419 * (_e151 + _e152))))) / _e422);
                 let _e502 = ((((((((_e205 + _e209) + _e233) + _e245) + (((_e206 + _e210) + _e234) + _e246)) + (((_e207 + _e211) + _e235) + _e247)) + (((_e208 + _e212) + _e236) + _e248)) + _e419) / _e422);
                 let _e504 = ((_e501 * _e501) - _e502);
                 if (_e504 > 0f) {
-                    phi_706_ = sqrt(_e504);
+                    phi_707_ = sqrt(_e504);
                 } else {
-                    phi_706_ = 0f;
+                    phi_707_ = 0f;
                 }
-                let _e508 = phi_706_;
+                let _e508 = phi_707_;
                 if (_e501 > 0f) {
                     let _e511 = (-(_e501) - _e508);
-                    phi_723_ = lt_bvh_slab_Span(_e511, (_e502 / _e511));
+                    phi_724_ = lt_bvh_slab_Span(_e511, (_e502 / _e511));
                 } else {
                     let _e514 = (_e508 - _e501);
                     if (_e514 > 0f) {
-                        phi_721_ = (_e502 / _e514);
+                        phi_722_ = (_e502 / _e514);
                     } else {
-                        phi_721_ = 0f;
+                        phi_722_ = 0f;
                     }
-                    let _e518 = phi_721_;
-                    phi_723_ = lt_bvh_slab_Span(_e518, _e514);
+                    let _e518 = phi_722_;
+                    phi_724_ = lt_bvh_slab_Span(_e518, _e514);
                 }
-                let _e521 = phi_723_;
+                let _e521 = phi_724_;
                 if (_e521.near >= 0f) {
-                    phi_784_ = 1f;
-                    phi_785_ = f32();
-                    phi_786_ = true;
+                    phi_785_ = 1f;
+                    phi_786_ = f32();
+                    phi_787_ = true;
                 } else {
                     let _e525 = (_e521.far <= 0f);
                     if _e525 {
-                        phi_782_ = (_e416 / _e422);
-                        phi_783_ = f32();
+                        phi_783_ = (_e416 / _e422);
+                        phi_784_ = f32();
                     } else {
                         let _e536 = (((((_e144 * _e105) + (_e146 * _e106)) + (_e148 * _e107)) + (_e150 * _e108)) + (_e141 * (_e151 + _e152)));
                         let _e552 = (((((_e144 * (_e105 * _e105)) + (_e146 * (_e106 * _e106))) + (_e148 * (_e107 * _e107))) + (_e150 * (_e108 * _e108))) + (_e141 * ((_e151 * _e151) + (_e152 * _e152))));
                         if (-(_e521.near) <= _e521.far) {
-                            phi_781_ = (1f - (((_e521.near * _e521.near) * ((_e521.far * _e552) - _e536)) / (_e521.far - _e521.near)));
+                            phi_782_ = (1f - (((_e521.near * _e521.near) * ((_e521.far * _e552) - _e536)) / (_e521.far - _e521.near)));
                         } else {
-                            phi_781_ = ((_e416 / _e422) + (((_e521.far * _e521.far) * (_e536 - (_e521.near * _e552))) / (_e521.far - _e521.near)));
+                            phi_782_ = ((_e416 / _e422) + (((_e521.far * _e521.far) * (_e536 - (_e521.near * _e552))) / (_e521.far - _e521.near)));
                         }
-                        let _e571 = phi_781_;
-                        phi_782_ = f32();
-                        phi_783_ = _e571;
+                        let _e571 = phi_782_;
+                        phi_783_ = f32();
+                        phi_784_ = _e571;
                     }
-                    let _e573 = phi_782_;
-                    let _e575 = phi_783_;
-                    phi_784_ = _e573;
-                    phi_785_ = _e575;
-                    phi_786_ = _e525;
+                    let _e573 = phi_783_;
+                    let _e575 = phi_784_;
+                    phi_785_ = _e573;
+                    phi_786_ = _e575;
+                    phi_787_ = _e525;
                 }
-                let _e577 = phi_784_;
-                let _e579 = phi_785_;
-                let _e581 = phi_786_;
+                let _e577 = phi_785_;
+                let _e579 = phi_786_;
+                let _e581 = phi_787_;
                 if _e581 {
-                    phi_790_ = _e577;
+                    phi_791_ = _e577;
                 } else {
-                    phi_790_ = _e579;
+                    phi_791_ = _e579;
                 }
-                let _e583 = phi_790_;
+                let _e583 = phi_791_;
                 if ((bitcast<u32>(_e583) & 2147483647u) > 2139095040u) {
-                    phi_807_ = _e583;
+                    phi_808_ = _e583;
                 } else {
                     if (_e583 < 0f) {
-                        phi_806_ = 0f;
+                        phi_807_ = 0f;
                     } else {
                         if (_e583 > 1f) {
-                            phi_805_ = 1f;
+                            phi_806_ = 1f;
                         } else {
-                            phi_805_ = _e583;
+                            phi_806_ = _e583;
                         }
-                        let _e590 = phi_805_;
-                        phi_806_ = _e590;
+                        let _e590 = phi_806_;
+                        phi_807_ = _e590;
                     }
-                    let _e592 = phi_806_;
-                    phi_807_ = _e592;
+                    let _e592 = phi_807_;
+                    phi_808_ = _e592;
                 }
-                let _e594 = phi_807_;
-                phi_808_ = f32();
-                phi_809_ = _e594;
+                let _e594 = phi_808_;
+                phi_809_ = f32();
+                phi_810_ = _e594;
             }
-            let _e596 = phi_808_;
-            let _e598 = phi_809_;
-            phi_810_ = _e596;
-            phi_811_ = _e598;
-            phi_812_ = _e428;
+            let _e596 = phi_809_;
+            let _e598 = phi_810_;
+            phi_811_ = _e596;
+            phi_812_ = _e598;
+            phi_813_ = _e428;
         }
-        let _e600 = phi_810_;
-        let _e602 = phi_811_;
-        let _e604 = phi_812_;
-        phi_813_ = _e600;
-        phi_814_ = _e602;
-        phi_815_ = _e604;
+        let _e600 = phi_811_;
+        let _e602 = phi_812_;
+        let _e604 = phi_813_;
+        phi_814_ = _e600;
+        phi_815_ = _e602;
+        phi_816_ = _e604;
     }
-    let _e606 = phi_813_;
-    let _e608 = phi_814_;
-    let _e610 = phi_815_;
+    let _e606 = phi_814_;
+    let _e608 = phi_815_;
+    let _e610 = phi_816_;
     if _e610 {
-        phi_819_ = _e606;
+        phi_820_ = _e606;
     } else {
-        phi_819_ = _e608;
+        phi_820_ = _e608;
     }
-    let _e612 = phi_819_;
+    let _e612 = phi_820_;
     return _e612;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_868_: bool;
-    var phi_869_: bool;
-    var phi_870_: bool;
-    var phi_871_: bool;
+    var phi_872_: bool;
+    var phi_873_: bool;
+    var phi_874_: bool;
     var phi_875_: bool;
-    var phi_919_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_879_: bool;
     var phi_923_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1000_: bool;
-    var phi_1009_: bool;
-    var phi_1018_: bool;
+    var phi_927_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1001_: bool;
+    var phi_1010_: bool;
     var phi_1019_: bool;
     var phi_1020_: bool;
     var phi_1021_: bool;
     var phi_1022_: bool;
     var phi_1023_: bool;
     var phi_1024_: bool;
-    var phi_1028_: bool;
+    var phi_1025_: bool;
+    var phi_1029_: bool;
+    var phi_1119_: f32;
     var phi_1122_: f32;
-    var phi_1125_: f32;
-    var phi_1154_: f32;
-    var phi_1159_: f32;
-    var phi_1160_: bool;
-    var phi_1161_: f32;
-    var phi_1162_: bool;
-    var phi_1166_: f32;
-    var phi_1186_: f32;
-    var phi_1191_: f32;
-    var phi_1192_: bool;
-    var phi_1193_: f32;
-    var phi_1194_: bool;
-    var phi_1198_: f32;
-    var phi_1244_: i32;
-    var phi_1249_: i32;
-    var phi_1254_: i32;
-    var phi_1259_: i32;
-    var phi_1268_: i32;
-    var phi_1273_: i32;
-    var phi_1278_: i32;
-    var phi_1283_: i32;
-    var phi_1330_: bool;
-    var phi_1338_: bool;
-    var phi_1350_: bool;
-    var phi_1351_: bool;
-    var phi_1355_: f32;
-    var phi_1361_: f32;
-    var phi_1363_: evaluate_Verdict;
-    var phi_1368_: evaluate_Verdict;
-    var phi_1369_: evaluate_Verdict;
-    var phi_1373_: bool;
-    var phi_1374_: u32;
-    var phi_1385_: u32;
+    var phi_1151_: f32;
+    var phi_1156_: f32;
+    var phi_1157_: bool;
+    var phi_1158_: f32;
+    var phi_1159_: bool;
+    var phi_1163_: f32;
+    var phi_1183_: f32;
+    var phi_1188_: f32;
+    var phi_1189_: bool;
+    var phi_1190_: f32;
+    var phi_1191_: bool;
+    var phi_1195_: f32;
+    var phi_1243_: i32;
+    var phi_1248_: i32;
+    var phi_1253_: i32;
+    var phi_1258_: i32;
+    var phi_1267_: i32;
+    var phi_1272_: i32;
+    var phi_1277_: i32;
+    var phi_1282_: i32;
+    var phi_1333_: bool;
+    var phi_1341_: bool;
+    var phi_1353_: bool;
+    var phi_1354_: bool;
+    var phi_1358_: f32;
+    var phi_1364_: f32;
+    var phi_1366_: evaluate_Verdict;
+    var phi_1371_: evaluate_Verdict;
+    var phi_1372_: evaluate_Verdict;
+    var phi_1376_: bool;
+    var phi_1377_: u32;
+    var phi_1388_: u32;
 
     let _e41 = id_1;
     let _e42 = local_2;
@@ -658,206 +662,201 @@ fn function_() {
     let _e54 = p.member.size[1u];
     let _e55 = lt_shaders_entry_pixel_index(_e41, _e52, _e54);
     if (bitcast<i32>(_e55.root) != 0i) {
-        let _e62 = p.member.light;
-        let _e65 = samples.member[_e55.first_primitive].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[_e55.first_primitive].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[_e55.first_primitive].normal[2u];
-                let _e77 = global[2u];
-                phi_868_ = (_e75 == _e77);
-                phi_869_ = false;
+        let _e62 = p.member.projection;
+        let _e63 = lt_math_OneLevel(_e62);
+        let _e65 = p.member.light;
+        let _e68 = samples.member[_e55.first_primitive].normal[0u];
+        let _e70 = global[0u];
+        if (_e68 == _e70) {
+            let _e73 = samples.member[_e55.first_primitive].normal[1u];
+            let _e75 = global[1u];
+            if (_e73 == _e75) {
+                let _e78 = samples.member[_e55.first_primitive].normal[2u];
+                let _e80 = global[2u];
+                phi_872_ = (_e78 == _e80);
+                phi_873_ = false;
             } else {
-                phi_868_ = bool();
-                phi_869_ = true;
+                phi_872_ = bool();
+                phi_873_ = true;
             }
-            let _e80 = phi_868_;
-            let _e82 = phi_869_;
-            phi_870_ = _e80;
-            phi_871_ = _e82;
+            let _e83 = phi_872_;
+            let _e85 = phi_873_;
+            phi_874_ = _e83;
+            phi_875_ = _e85;
         } else {
-            phi_870_ = bool();
-            phi_871_ = true;
+            phi_874_ = bool();
+            phi_875_ = true;
         }
-        let _e84 = phi_870_;
-        let _e86 = phi_871_;
-        if _e86 {
-            phi_875_ = false;
+        let _e87 = phi_874_;
+        let _e89 = phi_875_;
+        if _e89 {
+            phi_879_ = false;
         } else {
-            phi_875_ = _e84;
+            phi_879_ = _e87;
         }
-        let _e88 = phi_875_;
-        if !(_e88) {
-            let _e91 = samples.member[_e55.first_primitive].normal;
-            let _e93 = samples.member[_e55.first_primitive].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[_e55.first_primitive].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_919_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
+        let _e91 = phi_879_;
+        if !(_e91) {
+            let _e94 = samples.member[_e55.first_primitive].normal;
+            let _e96 = samples.member[_e55.first_primitive].position;
+            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
+                let _e120 = samples.member[_e55.first_primitive].flags;
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
+                phi_923_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
             } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_919_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
+                phi_923_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
             }
-            let _e151 = phi_919_;
-            phi_923_ = _e151;
+            let _e154 = phi_923_;
+            phi_927_ = _e154;
         } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_923_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
+            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+            phi_927_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
         }
-        let _e168 = phi_923_;
-        if _e168.unnamed_1 {
-            phi_1369_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
+        let _e171 = phi_927_;
+        if _e171.unnamed_1 {
+            phi_1372_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
         } else {
-            let _e176 = samples.member[_e55.first_primitive].position;
-            let _e182 = p.member.projection.row_w;
-            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
-            let _e195 = p.member.projection.row_x;
-            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
-            let _e209 = p.member.projection.row_y;
-            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
-            let _e223 = p.member.projection.row_z;
-            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
-            if (_e193 > 0f) {
-                if (_e207 >= 0f) {
-                    phi_1000_ = (_e207 <= 1f);
+            let _e179 = samples.member[_e55.first_primitive].position;
+            let _e197 = ((((_e63.projection.row_w.x * _e179.x) + (_e63.projection.row_w.y * _e179.y)) + (_e63.projection.row_w.z * _e179.z)) + (_e63.projection.row_w.w * 1f));
+            let _e211 = (((((_e63.projection.row_x.x * _e179.x) + (_e63.projection.row_x.y * _e179.y)) + (_e63.projection.row_x.z * _e179.z)) + (_e63.projection.row_x.w * 1f)) / _e197);
+            let _e225 = (((((_e63.projection.row_y.x * _e179.x) + (_e63.projection.row_y.y * _e179.y)) + (_e63.projection.row_y.z * _e179.z)) + (_e63.projection.row_y.w * 1f)) / _e197);
+            let _e238 = ((((_e63.projection.row_z.x * _e179.x) + (_e63.projection.row_z.y * _e179.y)) + (_e63.projection.row_z.z * _e179.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e197 > 0f) {
+                if (_e211 >= 0f) {
+                    phi_1001_ = (_e211 <= 1f);
                 } else {
-                    phi_1000_ = false;
+                    phi_1001_ = false;
                 }
-                let _e239 = phi_1000_;
-                if _e239 {
-                    if (_e221 >= 0f) {
-                        phi_1009_ = (_e221 <= 1f);
+                let _e243 = phi_1001_;
+                if _e243 {
+                    if (_e225 >= 0f) {
+                        phi_1010_ = (_e225 <= 1f);
                     } else {
-                        phi_1009_ = false;
+                        phi_1010_ = false;
                     }
-                    let _e243 = phi_1009_;
-                    if _e243 {
-                        if (_e234 >= 0f) {
-                            phi_1018_ = (_e234 <= 1f);
+                    let _e247 = phi_1010_;
+                    if _e247 {
+                        if (_e238 >= 0f) {
+                            phi_1019_ = (_e238 <= 1f);
                         } else {
-                            phi_1018_ = false;
+                            phi_1019_ = false;
                         }
-                        let _e247 = phi_1018_;
-                        phi_1019_ = _e247;
-                        phi_1020_ = false;
+                        let _e251 = phi_1019_;
+                        phi_1020_ = _e251;
+                        phi_1021_ = false;
                     } else {
-                        phi_1019_ = bool();
-                        phi_1020_ = true;
+                        phi_1020_ = bool();
+                        phi_1021_ = true;
                     }
-                    let _e249 = phi_1019_;
-                    let _e251 = phi_1020_;
-                    phi_1021_ = _e249;
-                    phi_1022_ = _e251;
+                    let _e253 = phi_1020_;
+                    let _e255 = phi_1021_;
+                    phi_1022_ = _e253;
+                    phi_1023_ = _e255;
                 } else {
-                    phi_1021_ = bool();
-                    phi_1022_ = true;
+                    phi_1022_ = bool();
+                    phi_1023_ = true;
                 }
-                let _e253 = phi_1021_;
-                let _e255 = phi_1022_;
-                phi_1023_ = _e253;
-                phi_1024_ = _e255;
+                let _e257 = phi_1022_;
+                let _e259 = phi_1023_;
+                phi_1024_ = _e257;
+                phi_1025_ = _e259;
             } else {
-                phi_1023_ = bool();
-                phi_1024_ = true;
+                phi_1024_ = bool();
+                phi_1025_ = true;
             }
-            let _e257 = phi_1023_;
-            let _e259 = phi_1024_;
-            if _e259 {
-                phi_1028_ = false;
+            let _e261 = phi_1024_;
+            let _e263 = phi_1025_;
+            if _e263 {
+                phi_1029_ = false;
             } else {
-                phi_1028_ = _e257;
+                phi_1029_ = _e261;
             }
-            let _e261 = phi_1028_;
-            if _e261 {
+            let _e265 = phi_1029_;
+            if _e265 {
                 if (0f > 0f) {
-                    let _e264 = samples.member[_e55.first_primitive].normal;
-                    let _e266 = p.member.map_size;
-                    let _e269 = p.member.projection.row_x;
-                    let _e291 = p.member.projection.row_y;
-                    let _e313 = p.member.projection.row_z;
-                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    let _e268 = samples.member[_e55.first_primitive].normal;
+                    let _e270 = p.member.map_size;
+                    let _e340 = ((abs(((((_e62.row_x.x * _e268.x) + (_e62.row_x.y * _e268.y)) + (_e62.row_x.z * _e268.z)) / (((_e62.row_x.x * _e62.row_x.x) + (_e62.row_x.y * _e62.row_x.y)) + (_e62.row_x.z * _e62.row_x.z)))) + abs(((((_e62.row_y.x * _e268.x) + (_e62.row_y.y * _e268.y)) + (_e62.row_y.z * _e268.z)) / (((_e62.row_y.x * _e62.row_y.x) + (_e62.row_y.y * _e62.row_y.y)) + (_e62.row_y.z * _e62.row_y.z))))) / (abs(((((_e62.row_z.x * _e268.x) + (_e62.row_z.y * _e268.y)) + (_e62.row_z.z * _e268.z)) / (((_e62.row_z.x * _e62.row_z.x) + (_e62.row_z.y * _e62.row_z.y)) + (_e62.row_z.z * _e62.row_z.z)))) * f32(_e270)));
                     if (_e340 < 0.002f) {
-                        phi_1122_ = _e340;
+                        phi_1119_ = _e340;
                     } else {
-                        phi_1122_ = 0.002f;
+                        phi_1119_ = 0.002f;
                     }
-                    let _e343 = phi_1122_;
-                    phi_1125_ = (_e234 - (0f * _e343));
+                    let _e343 = phi_1119_;
+                    phi_1122_ = (_e238 - (0f * _e343));
                 } else {
-                    phi_1125_ = _e234;
+                    phi_1122_ = _e238;
                 }
-                let _e347 = phi_1125_;
+                let _e347 = phi_1122_;
                 let _e349 = p.member.map_size;
                 let _e350 = f32(_e349);
-                let _e353 = ((_e207 * _e350) - 0.5f);
-                let _e354 = ((_e221 * _e350) - 0.5f);
+                let _e353 = ((_e211 * _e350) - 0.5f);
+                let _e354 = ((_e225 * _e350) - 0.5f);
                 if (_e353 > -8388608f) {
                     let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
                     if (_e366 > _e353) {
-                        phi_1154_ = 1f;
+                        phi_1151_ = 1f;
                     } else {
-                        phi_1154_ = 0f;
+                        phi_1151_ = 0f;
                     }
-                    let _e369 = phi_1154_;
+                    let _e369 = phi_1151_;
                     if (_e353 < 8388608f) {
-                        phi_1159_ = (_e366 - _e369);
-                        phi_1160_ = false;
+                        phi_1156_ = (_e366 - _e369);
+                        phi_1157_ = false;
                     } else {
-                        phi_1159_ = f32();
-                        phi_1160_ = true;
+                        phi_1156_ = f32();
+                        phi_1157_ = true;
                     }
-                    let _e372 = phi_1159_;
-                    let _e374 = phi_1160_;
-                    phi_1161_ = _e372;
-                    phi_1162_ = _e374;
+                    let _e372 = phi_1156_;
+                    let _e374 = phi_1157_;
+                    phi_1158_ = _e372;
+                    phi_1159_ = _e374;
                 } else {
-                    phi_1161_ = f32();
-                    phi_1162_ = true;
+                    phi_1158_ = f32();
+                    phi_1159_ = true;
                 }
-                let _e376 = phi_1161_;
-                let _e378 = phi_1162_;
+                let _e376 = phi_1158_;
+                let _e378 = phi_1159_;
                 if _e378 {
-                    phi_1166_ = _e353;
+                    phi_1163_ = _e353;
                 } else {
-                    phi_1166_ = _e376;
+                    phi_1163_ = _e376;
                 }
-                let _e380 = phi_1166_;
+                let _e380 = phi_1163_;
                 if (_e354 > -8388608f) {
                     let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
                     if (_e392 > _e354) {
-                        phi_1186_ = 1f;
+                        phi_1183_ = 1f;
                     } else {
-                        phi_1186_ = 0f;
+                        phi_1183_ = 0f;
                     }
-                    let _e395 = phi_1186_;
+                    let _e395 = phi_1183_;
                     if (_e354 < 8388608f) {
-                        phi_1191_ = (_e392 - _e395);
-                        phi_1192_ = false;
+                        phi_1188_ = (_e392 - _e395);
+                        phi_1189_ = false;
                     } else {
-                        phi_1191_ = f32();
-                        phi_1192_ = true;
+                        phi_1188_ = f32();
+                        phi_1189_ = true;
                     }
-                    let _e398 = phi_1191_;
-                    let _e400 = phi_1192_;
-                    phi_1193_ = _e398;
-                    phi_1194_ = _e400;
+                    let _e398 = phi_1188_;
+                    let _e400 = phi_1189_;
+                    phi_1190_ = _e398;
+                    phi_1191_ = _e400;
                 } else {
-                    phi_1193_ = f32();
-                    phi_1194_ = true;
+                    phi_1190_ = f32();
+                    phi_1191_ = true;
                 }
-                let _e402 = phi_1193_;
-                let _e404 = phi_1194_;
+                let _e402 = phi_1190_;
+                let _e404 = phi_1191_;
                 if _e404 {
-                    phi_1198_ = _e354;
+                    phi_1195_ = _e354;
                 } else {
-                    phi_1198_ = _e402;
+                    phi_1195_ = _e402;
                 }
-                let _e406 = phi_1198_;
+                let _e406 = phi_1195_;
                 let _e407 = (_e353 - _e380);
                 let _e408 = (_e354 - _e406);
                 let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
@@ -866,167 +865,168 @@ fn function_() {
                 let _e438 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e437);
                 let _e440 = p.member.map_size;
                 local_1 = _e438;
-                let _e442 = (bitcast<i32>(_e440) - 1i);
+                let _e442 = ((0u * _e440) * _e440);
+                let _e444 = (bitcast<i32>(_e440) - 1i);
                 if (_e417 > 0i) {
-                    phi_1244_ = _e417;
+                    phi_1243_ = _e417;
                 } else {
-                    phi_1244_ = 0i;
+                    phi_1243_ = 0i;
                 }
-                let _e445 = phi_1244_;
+                let _e447 = phi_1243_;
                 if (_e426 > 0i) {
-                    phi_1249_ = _e426;
+                    phi_1248_ = _e426;
                 } else {
-                    phi_1249_ = 0i;
+                    phi_1248_ = 0i;
                 }
-                let _e448 = phi_1249_;
-                if (_e445 < _e442) {
-                    phi_1254_ = _e445;
+                let _e450 = phi_1248_;
+                if (_e447 < _e444) {
+                    phi_1253_ = _e447;
                 } else {
-                    phi_1254_ = _e442;
+                    phi_1253_ = _e444;
                 }
-                let _e451 = phi_1254_;
-                if (_e448 < _e442) {
-                    phi_1259_ = _e448;
+                let _e453 = phi_1253_;
+                if (_e450 < _e444) {
+                    phi_1258_ = _e450;
                 } else {
-                    phi_1259_ = _e442;
+                    phi_1258_ = _e444;
                 }
-                let _e454 = phi_1259_;
-                let _e455 = bitcast<u32>(_e451);
-                let _e457 = (_e417 + 1i);
-                let _e458 = (_e426 + 1i);
-                if (_e457 > 0i) {
-                    phi_1268_ = _e457;
+                let _e456 = phi_1258_;
+                let _e457 = bitcast<u32>(_e453);
+                let _e459 = (_e417 + 1i);
+                let _e460 = (_e426 + 1i);
+                if (_e459 > 0i) {
+                    phi_1267_ = _e459;
                 } else {
-                    phi_1268_ = 0i;
+                    phi_1267_ = 0i;
                 }
-                let _e461 = phi_1268_;
-                if (_e458 > 0i) {
-                    phi_1273_ = _e458;
+                let _e463 = phi_1267_;
+                if (_e460 > 0i) {
+                    phi_1272_ = _e460;
                 } else {
-                    phi_1273_ = 0i;
+                    phi_1272_ = 0i;
                 }
-                let _e464 = phi_1273_;
-                if (_e461 < _e442) {
-                    phi_1278_ = _e461;
+                let _e466 = phi_1272_;
+                if (_e463 < _e444) {
+                    phi_1277_ = _e463;
                 } else {
-                    phi_1278_ = _e442;
+                    phi_1277_ = _e444;
                 }
-                let _e467 = phi_1278_;
-                if (_e464 < _e442) {
-                    phi_1283_ = _e464;
+                let _e469 = phi_1277_;
+                if (_e466 < _e444) {
+                    phi_1282_ = _e466;
                 } else {
-                    phi_1283_ = _e442;
+                    phi_1282_ = _e444;
                 }
-                let _e470 = phi_1283_;
-                let _e471 = bitcast<u32>(_e467);
-                let _e473 = (bitcast<u32>(_e454) * _e440);
-                let _e474 = (bitcast<u32>(_e470) * _e440);
-                let _e475 = (_e473 + _e455);
-                let _e476 = (_e473 + _e471);
-                let _e477 = (_e474 + _e455);
-                let _e478 = (_e474 + _e471);
-                if (_e475 < _e47) {
-                } else {
-                    return;
-                }
-                let _e482 = map.member[(0u + _e475)];
-                if (_e476 < _e47) {
+                let _e472 = phi_1282_;
+                let _e473 = bitcast<u32>(_e469);
+                let _e475 = (bitcast<u32>(_e456) * _e440);
+                let _e476 = (bitcast<u32>(_e472) * _e440);
+                let _e481 = ((_e475 + _e457) + _e442);
+                let _e482 = ((_e475 + _e473) + _e442);
+                let _e483 = ((_e476 + _e457) + _e442);
+                let _e484 = ((_e476 + _e473) + _e442);
+                if (_e481 < _e47) {
                 } else {
                     return;
                 }
-                let _e486 = map.member[(0u + _e476)];
-                if (_e477 < _e47) {
+                let _e488 = map.member[(0u + _e481)];
+                if (_e482 < _e47) {
                 } else {
                     return;
                 }
-                let _e490 = map.member[(0u + _e477)];
-                if (_e478 < _e47) {
+                let _e492 = map.member[(0u + _e482)];
+                if (_e483 < _e47) {
                 } else {
                     return;
                 }
-                let _e494 = map.member[(0u + _e478)];
-                let _e496 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e482, _e486, _e490, _e494), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
-                let _e498 = p.member.epsilon;
-                if (_e496 <= _e498) {
-                    phi_1330_ = true;
+                let _e496 = map.member[(0u + _e483)];
+                if (_e484 < _e47) {
                 } else {
-                    phi_1330_ = (_e496 >= (1f - _e498));
+                    return;
                 }
-                let _e503 = phi_1330_;
-                if ((bitcast<u32>(_e496) & 2147483647u) > 2139095040u) {
-                    phi_1338_ = true;
+                let _e500 = map.member[(0u + _e484)];
+                let _e502 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e488, _e492, _e496, _e500), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
+                let _e504 = p.member.epsilon;
+                if (_e502 <= _e504) {
+                    phi_1333_ = true;
                 } else {
-                    phi_1338_ = !(_e503);
+                    phi_1333_ = (_e502 >= (1f - _e504));
                 }
-                let _e509 = phi_1338_;
-                if _e509 {
-                    if (_e496 > 0f) {
-                        if (_e496 < 1f) {
-                            phi_1350_ = false;
+                let _e509 = phi_1333_;
+                if ((bitcast<u32>(_e502) & 2147483647u) > 2139095040u) {
+                    phi_1341_ = true;
+                } else {
+                    phi_1341_ = !(_e509);
+                }
+                let _e515 = phi_1341_;
+                if _e515 {
+                    if (_e502 > 0f) {
+                        if (_e502 < 1f) {
+                            phi_1353_ = false;
                         } else {
-                            phi_1350_ = true;
+                            phi_1353_ = true;
                         }
-                        let _e513 = phi_1350_;
-                        phi_1351_ = _e513;
+                        let _e519 = phi_1353_;
+                        phi_1354_ = _e519;
                     } else {
-                        phi_1351_ = true;
+                        phi_1354_ = true;
                     }
-                    let _e515 = phi_1351_;
-                    if _e515 {
-                        phi_1355_ = 0.5f;
+                    let _e521 = phi_1354_;
+                    if _e521 {
+                        phi_1358_ = 0.5f;
                     } else {
-                        phi_1355_ = _e496;
+                        phi_1358_ = _e502;
                     }
-                    let _e517 = phi_1355_;
-                    phi_1363_ = evaluate_Verdict(_e517, true);
+                    let _e523 = phi_1358_;
+                    phi_1366_ = evaluate_Verdict(_e523, true);
                 } else {
-                    if (_e496 > 0.5f) {
-                        phi_1361_ = 1f;
+                    if (_e502 > 0.5f) {
+                        phi_1364_ = 1f;
                     } else {
-                        phi_1361_ = 0f;
+                        phi_1364_ = 0f;
                     }
-                    let _e521 = phi_1361_;
-                    phi_1363_ = evaluate_Verdict(_e521, false);
+                    let _e527 = phi_1364_;
+                    phi_1366_ = evaluate_Verdict(_e527, false);
                 }
-                let _e524 = phi_1363_;
-                phi_1368_ = evaluate_Verdict(_e524.visibility, _e524.is_doubted);
+                let _e530 = phi_1366_;
+                phi_1371_ = evaluate_Verdict(_e530.visibility, _e530.is_doubted);
             } else {
-                phi_1368_ = evaluate_Verdict(0.5f, true);
+                phi_1371_ = evaluate_Verdict(0.5f, true);
             }
-            let _e530 = phi_1368_;
-            phi_1369_ = _e530;
+            let _e536 = phi_1371_;
+            phi_1372_ = _e536;
         }
-        let _e532 = phi_1369_;
-        visibility.member[_e55.first_primitive] = _e532.visibility;
-        phi_1373_ = _e532.is_doubted;
-        phi_1374_ = _e55.first_primitive;
+        let _e538 = phi_1372_;
+        visibility.member[_e55.first_primitive] = _e538.visibility;
+        phi_1376_ = _e538.is_doubted;
+        phi_1377_ = _e55.first_primitive;
     } else {
-        phi_1373_ = false;
-        phi_1374_ = 0u;
+        phi_1376_ = false;
+        phi_1377_ = 0u;
     }
-    let _e537 = phi_1373_;
-    let _e539 = phi_1374_;
+    let _e543 = phi_1376_;
+    let _e545 = phi_1377_;
     if (_e42 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e537 {
-        let _e543 = atomicAdd((&shared_[0u]), 1u);
-        phi_1385_ = _e543;
+    if _e543 {
+        let _e549 = atomicAdd((&shared_[0u]), 1u);
+        phi_1388_ = _e549;
     } else {
-        phi_1385_ = 0u;
+        phi_1388_ = 0u;
     }
-    let _e545 = phi_1385_;
+    let _e551 = phi_1388_;
     workgroupBarrier();
     if (_e42 == 0u) {
-        let _e549 = atomicLoad((&shared_[0u]));
-        let _e550 = atomicAdd((&list.member[3u]), _e549);
-        atomicStore((&shared_[1u]), _e550);
+        let _e555 = atomicLoad((&shared_[0u]));
+        let _e556 = atomicAdd((&list.member[3u]), _e555);
+        atomicStore((&shared_[1u]), _e556);
     }
     workgroupBarrier();
-    if _e537 {
-        let _e553 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e553) + _e545)]), _e539);
+    if _e543 {
+        let _e559 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e559) + _e551)]), _e545);
     }
     return;
 }

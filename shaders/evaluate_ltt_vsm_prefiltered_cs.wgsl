@@ -53,13 +53,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_41 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 struct type_48 {
@@ -82,36 +86,36 @@ var<storage, read_write> list: type_48;
 var<storage> map: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_147_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_146_ = lt_bvh_traverse_Tree();
-            phi_147_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e51 = phi_146_;
-        let _e53 = phi_147_;
-        phi_148_ = _e51;
-        phi_149_ = _e53;
+        let _e51 = phi_147_;
+        let _e53 = phi_148_;
+        phi_149_ = _e51;
+        phi_150_ = _e53;
     } else {
-        phi_148_ = lt_bvh_traverse_Tree();
-        phi_149_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e55 = phi_148_;
-    let _e57 = phi_149_;
+    let _e55 = phi_149_;
+    let _e57 = phi_150_;
     if _e57 {
-        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_154_ = _e55;
+        phi_155_ = _e55;
     }
-    let _e62 = phi_154_;
+    let _e62 = phi_155_;
     return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
@@ -120,142 +124,142 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_179_: f32;
     var phi_180_: f32;
     var phi_181_: f32;
-    var phi_199_: bool;
-    var phi_203_: f32;
-    var phi_215_: bool;
-    var phi_222_: f32;
-    var phi_237_: f32;
+    var phi_182_: f32;
+    var phi_200_: bool;
+    var phi_204_: f32;
+    var phi_216_: bool;
+    var phi_223_: f32;
     var phi_238_: f32;
     var phi_239_: f32;
+    var phi_240_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_181_ = param_6;
+        phi_182_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_180_ = 0f;
+            phi_181_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_179_ = 1f;
+                phi_180_ = 1f;
             } else {
-                phi_179_ = param_6;
+                phi_180_ = param_6;
             }
-            let _e47 = phi_179_;
-            phi_180_ = _e47;
+            let _e47 = phi_180_;
+            phi_181_ = _e47;
         }
-        let _e49 = phi_180_;
-        phi_181_ = _e49;
+        let _e49 = phi_181_;
+        phi_182_ = _e49;
     }
-    let _e51 = phi_181_;
+    let _e51 = phi_182_;
     let _e54 = (*param_4);
     let _e58 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
     if ((bitcast<u32>(_e54) & 2147483647u) > 2139095040u) {
-        phi_199_ = true;
+        phi_200_ = true;
     } else {
         let _e62 = (_e54 > _e58);
         if _e62 {
         }
-        phi_199_ = _e62;
+        phi_200_ = _e62;
     }
-    let _e64 = phi_199_;
+    let _e64 = phi_200_;
     if _e64 {
-        phi_203_ = _e54;
+        phi_204_ = _e54;
     } else {
-        phi_203_ = _e58;
+        phi_204_ = _e58;
     }
-    let _e66 = phi_203_;
+    let _e66 = phi_204_;
     let _e67 = (_e51 - param_5.x);
     if (_e67 <= 0f) {
         let _e71 = ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u);
         if _e71 {
         }
-        phi_215_ = _e71;
+        phi_216_ = _e71;
     } else {
-        phi_215_ = true;
+        phi_216_ = true;
     }
-    let _e73 = phi_215_;
+    let _e73 = phi_216_;
     if _e73 {
-        phi_222_ = (_e66 / (_e66 + (_e67 * _e67)));
+        phi_223_ = (_e66 / (_e66 + (_e67 * _e67)));
     } else {
-        phi_222_ = 1f;
+        phi_223_ = 1f;
     }
-    let _e78 = phi_222_;
+    let _e78 = phi_223_;
     if ((bitcast<u32>(_e78) & 2147483647u) > 2139095040u) {
-        phi_239_ = _e78;
+        phi_240_ = _e78;
     } else {
         if (_e78 < 0f) {
-            phi_238_ = 0f;
+            phi_239_ = 0f;
         } else {
             if (_e78 > 1f) {
-                phi_237_ = 1f;
+                phi_238_ = 1f;
             } else {
-                phi_237_ = _e78;
+                phi_238_ = _e78;
             }
-            let _e85 = phi_237_;
-            phi_238_ = _e85;
+            let _e85 = phi_238_;
+            phi_239_ = _e85;
         }
-        let _e87 = phi_238_;
-        phi_239_ = _e87;
+        let _e87 = phi_239_;
+        phi_240_ = _e87;
     }
-    let _e89 = phi_239_;
+    let _e89 = phi_240_;
     return _e89;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_288_: bool;
-    var phi_289_: bool;
-    var phi_290_: bool;
-    var phi_291_: bool;
+    var phi_292_: bool;
+    var phi_293_: bool;
+    var phi_294_: bool;
     var phi_295_: bool;
-    var phi_339_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_299_: bool;
     var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_420_: bool;
-    var phi_429_: bool;
-    var phi_438_: bool;
+    var phi_347_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_421_: bool;
+    var phi_430_: bool;
     var phi_439_: bool;
     var phi_440_: bool;
     var phi_441_: bool;
     var phi_442_: bool;
     var phi_443_: bool;
     var phi_444_: bool;
-    var phi_448_: bool;
+    var phi_445_: bool;
+    var phi_449_: bool;
+    var phi_539_: f32;
     var phi_542_: f32;
-    var phi_545_: f32;
-    var phi_574_: f32;
-    var phi_579_: f32;
-    var phi_580_: bool;
-    var phi_581_: f32;
-    var phi_582_: bool;
-    var phi_586_: f32;
-    var phi_606_: f32;
-    var phi_611_: f32;
-    var phi_612_: bool;
-    var phi_613_: f32;
-    var phi_614_: bool;
-    var phi_618_: f32;
-    var phi_664_: i32;
-    var phi_669_: i32;
-    var phi_674_: i32;
-    var phi_679_: i32;
-    var phi_688_: i32;
-    var phi_693_: i32;
-    var phi_698_: i32;
-    var phi_703_: i32;
-    var phi_794_: bool;
-    var phi_802_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_819_: f32;
-    var phi_825_: f32;
-    var phi_827_: evaluate_Verdict;
-    var phi_832_: evaluate_Verdict;
-    var phi_833_: evaluate_Verdict;
-    var phi_837_: bool;
-    var phi_838_: u32;
-    var phi_849_: u32;
+    var phi_571_: f32;
+    var phi_576_: f32;
+    var phi_577_: bool;
+    var phi_578_: f32;
+    var phi_579_: bool;
+    var phi_583_: f32;
+    var phi_603_: f32;
+    var phi_608_: f32;
+    var phi_609_: bool;
+    var phi_610_: f32;
+    var phi_611_: bool;
+    var phi_615_: f32;
+    var phi_663_: i32;
+    var phi_668_: i32;
+    var phi_673_: i32;
+    var phi_678_: i32;
+    var phi_687_: i32;
+    var phi_692_: i32;
+    var phi_697_: i32;
+    var phi_702_: i32;
+    var phi_797_: bool;
+    var phi_805_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_822_: f32;
+    var phi_828_: f32;
+    var phi_830_: evaluate_Verdict;
+    var phi_835_: evaluate_Verdict;
+    var phi_836_: evaluate_Verdict;
+    var phi_840_: bool;
+    var phi_841_: u32;
+    var phi_852_: u32;
 
     let _e39 = id_1;
     let _e40 = local_2;
@@ -264,206 +268,201 @@ fn function_() {
     let _e52 = p.member.size[1u];
     let _e53 = lt_shaders_entry_pixel_index(_e39, _e50, _e52);
     if (bitcast<i32>(_e53.root) != 0i) {
-        let _e60 = p.member.light;
-        let _e63 = samples.member[_e53.first_primitive].normal[0u];
-        let _e65 = global[0u];
-        if (_e63 == _e65) {
-            let _e68 = samples.member[_e53.first_primitive].normal[1u];
-            let _e70 = global[1u];
-            if (_e68 == _e70) {
-                let _e73 = samples.member[_e53.first_primitive].normal[2u];
-                let _e75 = global[2u];
-                phi_288_ = (_e73 == _e75);
-                phi_289_ = false;
+        let _e60 = p.member.projection;
+        let _e61 = lt_math_OneLevel(_e60);
+        let _e63 = p.member.light;
+        let _e66 = samples.member[_e53.first_primitive].normal[0u];
+        let _e68 = global[0u];
+        if (_e66 == _e68) {
+            let _e71 = samples.member[_e53.first_primitive].normal[1u];
+            let _e73 = global[1u];
+            if (_e71 == _e73) {
+                let _e76 = samples.member[_e53.first_primitive].normal[2u];
+                let _e78 = global[2u];
+                phi_292_ = (_e76 == _e78);
+                phi_293_ = false;
             } else {
-                phi_288_ = bool();
-                phi_289_ = true;
+                phi_292_ = bool();
+                phi_293_ = true;
             }
-            let _e78 = phi_288_;
-            let _e80 = phi_289_;
-            phi_290_ = _e78;
-            phi_291_ = _e80;
+            let _e81 = phi_292_;
+            let _e83 = phi_293_;
+            phi_294_ = _e81;
+            phi_295_ = _e83;
         } else {
-            phi_290_ = bool();
-            phi_291_ = true;
+            phi_294_ = bool();
+            phi_295_ = true;
         }
-        let _e82 = phi_290_;
-        let _e84 = phi_291_;
-        if _e84 {
-            phi_295_ = false;
+        let _e85 = phi_294_;
+        let _e87 = phi_295_;
+        if _e87 {
+            phi_299_ = false;
         } else {
-            phi_295_ = _e82;
+            phi_299_ = _e85;
         }
-        let _e86 = phi_295_;
-        if !(_e86) {
-            let _e89 = samples.member[_e53.first_primitive].normal;
-            let _e91 = samples.member[_e53.first_primitive].position;
-            if ((((_e89.x * (_e60.x - (_e91.x * _e60.w))) + (_e89.y * (_e60.y - (_e91.y * _e60.w)))) + (_e89.z * (_e60.z - (_e91.z * _e60.w)))) > 0f) {
-                let _e115 = samples.member[_e53.first_primitive].flags;
-                let _e123 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e123.unnamed.visibility, false), _e123.unnamed_1);
-                phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e129.unnamed, ((_e115 & 1u) == 0u));
+        let _e89 = phi_299_;
+        if !(_e89) {
+            let _e92 = samples.member[_e53.first_primitive].normal;
+            let _e94 = samples.member[_e53.first_primitive].position;
+            if ((((_e92.x * (_e63.x - (_e94.x * _e63.w))) + (_e92.y * (_e63.y - (_e94.y * _e63.w)))) + (_e92.z * (_e63.z - (_e94.z * _e63.w)))) > 0f) {
+                let _e118 = samples.member[_e53.first_primitive].flags;
+                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
+                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
             } else {
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, true);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
+                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
             }
-            let _e149 = phi_339_;
-            phi_343_ = _e149;
+            let _e152 = phi_343_;
+            phi_347_ = _e152;
         } else {
-            let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e155.unnamed.visibility, false), _e155.unnamed_1);
-            phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e161.unnamed, true);
+            let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
+            phi_347_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
         }
-        let _e166 = phi_343_;
-        if _e166.unnamed_1 {
-            phi_833_ = evaluate_Verdict(_e166.unnamed.visibility, _e166.unnamed.is_doubted);
+        let _e169 = phi_347_;
+        if _e169.unnamed_1 {
+            phi_836_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
         } else {
-            let _e174 = samples.member[_e53.first_primitive].position;
-            let _e180 = p.member.projection.row_w;
-            let _e191 = ((((_e180.x * _e174.x) + (_e180.y * _e174.y)) + (_e180.z * _e174.z)) + (_e180.w * 1f));
-            let _e193 = p.member.projection.row_x;
-            let _e205 = (((((_e193.x * _e174.x) + (_e193.y * _e174.y)) + (_e193.z * _e174.z)) + (_e193.w * 1f)) / _e191);
-            let _e207 = p.member.projection.row_y;
-            let _e219 = (((((_e207.x * _e174.x) + (_e207.y * _e174.y)) + (_e207.z * _e174.z)) + (_e207.w * 1f)) / _e191);
-            let _e221 = p.member.projection.row_z;
-            let _e232 = ((((_e221.x * _e174.x) + (_e221.y * _e174.y)) + (_e221.z * _e174.z)) + (_e221.w * 1f));
-            if (_e191 > 0f) {
-                if (_e205 >= 0f) {
-                    phi_420_ = (_e205 <= 1f);
+            let _e177 = samples.member[_e53.first_primitive].position;
+            let _e195 = ((((_e61.projection.row_w.x * _e177.x) + (_e61.projection.row_w.y * _e177.y)) + (_e61.projection.row_w.z * _e177.z)) + (_e61.projection.row_w.w * 1f));
+            let _e209 = (((((_e61.projection.row_x.x * _e177.x) + (_e61.projection.row_x.y * _e177.y)) + (_e61.projection.row_x.z * _e177.z)) + (_e61.projection.row_x.w * 1f)) / _e195);
+            let _e223 = (((((_e61.projection.row_y.x * _e177.x) + (_e61.projection.row_y.y * _e177.y)) + (_e61.projection.row_y.z * _e177.z)) + (_e61.projection.row_y.w * 1f)) / _e195);
+            let _e236 = ((((_e61.projection.row_z.x * _e177.x) + (_e61.projection.row_z.y * _e177.y)) + (_e61.projection.row_z.z * _e177.z)) + (_e61.projection.row_z.w * 1f));
+            if (_e195 > 0f) {
+                if (_e209 >= 0f) {
+                    phi_421_ = (_e209 <= 1f);
                 } else {
-                    phi_420_ = false;
+                    phi_421_ = false;
                 }
-                let _e237 = phi_420_;
-                if _e237 {
-                    if (_e219 >= 0f) {
-                        phi_429_ = (_e219 <= 1f);
+                let _e241 = phi_421_;
+                if _e241 {
+                    if (_e223 >= 0f) {
+                        phi_430_ = (_e223 <= 1f);
                     } else {
-                        phi_429_ = false;
+                        phi_430_ = false;
                     }
-                    let _e241 = phi_429_;
-                    if _e241 {
-                        if (_e232 >= 0f) {
-                            phi_438_ = (_e232 <= 1f);
+                    let _e245 = phi_430_;
+                    if _e245 {
+                        if (_e236 >= 0f) {
+                            phi_439_ = (_e236 <= 1f);
                         } else {
-                            phi_438_ = false;
+                            phi_439_ = false;
                         }
-                        let _e245 = phi_438_;
-                        phi_439_ = _e245;
-                        phi_440_ = false;
+                        let _e249 = phi_439_;
+                        phi_440_ = _e249;
+                        phi_441_ = false;
                     } else {
-                        phi_439_ = bool();
-                        phi_440_ = true;
+                        phi_440_ = bool();
+                        phi_441_ = true;
                     }
-                    let _e247 = phi_439_;
-                    let _e249 = phi_440_;
-                    phi_441_ = _e247;
-                    phi_442_ = _e249;
+                    let _e251 = phi_440_;
+                    let _e253 = phi_441_;
+                    phi_442_ = _e251;
+                    phi_443_ = _e253;
                 } else {
-                    phi_441_ = bool();
-                    phi_442_ = true;
+                    phi_442_ = bool();
+                    phi_443_ = true;
                 }
-                let _e251 = phi_441_;
-                let _e253 = phi_442_;
-                phi_443_ = _e251;
-                phi_444_ = _e253;
+                let _e255 = phi_442_;
+                let _e257 = phi_443_;
+                phi_444_ = _e255;
+                phi_445_ = _e257;
             } else {
-                phi_443_ = bool();
-                phi_444_ = true;
+                phi_444_ = bool();
+                phi_445_ = true;
             }
-            let _e255 = phi_443_;
-            let _e257 = phi_444_;
-            if _e257 {
-                phi_448_ = false;
+            let _e259 = phi_444_;
+            let _e261 = phi_445_;
+            if _e261 {
+                phi_449_ = false;
             } else {
-                phi_448_ = _e255;
+                phi_449_ = _e259;
             }
-            let _e259 = phi_448_;
-            if _e259 {
+            let _e263 = phi_449_;
+            if _e263 {
                 if (0f > 0f) {
-                    let _e262 = samples.member[_e53.first_primitive].normal;
-                    let _e264 = p.member.map_size;
-                    let _e267 = p.member.projection.row_x;
-                    let _e289 = p.member.projection.row_y;
-                    let _e311 = p.member.projection.row_z;
-                    let _e338 = ((abs(((((_e267.x * _e262.x) + (_e267.y * _e262.y)) + (_e267.z * _e262.z)) / (((_e267.x * _e267.x) + (_e267.y * _e267.y)) + (_e267.z * _e267.z)))) + abs(((((_e289.x * _e262.x) + (_e289.y * _e262.y)) + (_e289.z * _e262.z)) / (((_e289.x * _e289.x) + (_e289.y * _e289.y)) + (_e289.z * _e289.z))))) / (abs(((((_e311.x * _e262.x) + (_e311.y * _e262.y)) + (_e311.z * _e262.z)) / (((_e311.x * _e311.x) + (_e311.y * _e311.y)) + (_e311.z * _e311.z)))) * f32(_e264)));
+                    let _e266 = samples.member[_e53.first_primitive].normal;
+                    let _e268 = p.member.map_size;
+                    let _e338 = ((abs(((((_e60.row_x.x * _e266.x) + (_e60.row_x.y * _e266.y)) + (_e60.row_x.z * _e266.z)) / (((_e60.row_x.x * _e60.row_x.x) + (_e60.row_x.y * _e60.row_x.y)) + (_e60.row_x.z * _e60.row_x.z)))) + abs(((((_e60.row_y.x * _e266.x) + (_e60.row_y.y * _e266.y)) + (_e60.row_y.z * _e266.z)) / (((_e60.row_y.x * _e60.row_y.x) + (_e60.row_y.y * _e60.row_y.y)) + (_e60.row_y.z * _e60.row_y.z))))) / (abs(((((_e60.row_z.x * _e266.x) + (_e60.row_z.y * _e266.y)) + (_e60.row_z.z * _e266.z)) / (((_e60.row_z.x * _e60.row_z.x) + (_e60.row_z.y * _e60.row_z.y)) + (_e60.row_z.z * _e60.row_z.z)))) * f32(_e268)));
                     if (_e338 < 0.002f) {
-                        phi_542_ = _e338;
+                        phi_539_ = _e338;
                     } else {
-                        phi_542_ = 0.002f;
+                        phi_539_ = 0.002f;
                     }
-                    let _e341 = phi_542_;
-                    phi_545_ = (_e232 - (0f * _e341));
+                    let _e341 = phi_539_;
+                    phi_542_ = (_e236 - (0f * _e341));
                 } else {
-                    phi_545_ = _e232;
+                    phi_542_ = _e236;
                 }
-                let _e345 = phi_545_;
+                let _e345 = phi_542_;
                 let _e347 = p.member.map_size;
                 let _e348 = f32(_e347);
-                let _e351 = ((_e205 * _e348) - 0.5f);
-                let _e352 = ((_e219 * _e348) - 0.5f);
+                let _e351 = ((_e209 * _e348) - 0.5f);
+                let _e352 = ((_e223 * _e348) - 0.5f);
                 if (_e351 > -8388608f) {
                     let _e364 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
                     if (_e364 > _e351) {
-                        phi_574_ = 1f;
+                        phi_571_ = 1f;
                     } else {
-                        phi_574_ = 0f;
+                        phi_571_ = 0f;
                     }
-                    let _e367 = phi_574_;
+                    let _e367 = phi_571_;
                     if (_e351 < 8388608f) {
-                        phi_579_ = (_e364 - _e367);
-                        phi_580_ = false;
+                        phi_576_ = (_e364 - _e367);
+                        phi_577_ = false;
                     } else {
-                        phi_579_ = f32();
-                        phi_580_ = true;
+                        phi_576_ = f32();
+                        phi_577_ = true;
                     }
-                    let _e370 = phi_579_;
-                    let _e372 = phi_580_;
-                    phi_581_ = _e370;
-                    phi_582_ = _e372;
+                    let _e370 = phi_576_;
+                    let _e372 = phi_577_;
+                    phi_578_ = _e370;
+                    phi_579_ = _e372;
                 } else {
-                    phi_581_ = f32();
-                    phi_582_ = true;
+                    phi_578_ = f32();
+                    phi_579_ = true;
                 }
-                let _e374 = phi_581_;
-                let _e376 = phi_582_;
+                let _e374 = phi_578_;
+                let _e376 = phi_579_;
                 if _e376 {
-                    phi_586_ = _e351;
+                    phi_583_ = _e351;
                 } else {
-                    phi_586_ = _e374;
+                    phi_583_ = _e374;
                 }
-                let _e378 = phi_586_;
+                let _e378 = phi_583_;
                 if (_e352 > -8388608f) {
                     let _e390 = f32(select(0i, select(select(i32(_e352), i32(-2147483648), (_e352 < bitcast<f32>(3472883712u))), 2147483647i, (_e352 > bitcast<f32>(1325400063u))), (_e352 == _e352)));
                     if (_e390 > _e352) {
-                        phi_606_ = 1f;
+                        phi_603_ = 1f;
                     } else {
-                        phi_606_ = 0f;
+                        phi_603_ = 0f;
                     }
-                    let _e393 = phi_606_;
+                    let _e393 = phi_603_;
                     if (_e352 < 8388608f) {
-                        phi_611_ = (_e390 - _e393);
-                        phi_612_ = false;
+                        phi_608_ = (_e390 - _e393);
+                        phi_609_ = false;
                     } else {
-                        phi_611_ = f32();
-                        phi_612_ = true;
+                        phi_608_ = f32();
+                        phi_609_ = true;
                     }
-                    let _e396 = phi_611_;
-                    let _e398 = phi_612_;
-                    phi_613_ = _e396;
-                    phi_614_ = _e398;
+                    let _e396 = phi_608_;
+                    let _e398 = phi_609_;
+                    phi_610_ = _e396;
+                    phi_611_ = _e398;
                 } else {
-                    phi_613_ = f32();
-                    phi_614_ = true;
+                    phi_610_ = f32();
+                    phi_611_ = true;
                 }
-                let _e400 = phi_613_;
-                let _e402 = phi_614_;
+                let _e400 = phi_610_;
+                let _e402 = phi_611_;
                 if _e402 {
-                    phi_618_ = _e352;
+                    phi_615_ = _e352;
                 } else {
-                    phi_618_ = _e400;
+                    phi_615_ = _e400;
                 }
-                let _e404 = phi_618_;
+                let _e404 = phi_615_;
                 let _e405 = (_e351 - _e378);
                 let _e406 = (_e352 - _e404);
                 let _e415 = select(0i, select(select(i32(_e378), i32(-2147483648), (_e378 < bitcast<f32>(3472883712u))), 2147483647i, (_e378 > bitcast<f32>(1325400063u))), (_e378 == _e378));
@@ -476,167 +475,168 @@ fn function_() {
                 let _e435 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
                 let _e437 = p.member.map_size;
                 local_1 = _e435;
-                let _e439 = (bitcast<i32>(_e437) - 1i);
+                let _e439 = ((0u * _e437) * _e437);
+                let _e441 = (bitcast<i32>(_e437) - 1i);
                 if (_e415 > 0i) {
-                    phi_664_ = _e415;
+                    phi_663_ = _e415;
                 } else {
-                    phi_664_ = 0i;
+                    phi_663_ = 0i;
                 }
-                let _e442 = phi_664_;
+                let _e444 = phi_663_;
                 if (_e424 > 0i) {
-                    phi_669_ = _e424;
+                    phi_668_ = _e424;
                 } else {
-                    phi_669_ = 0i;
+                    phi_668_ = 0i;
                 }
-                let _e445 = phi_669_;
-                if (_e442 < _e439) {
-                    phi_674_ = _e442;
+                let _e447 = phi_668_;
+                if (_e444 < _e441) {
+                    phi_673_ = _e444;
                 } else {
-                    phi_674_ = _e439;
+                    phi_673_ = _e441;
                 }
-                let _e448 = phi_674_;
-                if (_e445 < _e439) {
-                    phi_679_ = _e445;
+                let _e450 = phi_673_;
+                if (_e447 < _e441) {
+                    phi_678_ = _e447;
                 } else {
-                    phi_679_ = _e439;
+                    phi_678_ = _e441;
                 }
-                let _e451 = phi_679_;
-                let _e452 = bitcast<u32>(_e448);
-                let _e454 = (_e415 + 1i);
-                let _e455 = (_e424 + 1i);
-                if (_e454 > 0i) {
-                    phi_688_ = _e454;
+                let _e453 = phi_678_;
+                let _e454 = bitcast<u32>(_e450);
+                let _e456 = (_e415 + 1i);
+                let _e457 = (_e424 + 1i);
+                if (_e456 > 0i) {
+                    phi_687_ = _e456;
                 } else {
-                    phi_688_ = 0i;
+                    phi_687_ = 0i;
                 }
-                let _e458 = phi_688_;
-                if (_e455 > 0i) {
-                    phi_693_ = _e455;
+                let _e460 = phi_687_;
+                if (_e457 > 0i) {
+                    phi_692_ = _e457;
                 } else {
-                    phi_693_ = 0i;
+                    phi_692_ = 0i;
                 }
-                let _e461 = phi_693_;
-                if (_e458 < _e439) {
-                    phi_698_ = _e458;
+                let _e463 = phi_692_;
+                if (_e460 < _e441) {
+                    phi_697_ = _e460;
                 } else {
-                    phi_698_ = _e439;
+                    phi_697_ = _e441;
                 }
-                let _e464 = phi_698_;
-                if (_e461 < _e439) {
-                    phi_703_ = _e461;
+                let _e466 = phi_697_;
+                if (_e463 < _e441) {
+                    phi_702_ = _e463;
                 } else {
-                    phi_703_ = _e439;
+                    phi_702_ = _e441;
                 }
-                let _e467 = phi_703_;
-                let _e468 = bitcast<u32>(_e464);
-                let _e470 = (bitcast<u32>(_e451) * _e437);
-                let _e471 = (bitcast<u32>(_e467) * _e437);
-                let _e472 = (_e470 + _e452);
-                let _e473 = (_e470 + _e468);
-                let _e474 = (_e471 + _e452);
-                let _e475 = (_e471 + _e468);
-                if (_e472 < _e45) {
-                } else {
-                    return;
-                }
-                let _e479 = map.member[(0u + _e472)];
-                if (_e473 < _e45) {
+                let _e469 = phi_702_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (bitcast<u32>(_e453) * _e437);
+                let _e473 = (bitcast<u32>(_e469) * _e437);
+                let _e478 = ((_e472 + _e454) + _e439);
+                let _e479 = ((_e472 + _e470) + _e439);
+                let _e480 = ((_e473 + _e454) + _e439);
+                let _e481 = ((_e473 + _e470) + _e439);
+                if (_e478 < _e45) {
                 } else {
                     return;
                 }
-                let _e491 = map.member[(0u + _e473)];
-                if (_e474 < _e45) {
+                let _e485 = map.member[(0u + _e478)];
+                if (_e479 < _e45) {
                 } else {
                     return;
                 }
-                let _e507 = map.member[(0u + _e474)];
-                if (_e475 < _e45) {
+                let _e497 = map.member[(0u + _e479)];
+                if (_e480 < _e45) {
                 } else {
                     return;
                 }
-                let _e523 = map.member[(0u + _e475)];
-                let _e537 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e479.x * _e427) + (_e491.x * _e429)) + (_e507.x * _e431)) + (_e523.x * _e432)), ((((_e479.y * _e427) + (_e491.y * _e429)) + (_e507.y * _e431)) + (_e523.y * _e432)), ((((_e479.z * _e427) + (_e491.z * _e429)) + (_e507.z * _e431)) + (_e523.z * _e432)), ((((_e479.w * _e427) + (_e491.w * _e429)) + (_e507.w * _e431)) + (_e523.w * _e432))), _e345);
-                let _e539 = p.member.epsilon;
-                if (_e537 <= _e539) {
-                    phi_794_ = true;
+                let _e513 = map.member[(0u + _e480)];
+                if (_e481 < _e45) {
                 } else {
-                    phi_794_ = (_e537 >= (1f - _e539));
+                    return;
                 }
-                let _e544 = phi_794_;
-                if ((bitcast<u32>(_e537) & 2147483647u) > 2139095040u) {
-                    phi_802_ = true;
+                let _e529 = map.member[(0u + _e481)];
+                let _e543 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e485.x * _e427) + (_e497.x * _e429)) + (_e513.x * _e431)) + (_e529.x * _e432)), ((((_e485.y * _e427) + (_e497.y * _e429)) + (_e513.y * _e431)) + (_e529.y * _e432)), ((((_e485.z * _e427) + (_e497.z * _e429)) + (_e513.z * _e431)) + (_e529.z * _e432)), ((((_e485.w * _e427) + (_e497.w * _e429)) + (_e513.w * _e431)) + (_e529.w * _e432))), _e345);
+                let _e545 = p.member.epsilon;
+                if (_e543 <= _e545) {
+                    phi_797_ = true;
                 } else {
-                    phi_802_ = !(_e544);
+                    phi_797_ = (_e543 >= (1f - _e545));
                 }
-                let _e550 = phi_802_;
-                if _e550 {
-                    if (_e537 > 0f) {
-                        if (_e537 < 1f) {
-                            phi_814_ = false;
+                let _e550 = phi_797_;
+                if ((bitcast<u32>(_e543) & 2147483647u) > 2139095040u) {
+                    phi_805_ = true;
+                } else {
+                    phi_805_ = !(_e550);
+                }
+                let _e556 = phi_805_;
+                if _e556 {
+                    if (_e543 > 0f) {
+                        if (_e543 < 1f) {
+                            phi_817_ = false;
                         } else {
-                            phi_814_ = true;
+                            phi_817_ = true;
                         }
-                        let _e554 = phi_814_;
-                        phi_815_ = _e554;
+                        let _e560 = phi_817_;
+                        phi_818_ = _e560;
                     } else {
-                        phi_815_ = true;
+                        phi_818_ = true;
                     }
-                    let _e556 = phi_815_;
-                    if _e556 {
-                        phi_819_ = 0.5f;
+                    let _e562 = phi_818_;
+                    if _e562 {
+                        phi_822_ = 0.5f;
                     } else {
-                        phi_819_ = _e537;
+                        phi_822_ = _e543;
                     }
-                    let _e558 = phi_819_;
-                    phi_827_ = evaluate_Verdict(_e558, true);
+                    let _e564 = phi_822_;
+                    phi_830_ = evaluate_Verdict(_e564, true);
                 } else {
-                    if (_e537 > 0.5f) {
-                        phi_825_ = 1f;
+                    if (_e543 > 0.5f) {
+                        phi_828_ = 1f;
                     } else {
-                        phi_825_ = 0f;
+                        phi_828_ = 0f;
                     }
-                    let _e562 = phi_825_;
-                    phi_827_ = evaluate_Verdict(_e562, false);
+                    let _e568 = phi_828_;
+                    phi_830_ = evaluate_Verdict(_e568, false);
                 }
-                let _e565 = phi_827_;
-                phi_832_ = evaluate_Verdict(_e565.visibility, _e565.is_doubted);
+                let _e571 = phi_830_;
+                phi_835_ = evaluate_Verdict(_e571.visibility, _e571.is_doubted);
             } else {
-                phi_832_ = evaluate_Verdict(0.5f, true);
+                phi_835_ = evaluate_Verdict(0.5f, true);
             }
-            let _e571 = phi_832_;
-            phi_833_ = _e571;
+            let _e577 = phi_835_;
+            phi_836_ = _e577;
         }
-        let _e573 = phi_833_;
-        visibility.member[_e53.first_primitive] = _e573.visibility;
-        phi_837_ = _e573.is_doubted;
-        phi_838_ = _e53.first_primitive;
+        let _e579 = phi_836_;
+        visibility.member[_e53.first_primitive] = _e579.visibility;
+        phi_840_ = _e579.is_doubted;
+        phi_841_ = _e53.first_primitive;
     } else {
-        phi_837_ = false;
-        phi_838_ = 0u;
+        phi_840_ = false;
+        phi_841_ = 0u;
     }
-    let _e578 = phi_837_;
-    let _e580 = phi_838_;
+    let _e584 = phi_840_;
+    let _e586 = phi_841_;
     if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e578 {
-        let _e584 = atomicAdd((&shared_[0u]), 1u);
-        phi_849_ = _e584;
+    if _e584 {
+        let _e590 = atomicAdd((&shared_[0u]), 1u);
+        phi_852_ = _e590;
     } else {
-        phi_849_ = 0u;
+        phi_852_ = 0u;
     }
-    let _e586 = phi_849_;
+    let _e592 = phi_852_;
     workgroupBarrier();
     if (_e40 == 0u) {
-        let _e590 = atomicLoad((&shared_[0u]));
-        let _e591 = atomicAdd((&list.member[3u]), _e590);
-        atomicStore((&shared_[1u]), _e591);
+        let _e596 = atomicLoad((&shared_[0u]));
+        let _e597 = atomicAdd((&list.member[3u]), _e596);
+        atomicStore((&shared_[1u]), _e597);
     }
     workgroupBarrier();
-    if _e578 {
-        let _e594 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e594) + _e586)]), _e580);
+    if _e584 {
+        let _e600 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e600) + _e592)]), _e586);
     }
     return;
 }

@@ -45,13 +45,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_27 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 struct lt_bvh_slab_Span {
@@ -71,36 +75,36 @@ var<storage> map: type_13;
 var<storage, read_write> visibility: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_128_: lt_bvh_traverse_Tree;
-    var phi_129_: bool;
-    var phi_130_: lt_bvh_traverse_Tree;
-    var phi_131_: bool;
-    var phi_136_: lt_bvh_traverse_Tree;
+    var phi_129_: lt_bvh_traverse_Tree;
+    var phi_130_: bool;
+    var phi_131_: lt_bvh_traverse_Tree;
+    var phi_132_: bool;
+    var phi_137_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_128_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_129_ = false;
+            phi_129_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_130_ = false;
         } else {
-            phi_128_ = lt_bvh_traverse_Tree();
-            phi_129_ = true;
+            phi_129_ = lt_bvh_traverse_Tree();
+            phi_130_ = true;
         }
-        let _e49 = phi_128_;
-        let _e51 = phi_129_;
-        phi_130_ = _e49;
-        phi_131_ = _e51;
+        let _e49 = phi_129_;
+        let _e51 = phi_130_;
+        phi_131_ = _e49;
+        phi_132_ = _e51;
     } else {
-        phi_130_ = lt_bvh_traverse_Tree();
-        phi_131_ = true;
+        phi_131_ = lt_bvh_traverse_Tree();
+        phi_132_ = true;
     }
-    let _e53 = phi_130_;
-    let _e55 = phi_131_;
+    let _e53 = phi_131_;
+    let _e55 = phi_132_;
     if _e55 {
-        phi_136_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_137_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_136_ = _e53;
+        phi_137_ = _e53;
     }
-    let _e60 = phi_136_;
+    let _e60 = phi_137_;
     return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
@@ -109,205 +113,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_689_: f32;
-    var phi_690_: f32;
-    var phi_691_: f32;
-    var phi_708_: f32;
-    var phi_709_: f32;
-    var phi_710_: f32;
-    var phi_726_: f32;
-    var phi_727_: f32;
-    var phi_728_: f32;
-    var phi_744_: f32;
-    var phi_745_: f32;
-    var phi_746_: f32;
-    var phi_762_: f32;
-    var phi_763_: f32;
-    var phi_764_: f32;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
+    var phi_692_: f32;
+    var phi_693_: f32;
+    var phi_694_: f32;
+    var phi_711_: f32;
+    var phi_712_: f32;
+    var phi_713_: f32;
+    var phi_729_: f32;
+    var phi_730_: f32;
+    var phi_731_: f32;
+    var phi_747_: f32;
+    var phi_748_: f32;
+    var phi_749_: f32;
+    var phi_765_: f32;
+    var phi_766_: f32;
+    var phi_767_: f32;
     var phi_802_: bool;
     var phi_803_: bool;
     var phi_804_: bool;
-    var phi_808_: bool;
-    var phi_1119_: f32;
-    var phi_1120_: f32;
-    var phi_1121_: f32;
-    var phi_1138_: f32;
-    var phi_1139_: f32;
-    var phi_1140_: f32;
-    var phi_1157_: f32;
-    var phi_1158_: f32;
-    var phi_1159_: f32;
-    var phi_1176_: f32;
-    var phi_1177_: f32;
-    var phi_1178_: f32;
-    var phi_1201_: f32;
-    var phi_1202_: f32;
-    var phi_1203_: f32;
-    var phi_1214_: f32;
-    var phi_1229_: f32;
-    var phi_1231_: lt_bvh_slab_Span;
-    var phi_1289_: f32;
-    var phi_1290_: f32;
-    var phi_1291_: f32;
+    var phi_805_: bool;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_811_: bool;
+    var phi_1122_: f32;
+    var phi_1123_: f32;
+    var phi_1124_: f32;
+    var phi_1141_: f32;
+    var phi_1142_: f32;
+    var phi_1143_: f32;
+    var phi_1160_: f32;
+    var phi_1161_: f32;
+    var phi_1162_: f32;
+    var phi_1179_: f32;
+    var phi_1180_: f32;
+    var phi_1181_: f32;
+    var phi_1204_: f32;
+    var phi_1205_: f32;
+    var phi_1206_: f32;
+    var phi_1217_: f32;
+    var phi_1232_: f32;
+    var phi_1234_: lt_bvh_slab_Span;
     var phi_1292_: f32;
     var phi_1293_: f32;
-    var phi_1294_: bool;
-    var phi_1298_: f32;
-    var phi_1313_: f32;
-    var phi_1314_: f32;
-    var phi_1315_: f32;
+    var phi_1294_: f32;
+    var phi_1295_: f32;
+    var phi_1296_: f32;
+    var phi_1297_: bool;
+    var phi_1301_: f32;
     var phi_1316_: f32;
     var phi_1317_: f32;
     var phi_1318_: f32;
     var phi_1319_: f32;
-    var phi_1320_: bool;
+    var phi_1320_: f32;
     var phi_1321_: f32;
     var phi_1322_: f32;
     var phi_1323_: bool;
-    var phi_1327_: f32;
+    var phi_1324_: f32;
+    var phi_1325_: f32;
+    var phi_1326_: bool;
+    var phi_1330_: f32;
 
     let _e40 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_691_ = param_7;
+        phi_694_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_690_ = 0f;
+            phi_693_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_689_ = 1f;
+                phi_692_ = 1f;
             } else {
-                phi_689_ = param_7;
+                phi_692_ = param_7;
             }
-            let _e47 = phi_689_;
-            phi_690_ = _e47;
+            let _e47 = phi_692_;
+            phi_693_ = _e47;
         }
-        let _e49 = phi_690_;
-        phi_691_ = _e49;
+        let _e49 = phi_693_;
+        phi_694_ = _e49;
     }
-    let _e51 = phi_691_;
+    let _e51 = phi_694_;
     let _e52 = (_e51 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_710_ = param_5.x;
+        phi_713_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_709_ = 0f;
+            phi_712_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_708_ = 1f;
+                phi_711_ = 1f;
             } else {
-                phi_708_ = param_5.x;
+                phi_711_ = param_5.x;
             }
-            let _e60 = phi_708_;
-            phi_709_ = _e60;
+            let _e60 = phi_711_;
+            phi_712_ = _e60;
         }
-        let _e62 = phi_709_;
-        phi_710_ = _e62;
+        let _e62 = phi_712_;
+        phi_713_ = _e62;
     }
-    let _e64 = phi_710_;
+    let _e64 = phi_713_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_728_ = param_5.y;
+        phi_731_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_727_ = 0f;
+            phi_730_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_726_ = 1f;
+                phi_729_ = 1f;
             } else {
-                phi_726_ = param_5.y;
+                phi_729_ = param_5.y;
             }
-            let _e72 = phi_726_;
-            phi_727_ = _e72;
+            let _e72 = phi_729_;
+            phi_730_ = _e72;
         }
-        let _e74 = phi_727_;
-        phi_728_ = _e74;
+        let _e74 = phi_730_;
+        phi_731_ = _e74;
     }
-    let _e76 = phi_728_;
+    let _e76 = phi_731_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_746_ = param_5.z;
+        phi_749_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_745_ = 0f;
+            phi_748_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_744_ = 1f;
+                phi_747_ = 1f;
             } else {
-                phi_744_ = param_5.z;
+                phi_747_ = param_5.z;
             }
-            let _e84 = phi_744_;
-            phi_745_ = _e84;
+            let _e84 = phi_747_;
+            phi_748_ = _e84;
         }
-        let _e86 = phi_745_;
-        phi_746_ = _e86;
+        let _e86 = phi_748_;
+        phi_749_ = _e86;
     }
-    let _e88 = phi_746_;
+    let _e88 = phi_749_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_764_ = param_5.w;
+        phi_767_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_763_ = 0f;
+            phi_766_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_762_ = 1f;
+                phi_765_ = 1f;
             } else {
-                phi_762_ = param_5.w;
+                phi_765_ = param_5.w;
             }
-            let _e96 = phi_762_;
-            phi_763_ = _e96;
+            let _e96 = phi_765_;
+            phi_766_ = _e96;
         }
-        let _e98 = phi_763_;
-        phi_764_ = _e98;
+        let _e98 = phi_766_;
+        phi_767_ = _e98;
     }
-    let _e100 = phi_764_;
+    let _e100 = phi_767_;
     let _e101 = (_e64 - _e52);
     let _e102 = (_e76 - _e52);
     let _e103 = (_e88 - _e52);
     let _e104 = (_e100 - _e52);
     let _e115 = ((((_e101 * param_6.x) + (_e102 * param_6.y)) + (_e103 * param_6.z)) + (_e104 * param_6.w));
     if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_1321_ = _e115;
-        phi_1322_ = f32();
-        phi_1323_ = true;
+        phi_1324_ = _e115;
+        phi_1325_ = f32();
+        phi_1326_ = true;
     } else {
         if (_e101 >= 0f) {
             if (_e102 >= 0f) {
                 if (_e103 >= 0f) {
-                    phi_799_ = (_e104 >= 0f);
-                    phi_800_ = false;
+                    phi_802_ = (_e104 >= 0f);
+                    phi_803_ = false;
                 } else {
-                    phi_799_ = bool();
-                    phi_800_ = true;
+                    phi_802_ = bool();
+                    phi_803_ = true;
                 }
-                let _e124 = phi_799_;
-                let _e126 = phi_800_;
-                phi_801_ = _e124;
-                phi_802_ = _e126;
+                let _e124 = phi_802_;
+                let _e126 = phi_803_;
+                phi_804_ = _e124;
+                phi_805_ = _e126;
             } else {
-                phi_801_ = bool();
-                phi_802_ = true;
+                phi_804_ = bool();
+                phi_805_ = true;
             }
-            let _e128 = phi_801_;
-            let _e130 = phi_802_;
-            phi_803_ = _e128;
-            phi_804_ = _e130;
+            let _e128 = phi_804_;
+            let _e130 = phi_805_;
+            phi_806_ = _e128;
+            phi_807_ = _e130;
         } else {
-            phi_803_ = bool();
-            phi_804_ = true;
+            phi_806_ = bool();
+            phi_807_ = true;
         }
-        let _e132 = phi_803_;
-        let _e134 = phi_804_;
+        let _e132 = phi_806_;
+        let _e134 = phi_807_;
         if _e134 {
-            phi_808_ = false;
+            phi_811_ = false;
         } else {
-            phi_808_ = _e132;
+            phi_811_ = _e132;
         }
-        let _e136 = phi_808_;
+        let _e136 = phi_811_;
         if _e136 {
-            phi_1318_ = 1f;
-            phi_1319_ = f32();
-            phi_1320_ = true;
+            phi_1321_ = 1f;
+            phi_1322_ = f32();
+            phi_1323_ = true;
         } else {
             let _e137 = (0.5f * _e40);
             let _e138 = (1f - _e40);
@@ -387,252 +391,252 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e424 = (_e418 < 0.0000000000000000000000000000000001f);
             if _e424 {
                 if ((bitcast<u32>(_e101) & 2147483647u) > 2139095040u) {
-                    phi_1121_ = _e101;
+                    phi_1124_ = _e101;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1120_ = 0f;
+                        phi_1123_ = 0f;
                     } else {
                         if (_e101 < 0f) {
-                            phi_1119_ = 0f;
+                            phi_1122_ = 0f;
                         } else {
-                            phi_1119_ = 1f;
+                            phi_1122_ = 1f;
                         }
-                        let _e433 = phi_1119_;
-                        phi_1120_ = _e433;
+                        let _e433 = phi_1122_;
+                        phi_1123_ = _e433;
                     }
-                    let _e435 = phi_1120_;
-                    phi_1121_ = _e435;
+                    let _e435 = phi_1123_;
+                    phi_1124_ = _e435;
                 }
-                let _e437 = phi_1121_;
+                let _e437 = phi_1124_;
                 if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
-                    phi_1140_ = _e102;
+                    phi_1143_ = _e102;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1139_ = 0f;
+                        phi_1142_ = 0f;
                     } else {
                         if (_e102 < 0f) {
-                            phi_1138_ = 0f;
+                            phi_1141_ = 0f;
                         } else {
-                            phi_1138_ = 1f;
+                            phi_1141_ = 1f;
                         }
-                        let _e446 = phi_1138_;
-                        phi_1139_ = _e446;
+                        let _e446 = phi_1141_;
+                        phi_1142_ = _e446;
                     }
-                    let _e448 = phi_1139_;
-                    phi_1140_ = _e448;
+                    let _e448 = phi_1142_;
+                    phi_1143_ = _e448;
                 }
-                let _e450 = phi_1140_;
+                let _e450 = phi_1143_;
                 if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
-                    phi_1159_ = _e103;
+                    phi_1162_ = _e103;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1158_ = 0f;
+                        phi_1161_ = 0f;
                     } else {
                         if (_e103 < 0f) {
-                            phi_1157_ = 0f;
+                            phi_1160_ = 0f;
                         } else {
-                            phi_1157_ = 1f;
+                            phi_1160_ = 1f;
                         }
-                        let _e459 = phi_1157_;
-                        phi_1158_ = _e459;
+                        let _e459 = phi_1160_;
+                        phi_1161_ = _e459;
                     }
-                    let _e461 = phi_1158_;
-                    phi_1159_ = _e461;
+                    let _e461 = phi_1161_;
+                    phi_1162_ = _e461;
                 }
-                let _e463 = phi_1159_;
+                let _e463 = phi_1162_;
                 if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-                    phi_1178_ = _e104;
+                    phi_1181_ = _e104;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_1177_ = 0f;
+                        phi_1180_ = 0f;
                     } else {
                         if (_e104 < 0f) {
-                            phi_1176_ = 0f;
+                            phi_1179_ = 0f;
                         } else {
-                            phi_1176_ = 1f;
+                            phi_1179_ = 1f;
                         }
-                        let _e472 = phi_1176_;
-                        phi_1177_ = _e472;
+                        let _e472 = phi_1179_;
+                        phi_1180_ = _e472;
                     }
-                    let _e474 = phi_1177_;
-                    phi_1178_ = _e474;
+                    let _e474 = phi_1180_;
+                    phi_1181_ = _e474;
                 }
-                let _e476 = phi_1178_;
+                let _e476 = phi_1181_;
                 let _e484 = (((((_e437 * _e140) + (_e450 * _e142)) + (_e463 * _e144)) + (_e476 * _e146)) + _e137);
                 if ((bitcast<u32>(_e484) & 2147483647u) > 2139095040u) {
-                    phi_1203_ = _e484;
+                    phi_1206_ = _e484;
                 } else {
                     if (_e484 < 0f) {
-                        phi_1202_ = 0f;
+                        phi_1205_ = 0f;
                     } else {
                         if (_e484 > 1f) {
-                            phi_1201_ = 1f;
+                            phi_1204_ = 1f;
                         } else {
-                            phi_1201_ = _e484;
+                            phi_1204_ = _e484;
                         }
-                        let _e491 = phi_1201_;
-                        phi_1202_ = _e491;
+                        let _e491 = phi_1204_;
+                        phi_1205_ = _e491;
                     }
-                    let _e493 = phi_1202_;
-                    phi_1203_ = _e493;
+                    let _e493 = phi_1205_;
+                    phi_1206_ = _e493;
                 }
-                let _e495 = phi_1203_;
-                phi_1316_ = _e495;
-                phi_1317_ = f32();
+                let _e495 = phi_1206_;
+                phi_1319_ = _e495;
+                phi_1320_ = f32();
             } else {
                 let _e497 = ((0.5f * -(((((((((_e201 * (_e101 + _e102)) + (_e205 * (_e101 + _e103))) + (_e229 * (_e101 + _e147))) + (_e241 * (_e101 + _e148))) + ((((_e202 * (_e102 + _e103)) + (_e206 * (_e102 + _e104))) + (_e230 * (_e102 + _e147))) + (_e242 * (_e102 + _e148)))) + ((((_e203 * (_e103 + _e104)) + (_e207 * (_e103 + _e101))) + (_e231 * (_e103 + _e147))) + (_e243 * (_e103 + _e148)))) + ((((_e204 * (_e104 + _e101)) + (_e208 * (_e104 + _e102))) + (_e232 * (_e104 + _e147))) + (_e244 * (_e104 + _e148)))) + (_e415 * (_e147 + _e148))))) / _e418);
                 let _e498 = ((((((((_e201 + _e205) + _e229) + _e241) + (((_e202 + _e206) + _e230) + _e242)) + (((_e203 + _e207) + _e231) + _e243)) + (((_e204 + _e208) + _e232) + _e244)) + _e415) / _e418);
                 let _e500 = ((_e497 * _e497) - _e498);
                 if (_e500 > 0f) {
-                    phi_1214_ = sqrt(_e500);
+                    phi_1217_ = sqrt(_e500);
                 } else {
-                    phi_1214_ = 0f;
+                    phi_1217_ = 0f;
                 }
-                let _e504 = phi_1214_;
+                let _e504 = phi_1217_;
                 if (_e497 > 0f) {
                     let _e507 = (-(_e497) - _e504);
-                    phi_1231_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
+                    phi_1234_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
                 } else {
                     let _e510 = (_e504 - _e497);
                     if (_e510 > 0f) {
-                        phi_1229_ = (_e498 / _e510);
+                        phi_1232_ = (_e498 / _e510);
                     } else {
-                        phi_1229_ = 0f;
+                        phi_1232_ = 0f;
                     }
-                    let _e514 = phi_1229_;
-                    phi_1231_ = lt_bvh_slab_Span(_e514, _e510);
+                    let _e514 = phi_1232_;
+                    phi_1234_ = lt_bvh_slab_Span(_e514, _e510);
                 }
-                let _e517 = phi_1231_;
+                let _e517 = phi_1234_;
                 if (_e517.near >= 0f) {
-                    phi_1292_ = 1f;
-                    phi_1293_ = f32();
-                    phi_1294_ = true;
+                    phi_1295_ = 1f;
+                    phi_1296_ = f32();
+                    phi_1297_ = true;
                 } else {
                     let _e521 = (_e517.far <= 0f);
                     if _e521 {
-                        phi_1290_ = (_e412 / _e418);
-                        phi_1291_ = f32();
+                        phi_1293_ = (_e412 / _e418);
+                        phi_1294_ = f32();
                     } else {
                         let _e532 = (((((_e140 * _e101) + (_e142 * _e102)) + (_e144 * _e103)) + (_e146 * _e104)) + (_e137 * (_e147 + _e148)));
                         let _e548 = (((((_e140 * (_e101 * _e101)) + (_e142 * (_e102 * _e102))) + (_e144 * (_e103 * _e103))) + (_e146 * (_e104 * _e104))) + (_e137 * ((_e147 * _e147) + (_e148 * _e148))));
                         if (-(_e517.near) <= _e517.far) {
-                            phi_1289_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
+                            phi_1292_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
                         } else {
-                            phi_1289_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
+                            phi_1292_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
                         }
-                        let _e567 = phi_1289_;
-                        phi_1290_ = f32();
-                        phi_1291_ = _e567;
+                        let _e567 = phi_1292_;
+                        phi_1293_ = f32();
+                        phi_1294_ = _e567;
                     }
-                    let _e569 = phi_1290_;
-                    let _e571 = phi_1291_;
-                    phi_1292_ = _e569;
-                    phi_1293_ = _e571;
-                    phi_1294_ = _e521;
+                    let _e569 = phi_1293_;
+                    let _e571 = phi_1294_;
+                    phi_1295_ = _e569;
+                    phi_1296_ = _e571;
+                    phi_1297_ = _e521;
                 }
-                let _e573 = phi_1292_;
-                let _e575 = phi_1293_;
-                let _e577 = phi_1294_;
+                let _e573 = phi_1295_;
+                let _e575 = phi_1296_;
+                let _e577 = phi_1297_;
                 if _e577 {
-                    phi_1298_ = _e573;
+                    phi_1301_ = _e573;
                 } else {
-                    phi_1298_ = _e575;
+                    phi_1301_ = _e575;
                 }
-                let _e579 = phi_1298_;
+                let _e579 = phi_1301_;
                 if ((bitcast<u32>(_e579) & 2147483647u) > 2139095040u) {
-                    phi_1315_ = _e579;
+                    phi_1318_ = _e579;
                 } else {
                     if (_e579 < 0f) {
-                        phi_1314_ = 0f;
+                        phi_1317_ = 0f;
                     } else {
                         if (_e579 > 1f) {
-                            phi_1313_ = 1f;
+                            phi_1316_ = 1f;
                         } else {
-                            phi_1313_ = _e579;
+                            phi_1316_ = _e579;
                         }
-                        let _e586 = phi_1313_;
-                        phi_1314_ = _e586;
+                        let _e586 = phi_1316_;
+                        phi_1317_ = _e586;
                     }
-                    let _e588 = phi_1314_;
-                    phi_1315_ = _e588;
+                    let _e588 = phi_1317_;
+                    phi_1318_ = _e588;
                 }
-                let _e590 = phi_1315_;
-                phi_1316_ = f32();
-                phi_1317_ = _e590;
+                let _e590 = phi_1318_;
+                phi_1319_ = f32();
+                phi_1320_ = _e590;
             }
-            let _e592 = phi_1316_;
-            let _e594 = phi_1317_;
-            phi_1318_ = _e592;
-            phi_1319_ = _e594;
-            phi_1320_ = _e424;
+            let _e592 = phi_1319_;
+            let _e594 = phi_1320_;
+            phi_1321_ = _e592;
+            phi_1322_ = _e594;
+            phi_1323_ = _e424;
         }
-        let _e596 = phi_1318_;
-        let _e598 = phi_1319_;
-        let _e600 = phi_1320_;
-        phi_1321_ = _e596;
-        phi_1322_ = _e598;
-        phi_1323_ = _e600;
+        let _e596 = phi_1321_;
+        let _e598 = phi_1322_;
+        let _e600 = phi_1323_;
+        phi_1324_ = _e596;
+        phi_1325_ = _e598;
+        phi_1326_ = _e600;
     }
-    let _e602 = phi_1321_;
-    let _e604 = phi_1322_;
-    let _e606 = phi_1323_;
+    let _e602 = phi_1324_;
+    let _e604 = phi_1325_;
+    let _e606 = phi_1326_;
     if _e606 {
-        phi_1327_ = _e602;
+        phi_1330_ = _e602;
     } else {
-        phi_1327_ = _e604;
+        phi_1330_ = _e604;
     }
-    let _e608 = phi_1327_;
+    let _e608 = phi_1330_;
     return _e608;
 }
 
 fn function_() {
     var local: f32;
-    var phi_196_: bool;
-    var phi_197_: bool;
-    var phi_198_: bool;
-    var phi_199_: bool;
+    var phi_200_: bool;
+    var phi_201_: bool;
+    var phi_202_: bool;
     var phi_203_: bool;
-    var phi_247_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_207_: bool;
     var phi_251_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_328_: bool;
-    var phi_337_: bool;
-    var phi_346_: bool;
+    var phi_255_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_329_: bool;
+    var phi_338_: bool;
     var phi_347_: bool;
     var phi_348_: bool;
     var phi_349_: bool;
     var phi_350_: bool;
     var phi_351_: bool;
     var phi_352_: bool;
-    var phi_356_: bool;
+    var phi_353_: bool;
+    var phi_357_: bool;
+    var phi_447_: f32;
     var phi_450_: f32;
-    var phi_453_: f32;
-    var phi_482_: f32;
-    var phi_487_: f32;
-    var phi_488_: bool;
-    var phi_489_: f32;
-    var phi_490_: bool;
-    var phi_494_: f32;
-    var phi_514_: f32;
-    var phi_519_: f32;
-    var phi_520_: bool;
-    var phi_521_: f32;
-    var phi_522_: bool;
-    var phi_526_: f32;
-    var phi_572_: i32;
-    var phi_577_: i32;
-    var phi_582_: i32;
-    var phi_587_: i32;
-    var phi_596_: i32;
-    var phi_601_: i32;
-    var phi_606_: i32;
-    var phi_611_: i32;
-    var phi_652_: evaluate_Verdict;
-    var phi_653_: evaluate_Verdict;
-    var phi_654_: bool;
+    var phi_479_: f32;
+    var phi_484_: f32;
+    var phi_485_: bool;
+    var phi_486_: f32;
+    var phi_487_: bool;
+    var phi_491_: f32;
+    var phi_511_: f32;
+    var phi_516_: f32;
+    var phi_517_: bool;
+    var phi_518_: f32;
+    var phi_519_: bool;
+    var phi_523_: f32;
+    var phi_571_: i32;
+    var phi_576_: i32;
+    var phi_581_: i32;
+    var phi_586_: i32;
+    var phi_595_: i32;
+    var phi_600_: i32;
+    var phi_605_: i32;
+    var phi_610_: i32;
     var phi_655_: evaluate_Verdict;
     var phi_656_: evaluate_Verdict;
     var phi_657_: bool;
-    var phi_661_: evaluate_Verdict;
+    var phi_658_: evaluate_Verdict;
+    var phi_659_: evaluate_Verdict;
+    var phi_660_: bool;
+    var phi_664_: evaluate_Verdict;
 
     let _e37 = id_1;
     let _e44 = arrayLength((&map.member));
@@ -640,212 +644,207 @@ fn function_() {
     let _e52 = p.member.size[1u];
     let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
     if (bitcast<i32>(_e53.root) != 0i) {
+        let _e59 = p.member.projection;
         if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e62 = p.member.light;
-        let _e65 = samples.member[(0u + _e53.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e53.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e53.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_196_ = (_e75 == _e77);
-                phi_197_ = false;
+        let _e63 = lt_math_OneLevel(_e59);
+        let _e65 = p.member.light;
+        let _e68 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e70 = global[0u];
+        if (_e68 == _e70) {
+            let _e73 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e75 = global[1u];
+            if (_e73 == _e75) {
+                let _e78 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e80 = global[2u];
+                phi_200_ = (_e78 == _e80);
+                phi_201_ = false;
             } else {
-                phi_196_ = bool();
-                phi_197_ = true;
+                phi_200_ = bool();
+                phi_201_ = true;
             }
-            let _e80 = phi_196_;
-            let _e82 = phi_197_;
-            phi_198_ = _e80;
-            phi_199_ = _e82;
+            let _e83 = phi_200_;
+            let _e85 = phi_201_;
+            phi_202_ = _e83;
+            phi_203_ = _e85;
         } else {
-            phi_198_ = bool();
-            phi_199_ = true;
+            phi_202_ = bool();
+            phi_203_ = true;
         }
-        let _e84 = phi_198_;
-        let _e86 = phi_199_;
-        if _e86 {
-            phi_203_ = false;
+        let _e87 = phi_202_;
+        let _e89 = phi_203_;
+        if _e89 {
+            phi_207_ = false;
         } else {
-            phi_203_ = _e84;
+            phi_207_ = _e87;
         }
-        let _e88 = phi_203_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e53.first_primitive)].normal;
-            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[(0u + _e53.first_primitive)].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_247_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
+        let _e91 = phi_207_;
+        if !(_e91) {
+            let _e94 = samples.member[(0u + _e53.first_primitive)].normal;
+            let _e96 = samples.member[(0u + _e53.first_primitive)].position;
+            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
+                let _e120 = samples.member[(0u + _e53.first_primitive)].flags;
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
+                phi_251_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
             } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_247_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
+                phi_251_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
             }
-            let _e151 = phi_247_;
-            phi_251_ = _e151;
+            let _e154 = phi_251_;
+            phi_255_ = _e154;
         } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_251_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
+            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+            phi_255_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
         }
-        let _e168 = phi_251_;
-        if _e168.unnamed_1 {
-            phi_655_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
-            phi_656_ = evaluate_Verdict();
-            phi_657_ = true;
+        let _e171 = phi_255_;
+        if _e171.unnamed_1 {
+            phi_658_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
+            phi_659_ = evaluate_Verdict();
+            phi_660_ = true;
         } else {
-            let _e176 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e182 = p.member.projection.row_w;
-            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
-            let _e195 = p.member.projection.row_x;
-            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
-            let _e209 = p.member.projection.row_y;
-            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
-            let _e223 = p.member.projection.row_z;
-            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
-            if (_e193 > 0f) {
-                if (_e207 >= 0f) {
-                    phi_328_ = (_e207 <= 1f);
+            let _e179 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e197 = ((((_e63.projection.row_w.x * _e179.x) + (_e63.projection.row_w.y * _e179.y)) + (_e63.projection.row_w.z * _e179.z)) + (_e63.projection.row_w.w * 1f));
+            let _e211 = (((((_e63.projection.row_x.x * _e179.x) + (_e63.projection.row_x.y * _e179.y)) + (_e63.projection.row_x.z * _e179.z)) + (_e63.projection.row_x.w * 1f)) / _e197);
+            let _e225 = (((((_e63.projection.row_y.x * _e179.x) + (_e63.projection.row_y.y * _e179.y)) + (_e63.projection.row_y.z * _e179.z)) + (_e63.projection.row_y.w * 1f)) / _e197);
+            let _e238 = ((((_e63.projection.row_z.x * _e179.x) + (_e63.projection.row_z.y * _e179.y)) + (_e63.projection.row_z.z * _e179.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e197 > 0f) {
+                if (_e211 >= 0f) {
+                    phi_329_ = (_e211 <= 1f);
                 } else {
-                    phi_328_ = false;
+                    phi_329_ = false;
                 }
-                let _e239 = phi_328_;
-                if _e239 {
-                    if (_e221 >= 0f) {
-                        phi_337_ = (_e221 <= 1f);
+                let _e243 = phi_329_;
+                if _e243 {
+                    if (_e225 >= 0f) {
+                        phi_338_ = (_e225 <= 1f);
                     } else {
-                        phi_337_ = false;
+                        phi_338_ = false;
                     }
-                    let _e243 = phi_337_;
-                    if _e243 {
-                        if (_e234 >= 0f) {
-                            phi_346_ = (_e234 <= 1f);
+                    let _e247 = phi_338_;
+                    if _e247 {
+                        if (_e238 >= 0f) {
+                            phi_347_ = (_e238 <= 1f);
                         } else {
-                            phi_346_ = false;
+                            phi_347_ = false;
                         }
-                        let _e247 = phi_346_;
-                        phi_347_ = _e247;
-                        phi_348_ = false;
+                        let _e251 = phi_347_;
+                        phi_348_ = _e251;
+                        phi_349_ = false;
                     } else {
-                        phi_347_ = bool();
-                        phi_348_ = true;
+                        phi_348_ = bool();
+                        phi_349_ = true;
                     }
-                    let _e249 = phi_347_;
-                    let _e251 = phi_348_;
-                    phi_349_ = _e249;
-                    phi_350_ = _e251;
+                    let _e253 = phi_348_;
+                    let _e255 = phi_349_;
+                    phi_350_ = _e253;
+                    phi_351_ = _e255;
                 } else {
-                    phi_349_ = bool();
-                    phi_350_ = true;
+                    phi_350_ = bool();
+                    phi_351_ = true;
                 }
-                let _e253 = phi_349_;
-                let _e255 = phi_350_;
-                phi_351_ = _e253;
-                phi_352_ = _e255;
+                let _e257 = phi_350_;
+                let _e259 = phi_351_;
+                phi_352_ = _e257;
+                phi_353_ = _e259;
             } else {
-                phi_351_ = bool();
-                phi_352_ = true;
+                phi_352_ = bool();
+                phi_353_ = true;
             }
-            let _e257 = phi_351_;
-            let _e259 = phi_352_;
-            if _e259 {
-                phi_356_ = false;
+            let _e261 = phi_352_;
+            let _e263 = phi_353_;
+            if _e263 {
+                phi_357_ = false;
             } else {
-                phi_356_ = _e257;
+                phi_357_ = _e261;
             }
-            let _e261 = phi_356_;
-            if _e261 {
+            let _e265 = phi_357_;
+            if _e265 {
                 if (0f > 0f) {
-                    let _e264 = samples.member[(0u + _e53.first_primitive)].normal;
-                    let _e266 = p.member.map_size;
-                    let _e269 = p.member.projection.row_x;
-                    let _e291 = p.member.projection.row_y;
-                    let _e313 = p.member.projection.row_z;
-                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    let _e268 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e270 = p.member.map_size;
+                    let _e340 = ((abs(((((_e59.row_x.x * _e268.x) + (_e59.row_x.y * _e268.y)) + (_e59.row_x.z * _e268.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e268.x) + (_e59.row_y.y * _e268.y)) + (_e59.row_y.z * _e268.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e268.x) + (_e59.row_z.y * _e268.y)) + (_e59.row_z.z * _e268.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e270)));
                     if (_e340 < 0.002f) {
-                        phi_450_ = _e340;
+                        phi_447_ = _e340;
                     } else {
-                        phi_450_ = 0.002f;
+                        phi_447_ = 0.002f;
                     }
-                    let _e343 = phi_450_;
-                    phi_453_ = (_e234 - (0f * _e343));
+                    let _e343 = phi_447_;
+                    phi_450_ = (_e238 - (0f * _e343));
                 } else {
-                    phi_453_ = _e234;
+                    phi_450_ = _e238;
                 }
-                let _e347 = phi_453_;
+                let _e347 = phi_450_;
                 let _e349 = p.member.map_size;
                 let _e350 = f32(_e349);
-                let _e353 = ((_e207 * _e350) - 0.5f);
-                let _e354 = ((_e221 * _e350) - 0.5f);
+                let _e353 = ((_e211 * _e350) - 0.5f);
+                let _e354 = ((_e225 * _e350) - 0.5f);
                 if (_e353 > -8388608f) {
                     let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
                     if (_e366 > _e353) {
-                        phi_482_ = 1f;
+                        phi_479_ = 1f;
                     } else {
-                        phi_482_ = 0f;
+                        phi_479_ = 0f;
                     }
-                    let _e369 = phi_482_;
+                    let _e369 = phi_479_;
                     if (_e353 < 8388608f) {
-                        phi_487_ = (_e366 - _e369);
-                        phi_488_ = false;
+                        phi_484_ = (_e366 - _e369);
+                        phi_485_ = false;
                     } else {
-                        phi_487_ = f32();
-                        phi_488_ = true;
+                        phi_484_ = f32();
+                        phi_485_ = true;
                     }
-                    let _e372 = phi_487_;
-                    let _e374 = phi_488_;
-                    phi_489_ = _e372;
-                    phi_490_ = _e374;
+                    let _e372 = phi_484_;
+                    let _e374 = phi_485_;
+                    phi_486_ = _e372;
+                    phi_487_ = _e374;
                 } else {
-                    phi_489_ = f32();
-                    phi_490_ = true;
+                    phi_486_ = f32();
+                    phi_487_ = true;
                 }
-                let _e376 = phi_489_;
-                let _e378 = phi_490_;
+                let _e376 = phi_486_;
+                let _e378 = phi_487_;
                 if _e378 {
-                    phi_494_ = _e353;
+                    phi_491_ = _e353;
                 } else {
-                    phi_494_ = _e376;
+                    phi_491_ = _e376;
                 }
-                let _e380 = phi_494_;
+                let _e380 = phi_491_;
                 if (_e354 > -8388608f) {
                     let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
                     if (_e392 > _e354) {
-                        phi_514_ = 1f;
+                        phi_511_ = 1f;
                     } else {
-                        phi_514_ = 0f;
+                        phi_511_ = 0f;
                     }
-                    let _e395 = phi_514_;
+                    let _e395 = phi_511_;
                     if (_e354 < 8388608f) {
-                        phi_519_ = (_e392 - _e395);
-                        phi_520_ = false;
+                        phi_516_ = (_e392 - _e395);
+                        phi_517_ = false;
                     } else {
-                        phi_519_ = f32();
-                        phi_520_ = true;
+                        phi_516_ = f32();
+                        phi_517_ = true;
                     }
-                    let _e398 = phi_519_;
-                    let _e400 = phi_520_;
-                    phi_521_ = _e398;
-                    phi_522_ = _e400;
+                    let _e398 = phi_516_;
+                    let _e400 = phi_517_;
+                    phi_518_ = _e398;
+                    phi_519_ = _e400;
                 } else {
-                    phi_521_ = f32();
-                    phi_522_ = true;
+                    phi_518_ = f32();
+                    phi_519_ = true;
                 }
-                let _e402 = phi_521_;
-                let _e404 = phi_522_;
+                let _e402 = phi_518_;
+                let _e404 = phi_519_;
                 if _e404 {
-                    phi_526_ = _e354;
+                    phi_523_ = _e354;
                 } else {
-                    phi_526_ = _e402;
+                    phi_523_ = _e402;
                 }
-                let _e406 = phi_526_;
+                let _e406 = phi_523_;
                 let _e407 = (_e353 - _e380);
                 let _e408 = (_e354 - _e406);
                 let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
@@ -854,115 +853,116 @@ fn function_() {
                 let _e438 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e437);
                 let _e440 = p.member.map_size;
                 local = _e438;
-                let _e442 = (bitcast<i32>(_e440) - 1i);
+                let _e442 = ((0u * _e440) * _e440);
+                let _e444 = (bitcast<i32>(_e440) - 1i);
                 if (_e417 > 0i) {
-                    phi_572_ = _e417;
+                    phi_571_ = _e417;
                 } else {
-                    phi_572_ = 0i;
+                    phi_571_ = 0i;
                 }
-                let _e445 = phi_572_;
+                let _e447 = phi_571_;
                 if (_e426 > 0i) {
-                    phi_577_ = _e426;
+                    phi_576_ = _e426;
                 } else {
-                    phi_577_ = 0i;
+                    phi_576_ = 0i;
                 }
-                let _e448 = phi_577_;
-                if (_e445 < _e442) {
-                    phi_582_ = _e445;
+                let _e450 = phi_576_;
+                if (_e447 < _e444) {
+                    phi_581_ = _e447;
                 } else {
-                    phi_582_ = _e442;
+                    phi_581_ = _e444;
                 }
-                let _e451 = phi_582_;
-                if (_e448 < _e442) {
-                    phi_587_ = _e448;
+                let _e453 = phi_581_;
+                if (_e450 < _e444) {
+                    phi_586_ = _e450;
                 } else {
-                    phi_587_ = _e442;
+                    phi_586_ = _e444;
                 }
-                let _e454 = phi_587_;
-                let _e455 = bitcast<u32>(_e451);
-                let _e457 = (_e417 + 1i);
-                let _e458 = (_e426 + 1i);
-                if (_e457 > 0i) {
-                    phi_596_ = _e457;
+                let _e456 = phi_586_;
+                let _e457 = bitcast<u32>(_e453);
+                let _e459 = (_e417 + 1i);
+                let _e460 = (_e426 + 1i);
+                if (_e459 > 0i) {
+                    phi_595_ = _e459;
                 } else {
-                    phi_596_ = 0i;
+                    phi_595_ = 0i;
                 }
-                let _e461 = phi_596_;
-                if (_e458 > 0i) {
-                    phi_601_ = _e458;
+                let _e463 = phi_595_;
+                if (_e460 > 0i) {
+                    phi_600_ = _e460;
                 } else {
-                    phi_601_ = 0i;
+                    phi_600_ = 0i;
                 }
-                let _e464 = phi_601_;
-                if (_e461 < _e442) {
-                    phi_606_ = _e461;
+                let _e466 = phi_600_;
+                if (_e463 < _e444) {
+                    phi_605_ = _e463;
                 } else {
-                    phi_606_ = _e442;
+                    phi_605_ = _e444;
                 }
-                let _e467 = phi_606_;
-                if (_e464 < _e442) {
-                    phi_611_ = _e464;
+                let _e469 = phi_605_;
+                if (_e466 < _e444) {
+                    phi_610_ = _e466;
                 } else {
-                    phi_611_ = _e442;
+                    phi_610_ = _e444;
                 }
-                let _e470 = phi_611_;
-                let _e471 = bitcast<u32>(_e467);
-                let _e473 = (bitcast<u32>(_e454) * _e440);
-                let _e474 = (bitcast<u32>(_e470) * _e440);
-                let _e475 = (_e473 + _e455);
-                let _e476 = (_e473 + _e471);
-                let _e477 = (_e474 + _e455);
-                let _e478 = (_e474 + _e471);
-                if (_e475 < _e44) {
-                } else {
-                    return;
-                }
-                let _e482 = map.member[(0u + _e475)];
-                if (_e476 < _e44) {
+                let _e472 = phi_610_;
+                let _e473 = bitcast<u32>(_e469);
+                let _e475 = (bitcast<u32>(_e456) * _e440);
+                let _e476 = (bitcast<u32>(_e472) * _e440);
+                let _e481 = ((_e475 + _e457) + _e442);
+                let _e482 = ((_e475 + _e473) + _e442);
+                let _e483 = ((_e476 + _e457) + _e442);
+                let _e484 = ((_e476 + _e473) + _e442);
+                if (_e481 < _e44) {
                 } else {
                     return;
                 }
-                let _e486 = map.member[(0u + _e476)];
-                if (_e477 < _e44) {
+                let _e488 = map.member[(0u + _e481)];
+                if (_e482 < _e44) {
                 } else {
                     return;
                 }
-                let _e490 = map.member[(0u + _e477)];
-                if (_e478 < _e44) {
+                let _e492 = map.member[(0u + _e482)];
+                if (_e483 < _e44) {
                 } else {
                     return;
                 }
-                let _e494 = map.member[(0u + _e478)];
-                let _e496 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e482, _e486, _e490, _e494), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
-                phi_652_ = evaluate_Verdict(_e496, false);
-                phi_653_ = evaluate_Verdict();
-                phi_654_ = false;
+                let _e496 = map.member[(0u + _e483)];
+                if (_e484 < _e44) {
+                } else {
+                    return;
+                }
+                let _e500 = map.member[(0u + _e484)];
+                let _e502 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e488, _e492, _e496, _e500), vec4<f32>(((1f - _e407) * (1f - _e408)), (_e407 * (1f - _e408)), ((1f - _e407) * _e408), (_e407 * _e408)), _e347);
+                phi_655_ = evaluate_Verdict(_e502, false);
+                phi_656_ = evaluate_Verdict();
+                phi_657_ = false;
             } else {
-                phi_652_ = evaluate_Verdict();
-                phi_653_ = evaluate_Verdict(1f, false);
-                phi_654_ = true;
+                phi_655_ = evaluate_Verdict();
+                phi_656_ = evaluate_Verdict(1f, false);
+                phi_657_ = true;
             }
-            let _e500 = phi_652_;
-            let _e502 = phi_653_;
-            let _e504 = phi_654_;
-            phi_655_ = _e502;
-            phi_656_ = _e500;
-            phi_657_ = _e504;
+            let _e506 = phi_655_;
+            let _e508 = phi_656_;
+            let _e510 = phi_657_;
+            phi_658_ = _e508;
+            phi_659_ = _e506;
+            phi_660_ = _e510;
         }
-        let _e506 = phi_655_;
-        let _e508 = phi_656_;
-        let _e510 = phi_657_;
-        if _e510 {
-            phi_661_ = _e506;
+        let _e512 = phi_658_;
+        let _e514 = phi_659_;
+        let _e516 = phi_660_;
+        if _e516 {
+            phi_664_ = _e512;
         } else {
-            phi_661_ = _e508;
+            phi_664_ = _e514;
         }
-        let _e512 = phi_661_;
+        let _e518 = phi_664_;
         if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.first_primitive)] = _e512.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e518.visibility;
     }
     return;
 }

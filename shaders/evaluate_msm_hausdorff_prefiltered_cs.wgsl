@@ -49,13 +49,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_32 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 struct hankel_HankelFactors {
@@ -77,36 +81,36 @@ var<storage, read_write> visibility: type_13;
 var<storage> map: type_28;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_142_: lt_bvh_traverse_Tree;
-    var phi_143_: bool;
-    var phi_144_: lt_bvh_traverse_Tree;
-    var phi_145_: bool;
-    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_144_: bool;
+    var phi_145_: lt_bvh_traverse_Tree;
+    var phi_146_: bool;
+    var phi_151_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_143_ = false;
+            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_144_ = false;
         } else {
-            phi_142_ = lt_bvh_traverse_Tree();
-            phi_143_ = true;
+            phi_143_ = lt_bvh_traverse_Tree();
+            phi_144_ = true;
         }
-        let _e49 = phi_142_;
-        let _e51 = phi_143_;
-        phi_144_ = _e49;
-        phi_145_ = _e51;
+        let _e49 = phi_143_;
+        let _e51 = phi_144_;
+        phi_145_ = _e49;
+        phi_146_ = _e51;
     } else {
-        phi_144_ = lt_bvh_traverse_Tree();
-        phi_145_ = true;
+        phi_145_ = lt_bvh_traverse_Tree();
+        phi_146_ = true;
     }
-    let _e53 = phi_144_;
-    let _e55 = phi_145_;
+    let _e53 = phi_145_;
+    let _e55 = phi_146_;
     if _e55 {
-        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_150_ = _e53;
+        phi_151_ = _e53;
     }
-    let _e60 = phi_150_;
+    let _e60 = phi_151_;
     return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
@@ -119,55 +123,55 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_1490_: f32;
-    var phi_1491_: f32;
-    var phi_1492_: f32;
-    var phi_1519_: f32;
-    var phi_1520_: f32;
-    var phi_1521_: f32;
+    var phi_1493_: f32;
+    var phi_1494_: f32;
+    var phi_1495_: f32;
     var phi_1522_: f32;
-    var phi_1523_: bool;
+    var phi_1523_: f32;
     var phi_1524_: f32;
-    var phi_1525_: bool;
-    var phi_1553_: f32;
-    var phi_1554_: f32;
-    var phi_1555_: f32;
+    var phi_1525_: f32;
+    var phi_1526_: bool;
+    var phi_1527_: f32;
+    var phi_1528_: bool;
     var phi_1556_: f32;
-    var phi_1557_: bool;
+    var phi_1557_: f32;
     var phi_1558_: f32;
-    var phi_1559_: bool;
-    var phi_1566_: f32;
-    var phi_1567_: f32;
-    var phi_1568_: f32;
+    var phi_1559_: f32;
+    var phi_1560_: bool;
+    var phi_1561_: f32;
+    var phi_1562_: bool;
     var phi_1569_: f32;
+    var phi_1570_: f32;
+    var phi_1571_: f32;
+    var phi_1572_: f32;
 
     let _e39 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1569_ = 1f;
+        phi_1572_ = 1f;
     } else {
         let _e48 = ((_e39.z - ((1f + param_10) * _e39.y)) + (param_10 * _e39.x));
         let _e57 = (((_e39.w - ((1f + param_10) * _e39.z)) + (param_10 * _e39.y)) / _e48);
         if (abs(_e48) <= 0.00000047683716f) {
             let _e71 = (1f - (((_e39.y - (_e39.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
             if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-                phi_1492_ = _e71;
+                phi_1495_ = _e71;
             } else {
                 if (_e71 < 0f) {
-                    phi_1491_ = 0f;
+                    phi_1494_ = 0f;
                 } else {
                     if (_e71 > 1f) {
-                        phi_1490_ = 1f;
+                        phi_1493_ = 1f;
                     } else {
-                        phi_1490_ = _e71;
+                        phi_1493_ = _e71;
                     }
-                    let _e78 = phi_1490_;
-                    phi_1491_ = _e78;
+                    let _e78 = phi_1493_;
+                    phi_1494_ = _e78;
                 }
-                let _e80 = phi_1491_;
-                phi_1492_ = _e80;
+                let _e80 = phi_1494_;
+                phi_1495_ = _e80;
             }
-            let _e82 = phi_1492_;
-            phi_1568_ = _e82;
+            let _e82 = phi_1495_;
+            phi_1571_ = _e82;
         } else {
             if (_e57 > 0f) {
                 if (_e57 < param_10) {
@@ -175,171 +179,171 @@ fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFa
                     let _e87 = lt_math_hausdorff_cubic_mass(_e39, _e57, 0f, param_10, 1f);
                     let _e88 = ((1f - _e85) - _e87);
                     if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
-                        phi_1521_ = _e88;
+                        phi_1524_ = _e88;
                     } else {
                         if (_e88 < 0f) {
-                            phi_1520_ = 0f;
+                            phi_1523_ = 0f;
                         } else {
                             if (_e88 > 1f) {
-                                phi_1519_ = 1f;
+                                phi_1522_ = 1f;
                             } else {
-                                phi_1519_ = _e88;
+                                phi_1522_ = _e88;
                             }
-                            let _e95 = phi_1519_;
-                            phi_1520_ = _e95;
+                            let _e95 = phi_1522_;
+                            phi_1523_ = _e95;
                         }
-                        let _e97 = phi_1520_;
-                        phi_1521_ = _e97;
+                        let _e97 = phi_1523_;
+                        phi_1524_ = _e97;
                     }
-                    let _e99 = phi_1521_;
-                    phi_1522_ = _e99;
-                    phi_1523_ = false;
+                    let _e99 = phi_1524_;
+                    phi_1525_ = _e99;
+                    phi_1526_ = false;
                 } else {
-                    phi_1522_ = f32();
-                    phi_1523_ = true;
+                    phi_1525_ = f32();
+                    phi_1526_ = true;
                 }
-                let _e101 = phi_1522_;
-                let _e103 = phi_1523_;
-                phi_1524_ = _e101;
-                phi_1525_ = _e103;
+                let _e101 = phi_1525_;
+                let _e103 = phi_1526_;
+                phi_1527_ = _e101;
+                phi_1528_ = _e103;
             } else {
-                phi_1524_ = f32();
-                phi_1525_ = true;
+                phi_1527_ = f32();
+                phi_1528_ = true;
             }
-            let _e105 = phi_1524_;
-            let _e107 = phi_1525_;
+            let _e105 = phi_1527_;
+            let _e107 = phi_1528_;
             if _e107 {
                 if (_e57 > param_10) {
                     if (_e57 < 1f) {
                         let _e110 = lt_math_hausdorff_cubic_mass(_e39, 0f, _e57, param_10, 1f);
                         let _e111 = (1f - _e110);
                         if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                            phi_1555_ = _e111;
+                            phi_1558_ = _e111;
                         } else {
                             if (_e111 < 0f) {
-                                phi_1554_ = 0f;
+                                phi_1557_ = 0f;
                             } else {
                                 if (_e111 > 1f) {
-                                    phi_1553_ = 1f;
+                                    phi_1556_ = 1f;
                                 } else {
-                                    phi_1553_ = _e111;
+                                    phi_1556_ = _e111;
                                 }
-                                let _e118 = phi_1553_;
-                                phi_1554_ = _e118;
+                                let _e118 = phi_1556_;
+                                phi_1557_ = _e118;
                             }
-                            let _e120 = phi_1554_;
-                            phi_1555_ = _e120;
+                            let _e120 = phi_1557_;
+                            phi_1558_ = _e120;
                         }
-                        let _e122 = phi_1555_;
-                        phi_1556_ = _e122;
-                        phi_1557_ = false;
+                        let _e122 = phi_1558_;
+                        phi_1559_ = _e122;
+                        phi_1560_ = false;
                     } else {
-                        phi_1556_ = f32();
-                        phi_1557_ = true;
+                        phi_1559_ = f32();
+                        phi_1560_ = true;
                     }
-                    let _e124 = phi_1556_;
-                    let _e126 = phi_1557_;
-                    phi_1558_ = _e124;
-                    phi_1559_ = _e126;
+                    let _e124 = phi_1559_;
+                    let _e126 = phi_1560_;
+                    phi_1561_ = _e124;
+                    phi_1562_ = _e126;
                 } else {
-                    phi_1558_ = f32();
-                    phi_1559_ = true;
+                    phi_1561_ = f32();
+                    phi_1562_ = true;
                 }
-                let _e128 = phi_1558_;
-                let _e130 = phi_1559_;
+                let _e128 = phi_1561_;
+                let _e130 = phi_1562_;
                 if _e130 {
-                    phi_1566_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
+                    phi_1569_ = bitcast<f32>((bitcast<u32>(_e57) | 2143289344u));
                 } else {
-                    phi_1566_ = _e128;
+                    phi_1569_ = _e128;
                 }
-                let _e135 = phi_1566_;
-                phi_1567_ = _e135;
+                let _e135 = phi_1569_;
+                phi_1570_ = _e135;
             } else {
-                phi_1567_ = _e105;
+                phi_1570_ = _e105;
             }
-            let _e137 = phi_1567_;
-            phi_1568_ = _e137;
+            let _e137 = phi_1570_;
+            phi_1571_ = _e137;
         }
-        let _e139 = phi_1568_;
-        phi_1569_ = _e139;
+        let _e139 = phi_1571_;
+        phi_1572_ = _e139;
     }
-    let _e141 = phi_1569_;
+    let _e141 = phi_1572_;
     return _e141;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local: hankel_HankelFactors;
-    var phi_777_: f32;
-    var phi_778_: f32;
-    var phi_779_: f32;
-    var phi_791_: bool;
-    var phi_806_: bool;
-    var phi_831_: f32;
-    var phi_832_: f32;
-    var phi_833_: f32;
+    var phi_780_: f32;
+    var phi_781_: f32;
+    var phi_782_: f32;
+    var phi_794_: bool;
+    var phi_809_: bool;
     var phi_834_: f32;
-    var phi_835_: bool;
+    var phi_835_: f32;
     var phi_836_: f32;
-    var phi_837_: bool;
-    var phi_893_: vec2<f32>;
-    var phi_931_: f32;
-    var phi_932_: f32;
-    var phi_933_: f32;
-    var phi_966_: f32;
-    var phi_967_: f32;
-    var phi_968_: f32;
-    var phi_972_: f32;
-    var phi_973_: f32;
-    var phi_974_: f32;
+    var phi_837_: f32;
+    var phi_838_: bool;
+    var phi_839_: f32;
+    var phi_840_: bool;
+    var phi_896_: vec2<f32>;
+    var phi_934_: f32;
+    var phi_935_: f32;
+    var phi_936_: f32;
+    var phi_969_: f32;
+    var phi_970_: f32;
+    var phi_971_: f32;
     var phi_975_: f32;
-    var phi_1028_: vec2<f32>;
-    var phi_1050_: bool;
-    var phi_1075_: f32;
-    var phi_1076_: f32;
-    var phi_1077_: f32;
+    var phi_976_: f32;
+    var phi_977_: f32;
+    var phi_978_: f32;
+    var phi_1031_: vec2<f32>;
+    var phi_1053_: bool;
     var phi_1078_: f32;
-    var phi_1079_: bool;
+    var phi_1079_: f32;
     var phi_1080_: f32;
-    var phi_1081_: bool;
-    var phi_1137_: vec2<f32>;
-    var phi_1175_: f32;
-    var phi_1176_: f32;
-    var phi_1177_: f32;
-    var phi_1210_: f32;
-    var phi_1211_: f32;
-    var phi_1212_: f32;
-    var phi_1216_: f32;
-    var phi_1217_: f32;
-    var phi_1218_: f32;
+    var phi_1081_: f32;
+    var phi_1082_: bool;
+    var phi_1083_: f32;
+    var phi_1084_: bool;
+    var phi_1140_: vec2<f32>;
+    var phi_1178_: f32;
+    var phi_1179_: f32;
+    var phi_1180_: f32;
+    var phi_1213_: f32;
+    var phi_1214_: f32;
+    var phi_1215_: f32;
     var phi_1219_: f32;
     var phi_1220_: f32;
-    var phi_1221_: bool;
+    var phi_1221_: f32;
     var phi_1222_: f32;
-    var phi_1223_: bool;
-    var phi_1245_: bool;
-    var phi_1270_: f32;
-    var phi_1271_: f32;
-    var phi_1272_: f32;
+    var phi_1223_: f32;
+    var phi_1224_: bool;
+    var phi_1225_: f32;
+    var phi_1226_: bool;
+    var phi_1248_: bool;
     var phi_1273_: f32;
-    var phi_1274_: bool;
+    var phi_1274_: f32;
     var phi_1275_: f32;
-    var phi_1276_: bool;
-    var phi_1332_: vec2<f32>;
-    var phi_1370_: f32;
-    var phi_1371_: f32;
-    var phi_1372_: f32;
-    var phi_1405_: f32;
-    var phi_1406_: f32;
-    var phi_1407_: f32;
-    var phi_1411_: f32;
-    var phi_1412_: f32;
-    var phi_1413_: f32;
+    var phi_1276_: f32;
+    var phi_1277_: bool;
+    var phi_1278_: f32;
+    var phi_1279_: bool;
+    var phi_1335_: vec2<f32>;
+    var phi_1373_: f32;
+    var phi_1374_: f32;
+    var phi_1375_: f32;
+    var phi_1408_: f32;
+    var phi_1409_: f32;
+    var phi_1410_: f32;
     var phi_1414_: f32;
-    var phi_1425_: bool;
-    var phi_1429_: f32;
-    var phi_1430_: f32;
-    var phi_1431_: f32;
+    var phi_1415_: f32;
+    var phi_1416_: f32;
+    var phi_1417_: f32;
+    var phi_1428_: bool;
     var phi_1432_: f32;
+    var phi_1433_: f32;
+    var phi_1434_: f32;
+    var phi_1435_: f32;
 
     let _e40 = (*param_11);
     let _e41 = (1f - _e40);
@@ -353,79 +357,79 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     let _e65 = hankel_HankelFactors(vec4<f32>(_e51, _e52, _e53, _e54), _e57, _e59, (((_e54 - (_e52 * _e52)) * _e57) - (_e59 * _e59)));
     local = hankel_HankelFactors(_e65.moments, _e65.d22_, _e65.l32_d22_, _e65.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_779_ = param_13;
+        phi_782_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_778_ = 0f;
+            phi_781_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_777_ = 1f;
+                phi_780_ = 1f;
             } else {
-                phi_777_ = param_13;
+                phi_780_ = param_13;
             }
-            let _e77 = phi_777_;
-            phi_778_ = _e77;
+            let _e77 = phi_780_;
+            phi_781_ = _e77;
         }
-        let _e79 = phi_778_;
-        phi_779_ = _e79;
+        let _e79 = phi_781_;
+        phi_782_ = _e79;
     }
-    let _e81 = phi_779_;
+    let _e81 = phi_782_;
     let _e84 = local.moments[0u];
     let _e87 = local.moments[3u];
     if (_e84 == _e87) {
         let _e91 = local.moments[0u];
-        phi_791_ = (_e91 > 0.5f);
+        phi_794_ = (_e91 > 0.5f);
     } else {
-        phi_791_ = false;
+        phi_794_ = false;
     }
-    let _e94 = phi_791_;
+    let _e94 = phi_794_;
     if _e94 {
         let _e97 = local.moments[0u];
         let _e100 = local.moments[3u];
         if (_e97 == _e100) {
             let _e104 = local.moments[0u];
-            phi_806_ = (_e104 > 0.5f);
+            phi_809_ = (_e104 > 0.5f);
         } else {
-            phi_806_ = false;
+            phi_809_ = false;
         }
-        let _e107 = phi_806_;
+        let _e107 = phi_809_;
         if _e107 {
             if (_e81 > 0f) {
                 let _e110 = local.moments;
                 if ((bitcast<u32>(_e110.x) & 2147483647u) > 2139095040u) {
-                    phi_833_ = _e110.x;
+                    phi_836_ = _e110.x;
                 } else {
                     if (_e110.x < 0f) {
-                        phi_832_ = 0f;
+                        phi_835_ = 0f;
                     } else {
                         if (_e110.x > 1f) {
-                            phi_831_ = 1f;
+                            phi_834_ = 1f;
                         } else {
-                            phi_831_ = _e110.x;
+                            phi_834_ = _e110.x;
                         }
-                        let _e118 = phi_831_;
-                        phi_832_ = _e118;
+                        let _e118 = phi_834_;
+                        phi_835_ = _e118;
                     }
-                    let _e120 = phi_832_;
-                    phi_833_ = _e120;
+                    let _e120 = phi_835_;
+                    phi_836_ = _e120;
                 }
-                let _e122 = phi_833_;
-                phi_834_ = _e122;
-                phi_835_ = false;
+                let _e122 = phi_836_;
+                phi_837_ = _e122;
+                phi_838_ = false;
             } else {
-                phi_834_ = f32();
-                phi_835_ = true;
+                phi_837_ = f32();
+                phi_838_ = true;
             }
-            let _e124 = phi_834_;
-            let _e126 = phi_835_;
-            phi_836_ = _e124;
-            phi_837_ = _e126;
+            let _e124 = phi_837_;
+            let _e126 = phi_838_;
+            phi_839_ = _e124;
+            phi_840_ = _e126;
         } else {
-            phi_836_ = f32();
-            phi_837_ = true;
+            phi_839_ = f32();
+            phi_840_ = true;
         }
-        let _e128 = phi_836_;
-        let _e130 = phi_837_;
+        let _e128 = phi_839_;
+        let _e130 = phi_840_;
         if _e130 {
             let _e133 = local.moments[0u];
             let _e136 = local.moments[1u];
@@ -442,75 +446,75 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e172 = ((_e169 * _e169) - (((1f - (_e163 * _e133)) - (_e158 * _e136)) / _e158));
             if (_e172 >= 0f) {
                 let _e174 = sqrt(_e172);
-                phi_893_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
+                phi_896_ = vec2<f32>((-(_e169) - _e174), (-(_e169) + _e174));
             } else {
-                phi_893_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
+                phi_896_ = vec2(bitcast<f32>((bitcast<u32>(_e172) | 2143289344u)));
             }
-            let _e185 = phi_893_;
+            let _e185 = phi_896_;
             if (_e81 <= _e185.x) {
-                phi_974_ = 1f;
+                phi_977_ = 1f;
             } else {
                 if (_e81 > _e185.y) {
                     let _e191 = local.moments;
                     let _e202 = (((_e191.y - (_e191.x * (_e185.x + _e185.y))) + (_e185.x * _e185.y)) / ((_e81 - _e185.x) * (_e81 - _e185.y)));
                     if ((bitcast<u32>(_e202) & 2147483647u) > 2139095040u) {
-                        phi_933_ = _e202;
+                        phi_936_ = _e202;
                     } else {
                         if (_e202 < 0f) {
-                            phi_932_ = 0f;
+                            phi_935_ = 0f;
                         } else {
                             if (_e202 > 1f) {
-                                phi_931_ = 1f;
+                                phi_934_ = 1f;
                             } else {
-                                phi_931_ = _e202;
+                                phi_934_ = _e202;
                             }
-                            let _e209 = phi_931_;
-                            phi_932_ = _e209;
+                            let _e209 = phi_934_;
+                            phi_935_ = _e209;
                         }
-                        let _e211 = phi_932_;
-                        phi_933_ = _e211;
+                        let _e211 = phi_935_;
+                        phi_936_ = _e211;
                     }
-                    let _e213 = phi_933_;
-                    phi_973_ = _e213;
+                    let _e213 = phi_936_;
+                    phi_976_ = _e213;
                 } else {
                     if (_e81 > _e185.x) {
                         let _e216 = local.moments;
                         let _e228 = (1f - (((_e216.y - (_e216.x * (_e81 + _e185.y))) + (_e81 * _e185.y)) / ((_e185.x - _e81) * (_e185.x - _e185.y))));
                         if ((bitcast<u32>(_e228) & 2147483647u) > 2139095040u) {
-                            phi_968_ = _e228;
+                            phi_971_ = _e228;
                         } else {
                             if (_e228 < 0f) {
-                                phi_967_ = 0f;
+                                phi_970_ = 0f;
                             } else {
                                 if (_e228 > 1f) {
-                                    phi_966_ = 1f;
+                                    phi_969_ = 1f;
                                 } else {
-                                    phi_966_ = _e228;
+                                    phi_969_ = _e228;
                                 }
-                                let _e235 = phi_966_;
-                                phi_967_ = _e235;
+                                let _e235 = phi_969_;
+                                phi_970_ = _e235;
                             }
-                            let _e237 = phi_967_;
-                            phi_968_ = _e237;
+                            let _e237 = phi_970_;
+                            phi_971_ = _e237;
                         }
-                        let _e239 = phi_968_;
-                        phi_972_ = _e239;
+                        let _e239 = phi_971_;
+                        phi_975_ = _e239;
                     } else {
-                        phi_972_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
+                        phi_975_ = bitcast<f32>((bitcast<u32>(_e185.x) | 2143289344u));
                     }
-                    let _e244 = phi_972_;
-                    phi_973_ = _e244;
+                    let _e244 = phi_975_;
+                    phi_976_ = _e244;
                 }
-                let _e246 = phi_973_;
-                phi_974_ = _e246;
+                let _e246 = phi_976_;
+                phi_977_ = _e246;
             }
-            let _e248 = phi_974_;
-            phi_975_ = _e248;
+            let _e248 = phi_977_;
+            phi_978_ = _e248;
         } else {
-            phi_975_ = _e128;
+            phi_978_ = _e128;
         }
-        let _e250 = phi_975_;
-        phi_1432_ = _e250;
+        let _e250 = phi_978_;
+        phi_1435_ = _e250;
     } else {
         let _e253 = local.moments[0u];
         let _e256 = local.moments[1u];
@@ -527,59 +531,59 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e292 = ((_e289 * _e289) - (((1f - (_e283 * _e253)) - (_e278 * _e256)) / _e278));
         if (_e292 >= 0f) {
             let _e294 = sqrt(_e292);
-            phi_1028_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
+            phi_1031_ = vec2<f32>((-(_e289) - _e294), (-(_e289) + _e294));
         } else {
-            phi_1028_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
+            phi_1031_ = vec2(bitcast<f32>((bitcast<u32>(_e292) | 2143289344u)));
         }
-        let _e305 = phi_1028_;
+        let _e305 = phi_1031_;
         if (_e305.x >= 0f) {
             if (_e305.y <= 1f) {
                 let _e312 = local.moments[0u];
                 let _e315 = local.moments[3u];
                 if (_e312 == _e315) {
                     let _e319 = local.moments[0u];
-                    phi_1050_ = (_e319 > 0.5f);
+                    phi_1053_ = (_e319 > 0.5f);
                 } else {
-                    phi_1050_ = false;
+                    phi_1053_ = false;
                 }
-                let _e322 = phi_1050_;
+                let _e322 = phi_1053_;
                 if _e322 {
                     if (_e81 > 0f) {
                         let _e325 = local.moments;
                         if ((bitcast<u32>(_e325.x) & 2147483647u) > 2139095040u) {
-                            phi_1077_ = _e325.x;
+                            phi_1080_ = _e325.x;
                         } else {
                             if (_e325.x < 0f) {
-                                phi_1076_ = 0f;
+                                phi_1079_ = 0f;
                             } else {
                                 if (_e325.x > 1f) {
-                                    phi_1075_ = 1f;
+                                    phi_1078_ = 1f;
                                 } else {
-                                    phi_1075_ = _e325.x;
+                                    phi_1078_ = _e325.x;
                                 }
-                                let _e333 = phi_1075_;
-                                phi_1076_ = _e333;
+                                let _e333 = phi_1078_;
+                                phi_1079_ = _e333;
                             }
-                            let _e335 = phi_1076_;
-                            phi_1077_ = _e335;
+                            let _e335 = phi_1079_;
+                            phi_1080_ = _e335;
                         }
-                        let _e337 = phi_1077_;
-                        phi_1078_ = _e337;
-                        phi_1079_ = false;
+                        let _e337 = phi_1080_;
+                        phi_1081_ = _e337;
+                        phi_1082_ = false;
                     } else {
-                        phi_1078_ = f32();
-                        phi_1079_ = true;
+                        phi_1081_ = f32();
+                        phi_1082_ = true;
                     }
-                    let _e339 = phi_1078_;
-                    let _e341 = phi_1079_;
-                    phi_1080_ = _e339;
-                    phi_1081_ = _e341;
+                    let _e339 = phi_1081_;
+                    let _e341 = phi_1082_;
+                    phi_1083_ = _e339;
+                    phi_1084_ = _e341;
                 } else {
-                    phi_1080_ = f32();
-                    phi_1081_ = true;
+                    phi_1083_ = f32();
+                    phi_1084_ = true;
                 }
-                let _e343 = phi_1080_;
-                let _e345 = phi_1081_;
+                let _e343 = phi_1083_;
+                let _e345 = phi_1084_;
                 if _e345 {
                     let _e348 = local.moments[0u];
                     let _e351 = local.moments[1u];
@@ -596,141 +600,141 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     let _e387 = ((_e384 * _e384) - (((1f - (_e378 * _e348)) - (_e373 * _e351)) / _e373));
                     if (_e387 >= 0f) {
                         let _e389 = sqrt(_e387);
-                        phi_1137_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
+                        phi_1140_ = vec2<f32>((-(_e384) - _e389), (-(_e384) + _e389));
                     } else {
-                        phi_1137_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
+                        phi_1140_ = vec2(bitcast<f32>((bitcast<u32>(_e387) | 2143289344u)));
                     }
-                    let _e400 = phi_1137_;
+                    let _e400 = phi_1140_;
                     if (_e81 <= _e400.x) {
-                        phi_1218_ = 1f;
+                        phi_1221_ = 1f;
                     } else {
                         if (_e81 > _e400.y) {
                             let _e406 = local.moments;
                             let _e417 = (((_e406.y - (_e406.x * (_e400.x + _e400.y))) + (_e400.x * _e400.y)) / ((_e81 - _e400.x) * (_e81 - _e400.y)));
                             if ((bitcast<u32>(_e417) & 2147483647u) > 2139095040u) {
-                                phi_1177_ = _e417;
+                                phi_1180_ = _e417;
                             } else {
                                 if (_e417 < 0f) {
-                                    phi_1176_ = 0f;
+                                    phi_1179_ = 0f;
                                 } else {
                                     if (_e417 > 1f) {
-                                        phi_1175_ = 1f;
+                                        phi_1178_ = 1f;
                                     } else {
-                                        phi_1175_ = _e417;
+                                        phi_1178_ = _e417;
                                     }
-                                    let _e424 = phi_1175_;
-                                    phi_1176_ = _e424;
+                                    let _e424 = phi_1178_;
+                                    phi_1179_ = _e424;
                                 }
-                                let _e426 = phi_1176_;
-                                phi_1177_ = _e426;
+                                let _e426 = phi_1179_;
+                                phi_1180_ = _e426;
                             }
-                            let _e428 = phi_1177_;
-                            phi_1217_ = _e428;
+                            let _e428 = phi_1180_;
+                            phi_1220_ = _e428;
                         } else {
                             if (_e81 > _e400.x) {
                                 let _e431 = local.moments;
                                 let _e443 = (1f - (((_e431.y - (_e431.x * (_e81 + _e400.y))) + (_e81 * _e400.y)) / ((_e400.x - _e81) * (_e400.x - _e400.y))));
                                 if ((bitcast<u32>(_e443) & 2147483647u) > 2139095040u) {
-                                    phi_1212_ = _e443;
+                                    phi_1215_ = _e443;
                                 } else {
                                     if (_e443 < 0f) {
-                                        phi_1211_ = 0f;
+                                        phi_1214_ = 0f;
                                     } else {
                                         if (_e443 > 1f) {
-                                            phi_1210_ = 1f;
+                                            phi_1213_ = 1f;
                                         } else {
-                                            phi_1210_ = _e443;
+                                            phi_1213_ = _e443;
                                         }
-                                        let _e450 = phi_1210_;
-                                        phi_1211_ = _e450;
+                                        let _e450 = phi_1213_;
+                                        phi_1214_ = _e450;
                                     }
-                                    let _e452 = phi_1211_;
-                                    phi_1212_ = _e452;
+                                    let _e452 = phi_1214_;
+                                    phi_1215_ = _e452;
                                 }
-                                let _e454 = phi_1212_;
-                                phi_1216_ = _e454;
+                                let _e454 = phi_1215_;
+                                phi_1219_ = _e454;
                             } else {
-                                phi_1216_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
+                                phi_1219_ = bitcast<f32>((bitcast<u32>(_e400.x) | 2143289344u));
                             }
-                            let _e459 = phi_1216_;
-                            phi_1217_ = _e459;
+                            let _e459 = phi_1219_;
+                            phi_1220_ = _e459;
                         }
-                        let _e461 = phi_1217_;
-                        phi_1218_ = _e461;
+                        let _e461 = phi_1220_;
+                        phi_1221_ = _e461;
                     }
-                    let _e463 = phi_1218_;
-                    phi_1219_ = _e463;
+                    let _e463 = phi_1221_;
+                    phi_1222_ = _e463;
                 } else {
-                    phi_1219_ = _e343;
+                    phi_1222_ = _e343;
                 }
-                let _e465 = phi_1219_;
-                phi_1220_ = _e465;
-                phi_1221_ = false;
+                let _e465 = phi_1222_;
+                phi_1223_ = _e465;
+                phi_1224_ = false;
             } else {
-                phi_1220_ = f32();
-                phi_1221_ = true;
+                phi_1223_ = f32();
+                phi_1224_ = true;
             }
-            let _e467 = phi_1220_;
-            let _e469 = phi_1221_;
-            phi_1222_ = _e467;
-            phi_1223_ = _e469;
+            let _e467 = phi_1223_;
+            let _e469 = phi_1224_;
+            phi_1225_ = _e467;
+            phi_1226_ = _e469;
         } else {
-            phi_1222_ = f32();
-            phi_1223_ = true;
+            phi_1225_ = f32();
+            phi_1226_ = true;
         }
-        let _e471 = phi_1222_;
-        let _e473 = phi_1223_;
+        let _e471 = phi_1225_;
+        let _e473 = phi_1226_;
         if _e473 {
             if ((bitcast<u32>(_e305.x) & 2147483647u) > 2139095040u) {
-                phi_1430_ = _e305.x;
+                phi_1433_ = _e305.x;
             } else {
                 let _e477 = lt_math_hausdorff_endpoint_upper_bound((&local), _e81);
                 let _e480 = local.moments[0u];
                 let _e483 = local.moments[3u];
                 if (_e480 == _e483) {
                     let _e487 = local.moments[0u];
-                    phi_1245_ = (_e487 > 0.5f);
+                    phi_1248_ = (_e487 > 0.5f);
                 } else {
-                    phi_1245_ = false;
+                    phi_1248_ = false;
                 }
-                let _e490 = phi_1245_;
+                let _e490 = phi_1248_;
                 if _e490 {
                     if (_e81 > 0f) {
                         let _e493 = local.moments;
                         if ((bitcast<u32>(_e493.x) & 2147483647u) > 2139095040u) {
-                            phi_1272_ = _e493.x;
+                            phi_1275_ = _e493.x;
                         } else {
                             if (_e493.x < 0f) {
-                                phi_1271_ = 0f;
+                                phi_1274_ = 0f;
                             } else {
                                 if (_e493.x > 1f) {
-                                    phi_1270_ = 1f;
+                                    phi_1273_ = 1f;
                                 } else {
-                                    phi_1270_ = _e493.x;
+                                    phi_1273_ = _e493.x;
                                 }
-                                let _e501 = phi_1270_;
-                                phi_1271_ = _e501;
+                                let _e501 = phi_1273_;
+                                phi_1274_ = _e501;
                             }
-                            let _e503 = phi_1271_;
-                            phi_1272_ = _e503;
+                            let _e503 = phi_1274_;
+                            phi_1275_ = _e503;
                         }
-                        let _e505 = phi_1272_;
-                        phi_1273_ = _e505;
-                        phi_1274_ = false;
+                        let _e505 = phi_1275_;
+                        phi_1276_ = _e505;
+                        phi_1277_ = false;
                     } else {
-                        phi_1273_ = f32();
-                        phi_1274_ = true;
+                        phi_1276_ = f32();
+                        phi_1277_ = true;
                     }
-                    let _e507 = phi_1273_;
-                    let _e509 = phi_1274_;
-                    phi_1275_ = _e507;
-                    phi_1276_ = _e509;
+                    let _e507 = phi_1276_;
+                    let _e509 = phi_1277_;
+                    phi_1278_ = _e507;
+                    phi_1279_ = _e509;
                 } else {
-                    phi_1275_ = f32();
-                    phi_1276_ = true;
+                    phi_1278_ = f32();
+                    phi_1279_ = true;
                 }
-                let _e511 = phi_1275_;
-                let _e513 = phi_1276_;
+                let _e511 = phi_1278_;
+                let _e513 = phi_1279_;
                 if _e513 {
                     let _e516 = local.moments[0u];
                     let _e519 = local.moments[1u];
@@ -747,151 +751,151 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     let _e555 = ((_e552 * _e552) - (((1f - (_e546 * _e516)) - (_e541 * _e519)) / _e541));
                     if (_e555 >= 0f) {
                         let _e557 = sqrt(_e555);
-                        phi_1332_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
+                        phi_1335_ = vec2<f32>((-(_e552) - _e557), (-(_e552) + _e557));
                     } else {
-                        phi_1332_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
+                        phi_1335_ = vec2(bitcast<f32>((bitcast<u32>(_e555) | 2143289344u)));
                     }
-                    let _e568 = phi_1332_;
+                    let _e568 = phi_1335_;
                     if (_e81 <= _e568.x) {
-                        phi_1413_ = 1f;
+                        phi_1416_ = 1f;
                     } else {
                         if (_e81 > _e568.y) {
                             let _e574 = local.moments;
                             let _e585 = (((_e574.y - (_e574.x * (_e568.x + _e568.y))) + (_e568.x * _e568.y)) / ((_e81 - _e568.x) * (_e81 - _e568.y)));
                             if ((bitcast<u32>(_e585) & 2147483647u) > 2139095040u) {
-                                phi_1372_ = _e585;
+                                phi_1375_ = _e585;
                             } else {
                                 if (_e585 < 0f) {
-                                    phi_1371_ = 0f;
+                                    phi_1374_ = 0f;
                                 } else {
                                     if (_e585 > 1f) {
-                                        phi_1370_ = 1f;
+                                        phi_1373_ = 1f;
                                     } else {
-                                        phi_1370_ = _e585;
+                                        phi_1373_ = _e585;
                                     }
-                                    let _e592 = phi_1370_;
-                                    phi_1371_ = _e592;
+                                    let _e592 = phi_1373_;
+                                    phi_1374_ = _e592;
                                 }
-                                let _e594 = phi_1371_;
-                                phi_1372_ = _e594;
+                                let _e594 = phi_1374_;
+                                phi_1375_ = _e594;
                             }
-                            let _e596 = phi_1372_;
-                            phi_1412_ = _e596;
+                            let _e596 = phi_1375_;
+                            phi_1415_ = _e596;
                         } else {
                             if (_e81 > _e568.x) {
                                 let _e599 = local.moments;
                                 let _e611 = (1f - (((_e599.y - (_e599.x * (_e81 + _e568.y))) + (_e81 * _e568.y)) / ((_e568.x - _e81) * (_e568.x - _e568.y))));
                                 if ((bitcast<u32>(_e611) & 2147483647u) > 2139095040u) {
-                                    phi_1407_ = _e611;
+                                    phi_1410_ = _e611;
                                 } else {
                                     if (_e611 < 0f) {
-                                        phi_1406_ = 0f;
+                                        phi_1409_ = 0f;
                                     } else {
                                         if (_e611 > 1f) {
-                                            phi_1405_ = 1f;
+                                            phi_1408_ = 1f;
                                         } else {
-                                            phi_1405_ = _e611;
+                                            phi_1408_ = _e611;
                                         }
-                                        let _e618 = phi_1405_;
-                                        phi_1406_ = _e618;
+                                        let _e618 = phi_1408_;
+                                        phi_1409_ = _e618;
                                     }
-                                    let _e620 = phi_1406_;
-                                    phi_1407_ = _e620;
+                                    let _e620 = phi_1409_;
+                                    phi_1410_ = _e620;
                                 }
-                                let _e622 = phi_1407_;
-                                phi_1411_ = _e622;
+                                let _e622 = phi_1410_;
+                                phi_1414_ = _e622;
                             } else {
-                                phi_1411_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
+                                phi_1414_ = bitcast<f32>((bitcast<u32>(_e568.x) | 2143289344u));
                             }
-                            let _e627 = phi_1411_;
-                            phi_1412_ = _e627;
+                            let _e627 = phi_1414_;
+                            phi_1415_ = _e627;
                         }
-                        let _e629 = phi_1412_;
-                        phi_1413_ = _e629;
+                        let _e629 = phi_1415_;
+                        phi_1416_ = _e629;
                     }
-                    let _e631 = phi_1413_;
-                    phi_1414_ = _e631;
+                    let _e631 = phi_1416_;
+                    phi_1417_ = _e631;
                 } else {
-                    phi_1414_ = _e511;
+                    phi_1417_ = _e511;
                 }
-                let _e633 = phi_1414_;
+                let _e633 = phi_1417_;
                 if ((bitcast<u32>(_e633) & 2147483647u) > 2139095040u) {
-                    phi_1425_ = true;
+                    phi_1428_ = true;
                 } else {
                     let _e637 = (_e633 < _e477);
                     if _e637 {
                     }
-                    phi_1425_ = _e637;
+                    phi_1428_ = _e637;
                 }
-                let _e639 = phi_1425_;
+                let _e639 = phi_1428_;
                 if _e639 {
-                    phi_1429_ = _e633;
+                    phi_1432_ = _e633;
                 } else {
-                    phi_1429_ = _e477;
+                    phi_1432_ = _e477;
                 }
-                let _e641 = phi_1429_;
-                phi_1430_ = _e641;
+                let _e641 = phi_1432_;
+                phi_1433_ = _e641;
             }
-            let _e643 = phi_1430_;
-            phi_1431_ = _e643;
+            let _e643 = phi_1433_;
+            phi_1434_ = _e643;
         } else {
-            phi_1431_ = _e471;
+            phi_1434_ = _e471;
         }
-        let _e645 = phi_1431_;
-        phi_1432_ = _e645;
+        let _e645 = phi_1434_;
+        phi_1435_ = _e645;
     }
-    let _e647 = phi_1432_;
+    let _e647 = phi_1435_;
     return _e647;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_210_: bool;
-    var phi_211_: bool;
-    var phi_212_: bool;
-    var phi_213_: bool;
+    var phi_214_: bool;
+    var phi_215_: bool;
+    var phi_216_: bool;
     var phi_217_: bool;
-    var phi_261_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_221_: bool;
     var phi_265_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_342_: bool;
-    var phi_351_: bool;
-    var phi_360_: bool;
+    var phi_269_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_343_: bool;
+    var phi_352_: bool;
     var phi_361_: bool;
     var phi_362_: bool;
     var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
-    var phi_370_: bool;
+    var phi_367_: bool;
+    var phi_371_: bool;
+    var phi_461_: f32;
     var phi_464_: f32;
-    var phi_467_: f32;
-    var phi_496_: f32;
-    var phi_501_: f32;
-    var phi_502_: bool;
-    var phi_503_: f32;
-    var phi_504_: bool;
-    var phi_508_: f32;
-    var phi_528_: f32;
-    var phi_533_: f32;
-    var phi_534_: bool;
-    var phi_535_: f32;
-    var phi_536_: bool;
-    var phi_540_: f32;
-    var phi_586_: i32;
-    var phi_591_: i32;
-    var phi_596_: i32;
-    var phi_601_: i32;
-    var phi_610_: i32;
-    var phi_615_: i32;
-    var phi_620_: i32;
-    var phi_625_: i32;
-    var phi_710_: evaluate_Verdict;
-    var phi_711_: evaluate_Verdict;
-    var phi_712_: bool;
+    var phi_493_: f32;
+    var phi_498_: f32;
+    var phi_499_: bool;
+    var phi_500_: f32;
+    var phi_501_: bool;
+    var phi_505_: f32;
+    var phi_525_: f32;
+    var phi_530_: f32;
+    var phi_531_: bool;
+    var phi_532_: f32;
+    var phi_533_: bool;
+    var phi_537_: f32;
+    var phi_585_: i32;
+    var phi_590_: i32;
+    var phi_595_: i32;
+    var phi_600_: i32;
+    var phi_609_: i32;
+    var phi_614_: i32;
+    var phi_619_: i32;
+    var phi_624_: i32;
     var phi_713_: evaluate_Verdict;
     var phi_714_: evaluate_Verdict;
     var phi_715_: bool;
-    var phi_719_: evaluate_Verdict;
+    var phi_716_: evaluate_Verdict;
+    var phi_717_: evaluate_Verdict;
+    var phi_718_: bool;
+    var phi_722_: evaluate_Verdict;
 
     let _e37 = id_1;
     let _e44 = arrayLength((&map.member));
@@ -899,212 +903,207 @@ fn function_() {
     let _e52 = p.member.size[1u];
     let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
     if (bitcast<i32>(_e53.root) != 0i) {
+        let _e59 = p.member.projection;
         if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e62 = p.member.light;
-        let _e65 = samples.member[(0u + _e53.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e53.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e53.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_210_ = (_e75 == _e77);
-                phi_211_ = false;
+        let _e63 = lt_math_OneLevel(_e59);
+        let _e65 = p.member.light;
+        let _e68 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e70 = global[0u];
+        if (_e68 == _e70) {
+            let _e73 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e75 = global[1u];
+            if (_e73 == _e75) {
+                let _e78 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e80 = global[2u];
+                phi_214_ = (_e78 == _e80);
+                phi_215_ = false;
             } else {
-                phi_210_ = bool();
-                phi_211_ = true;
+                phi_214_ = bool();
+                phi_215_ = true;
             }
-            let _e80 = phi_210_;
-            let _e82 = phi_211_;
-            phi_212_ = _e80;
-            phi_213_ = _e82;
+            let _e83 = phi_214_;
+            let _e85 = phi_215_;
+            phi_216_ = _e83;
+            phi_217_ = _e85;
         } else {
-            phi_212_ = bool();
-            phi_213_ = true;
+            phi_216_ = bool();
+            phi_217_ = true;
         }
-        let _e84 = phi_212_;
-        let _e86 = phi_213_;
-        if _e86 {
-            phi_217_ = false;
+        let _e87 = phi_216_;
+        let _e89 = phi_217_;
+        if _e89 {
+            phi_221_ = false;
         } else {
-            phi_217_ = _e84;
+            phi_221_ = _e87;
         }
-        let _e88 = phi_217_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e53.first_primitive)].normal;
-            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
-            if ((((_e91.x * (_e62.x - (_e93.x * _e62.w))) + (_e91.y * (_e62.y - (_e93.y * _e62.w)))) + (_e91.z * (_e62.z - (_e93.z * _e62.w)))) > 0f) {
-                let _e117 = samples.member[(0u + _e53.first_primitive)].flags;
-                let _e125 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e131 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e125.unnamed.visibility, false), _e125.unnamed_1);
-                phi_261_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e131.unnamed, ((_e117 & 1u) == 0u));
+        let _e91 = phi_221_;
+        if !(_e91) {
+            let _e94 = samples.member[(0u + _e53.first_primitive)].normal;
+            let _e96 = samples.member[(0u + _e53.first_primitive)].position;
+            if ((((_e94.x * (_e65.x - (_e96.x * _e65.w))) + (_e94.y * (_e65.y - (_e96.y * _e65.w)))) + (_e94.z * (_e65.z - (_e96.z * _e65.w)))) > 0f) {
+                let _e120 = samples.member[(0u + _e53.first_primitive)].flags;
+                let _e128 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e134 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e128.unnamed.visibility, false), _e128.unnamed_1);
+                phi_265_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e134.unnamed, ((_e120 & 1u) == 0u));
             } else {
-                let _e140 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e140.unnamed.visibility, false), _e140.unnamed_1);
-                phi_261_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e146.unnamed, true);
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
+                phi_265_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, true);
             }
-            let _e151 = phi_261_;
-            phi_265_ = _e151;
+            let _e154 = phi_265_;
+            phi_269_ = _e154;
         } else {
-            let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e157.unnamed.visibility, false), _e157.unnamed_1);
-            phi_265_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e163.unnamed, true);
+            let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+            phi_269_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
         }
-        let _e168 = phi_265_;
-        if _e168.unnamed_1 {
-            phi_713_ = evaluate_Verdict(_e168.unnamed.visibility, _e168.unnamed.is_doubted);
-            phi_714_ = evaluate_Verdict();
-            phi_715_ = true;
+        let _e171 = phi_269_;
+        if _e171.unnamed_1 {
+            phi_716_ = evaluate_Verdict(_e171.unnamed.visibility, _e171.unnamed.is_doubted);
+            phi_717_ = evaluate_Verdict();
+            phi_718_ = true;
         } else {
-            let _e176 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e182 = p.member.projection.row_w;
-            let _e193 = ((((_e182.x * _e176.x) + (_e182.y * _e176.y)) + (_e182.z * _e176.z)) + (_e182.w * 1f));
-            let _e195 = p.member.projection.row_x;
-            let _e207 = (((((_e195.x * _e176.x) + (_e195.y * _e176.y)) + (_e195.z * _e176.z)) + (_e195.w * 1f)) / _e193);
-            let _e209 = p.member.projection.row_y;
-            let _e221 = (((((_e209.x * _e176.x) + (_e209.y * _e176.y)) + (_e209.z * _e176.z)) + (_e209.w * 1f)) / _e193);
-            let _e223 = p.member.projection.row_z;
-            let _e234 = ((((_e223.x * _e176.x) + (_e223.y * _e176.y)) + (_e223.z * _e176.z)) + (_e223.w * 1f));
-            if (_e193 > 0f) {
-                if (_e207 >= 0f) {
-                    phi_342_ = (_e207 <= 1f);
+            let _e179 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e197 = ((((_e63.projection.row_w.x * _e179.x) + (_e63.projection.row_w.y * _e179.y)) + (_e63.projection.row_w.z * _e179.z)) + (_e63.projection.row_w.w * 1f));
+            let _e211 = (((((_e63.projection.row_x.x * _e179.x) + (_e63.projection.row_x.y * _e179.y)) + (_e63.projection.row_x.z * _e179.z)) + (_e63.projection.row_x.w * 1f)) / _e197);
+            let _e225 = (((((_e63.projection.row_y.x * _e179.x) + (_e63.projection.row_y.y * _e179.y)) + (_e63.projection.row_y.z * _e179.z)) + (_e63.projection.row_y.w * 1f)) / _e197);
+            let _e238 = ((((_e63.projection.row_z.x * _e179.x) + (_e63.projection.row_z.y * _e179.y)) + (_e63.projection.row_z.z * _e179.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e197 > 0f) {
+                if (_e211 >= 0f) {
+                    phi_343_ = (_e211 <= 1f);
                 } else {
-                    phi_342_ = false;
+                    phi_343_ = false;
                 }
-                let _e239 = phi_342_;
-                if _e239 {
-                    if (_e221 >= 0f) {
-                        phi_351_ = (_e221 <= 1f);
+                let _e243 = phi_343_;
+                if _e243 {
+                    if (_e225 >= 0f) {
+                        phi_352_ = (_e225 <= 1f);
                     } else {
-                        phi_351_ = false;
+                        phi_352_ = false;
                     }
-                    let _e243 = phi_351_;
-                    if _e243 {
-                        if (_e234 >= 0f) {
-                            phi_360_ = (_e234 <= 1f);
+                    let _e247 = phi_352_;
+                    if _e247 {
+                        if (_e238 >= 0f) {
+                            phi_361_ = (_e238 <= 1f);
                         } else {
-                            phi_360_ = false;
+                            phi_361_ = false;
                         }
-                        let _e247 = phi_360_;
-                        phi_361_ = _e247;
-                        phi_362_ = false;
+                        let _e251 = phi_361_;
+                        phi_362_ = _e251;
+                        phi_363_ = false;
                     } else {
-                        phi_361_ = bool();
-                        phi_362_ = true;
+                        phi_362_ = bool();
+                        phi_363_ = true;
                     }
-                    let _e249 = phi_361_;
-                    let _e251 = phi_362_;
-                    phi_363_ = _e249;
-                    phi_364_ = _e251;
+                    let _e253 = phi_362_;
+                    let _e255 = phi_363_;
+                    phi_364_ = _e253;
+                    phi_365_ = _e255;
                 } else {
-                    phi_363_ = bool();
-                    phi_364_ = true;
+                    phi_364_ = bool();
+                    phi_365_ = true;
                 }
-                let _e253 = phi_363_;
-                let _e255 = phi_364_;
-                phi_365_ = _e253;
-                phi_366_ = _e255;
+                let _e257 = phi_364_;
+                let _e259 = phi_365_;
+                phi_366_ = _e257;
+                phi_367_ = _e259;
             } else {
-                phi_365_ = bool();
-                phi_366_ = true;
+                phi_366_ = bool();
+                phi_367_ = true;
             }
-            let _e257 = phi_365_;
-            let _e259 = phi_366_;
-            if _e259 {
-                phi_370_ = false;
+            let _e261 = phi_366_;
+            let _e263 = phi_367_;
+            if _e263 {
+                phi_371_ = false;
             } else {
-                phi_370_ = _e257;
+                phi_371_ = _e261;
             }
-            let _e261 = phi_370_;
-            if _e261 {
+            let _e265 = phi_371_;
+            if _e265 {
                 if (0f > 0f) {
-                    let _e264 = samples.member[(0u + _e53.first_primitive)].normal;
-                    let _e266 = p.member.map_size;
-                    let _e269 = p.member.projection.row_x;
-                    let _e291 = p.member.projection.row_y;
-                    let _e313 = p.member.projection.row_z;
-                    let _e340 = ((abs(((((_e269.x * _e264.x) + (_e269.y * _e264.y)) + (_e269.z * _e264.z)) / (((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)))) + abs(((((_e291.x * _e264.x) + (_e291.y * _e264.y)) + (_e291.z * _e264.z)) / (((_e291.x * _e291.x) + (_e291.y * _e291.y)) + (_e291.z * _e291.z))))) / (abs(((((_e313.x * _e264.x) + (_e313.y * _e264.y)) + (_e313.z * _e264.z)) / (((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)))) * f32(_e266)));
+                    let _e268 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e270 = p.member.map_size;
+                    let _e340 = ((abs(((((_e59.row_x.x * _e268.x) + (_e59.row_x.y * _e268.y)) + (_e59.row_x.z * _e268.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e268.x) + (_e59.row_y.y * _e268.y)) + (_e59.row_y.z * _e268.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e268.x) + (_e59.row_z.y * _e268.y)) + (_e59.row_z.z * _e268.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e270)));
                     if (_e340 < 0.002f) {
-                        phi_464_ = _e340;
+                        phi_461_ = _e340;
                     } else {
-                        phi_464_ = 0.002f;
+                        phi_461_ = 0.002f;
                     }
-                    let _e343 = phi_464_;
-                    phi_467_ = (_e234 - (0f * _e343));
+                    let _e343 = phi_461_;
+                    phi_464_ = (_e238 - (0f * _e343));
                 } else {
-                    phi_467_ = _e234;
+                    phi_464_ = _e238;
                 }
-                let _e347 = phi_467_;
+                let _e347 = phi_464_;
                 let _e349 = p.member.map_size;
                 let _e350 = f32(_e349);
-                let _e353 = ((_e207 * _e350) - 0.5f);
-                let _e354 = ((_e221 * _e350) - 0.5f);
+                let _e353 = ((_e211 * _e350) - 0.5f);
+                let _e354 = ((_e225 * _e350) - 0.5f);
                 if (_e353 > -8388608f) {
                     let _e366 = f32(select(0i, select(select(i32(_e353), i32(-2147483648), (_e353 < bitcast<f32>(3472883712u))), 2147483647i, (_e353 > bitcast<f32>(1325400063u))), (_e353 == _e353)));
                     if (_e366 > _e353) {
-                        phi_496_ = 1f;
+                        phi_493_ = 1f;
                     } else {
-                        phi_496_ = 0f;
+                        phi_493_ = 0f;
                     }
-                    let _e369 = phi_496_;
+                    let _e369 = phi_493_;
                     if (_e353 < 8388608f) {
-                        phi_501_ = (_e366 - _e369);
-                        phi_502_ = false;
+                        phi_498_ = (_e366 - _e369);
+                        phi_499_ = false;
                     } else {
-                        phi_501_ = f32();
-                        phi_502_ = true;
+                        phi_498_ = f32();
+                        phi_499_ = true;
                     }
-                    let _e372 = phi_501_;
-                    let _e374 = phi_502_;
-                    phi_503_ = _e372;
-                    phi_504_ = _e374;
+                    let _e372 = phi_498_;
+                    let _e374 = phi_499_;
+                    phi_500_ = _e372;
+                    phi_501_ = _e374;
                 } else {
-                    phi_503_ = f32();
-                    phi_504_ = true;
+                    phi_500_ = f32();
+                    phi_501_ = true;
                 }
-                let _e376 = phi_503_;
-                let _e378 = phi_504_;
+                let _e376 = phi_500_;
+                let _e378 = phi_501_;
                 if _e378 {
-                    phi_508_ = _e353;
+                    phi_505_ = _e353;
                 } else {
-                    phi_508_ = _e376;
+                    phi_505_ = _e376;
                 }
-                let _e380 = phi_508_;
+                let _e380 = phi_505_;
                 if (_e354 > -8388608f) {
                     let _e392 = f32(select(0i, select(select(i32(_e354), i32(-2147483648), (_e354 < bitcast<f32>(3472883712u))), 2147483647i, (_e354 > bitcast<f32>(1325400063u))), (_e354 == _e354)));
                     if (_e392 > _e354) {
-                        phi_528_ = 1f;
+                        phi_525_ = 1f;
                     } else {
-                        phi_528_ = 0f;
+                        phi_525_ = 0f;
                     }
-                    let _e395 = phi_528_;
+                    let _e395 = phi_525_;
                     if (_e354 < 8388608f) {
-                        phi_533_ = (_e392 - _e395);
-                        phi_534_ = false;
+                        phi_530_ = (_e392 - _e395);
+                        phi_531_ = false;
                     } else {
-                        phi_533_ = f32();
-                        phi_534_ = true;
+                        phi_530_ = f32();
+                        phi_531_ = true;
                     }
-                    let _e398 = phi_533_;
-                    let _e400 = phi_534_;
-                    phi_535_ = _e398;
-                    phi_536_ = _e400;
+                    let _e398 = phi_530_;
+                    let _e400 = phi_531_;
+                    phi_532_ = _e398;
+                    phi_533_ = _e400;
                 } else {
-                    phi_535_ = f32();
-                    phi_536_ = true;
+                    phi_532_ = f32();
+                    phi_533_ = true;
                 }
-                let _e402 = phi_535_;
-                let _e404 = phi_536_;
+                let _e402 = phi_532_;
+                let _e404 = phi_533_;
                 if _e404 {
-                    phi_540_ = _e354;
+                    phi_537_ = _e354;
                 } else {
-                    phi_540_ = _e402;
+                    phi_537_ = _e402;
                 }
-                let _e406 = phi_540_;
+                let _e406 = phi_537_;
                 let _e407 = (_e353 - _e380);
                 let _e408 = (_e354 - _e406);
                 let _e417 = select(0i, select(select(i32(_e380), i32(-2147483648), (_e380 < bitcast<f32>(3472883712u))), 2147483647i, (_e380 > bitcast<f32>(1325400063u))), (_e380 == _e380));
@@ -1117,115 +1116,116 @@ fn function_() {
                 let _e437 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e436);
                 let _e439 = p.member.map_size;
                 local_1 = _e437;
-                let _e441 = (bitcast<i32>(_e439) - 1i);
+                let _e441 = ((0u * _e439) * _e439);
+                let _e443 = (bitcast<i32>(_e439) - 1i);
                 if (_e417 > 0i) {
-                    phi_586_ = _e417;
+                    phi_585_ = _e417;
                 } else {
-                    phi_586_ = 0i;
+                    phi_585_ = 0i;
                 }
-                let _e444 = phi_586_;
+                let _e446 = phi_585_;
                 if (_e426 > 0i) {
-                    phi_591_ = _e426;
+                    phi_590_ = _e426;
                 } else {
-                    phi_591_ = 0i;
+                    phi_590_ = 0i;
                 }
-                let _e447 = phi_591_;
-                if (_e444 < _e441) {
-                    phi_596_ = _e444;
+                let _e449 = phi_590_;
+                if (_e446 < _e443) {
+                    phi_595_ = _e446;
                 } else {
-                    phi_596_ = _e441;
+                    phi_595_ = _e443;
                 }
-                let _e450 = phi_596_;
-                if (_e447 < _e441) {
-                    phi_601_ = _e447;
+                let _e452 = phi_595_;
+                if (_e449 < _e443) {
+                    phi_600_ = _e449;
                 } else {
-                    phi_601_ = _e441;
+                    phi_600_ = _e443;
                 }
-                let _e453 = phi_601_;
-                let _e454 = bitcast<u32>(_e450);
-                let _e456 = (_e417 + 1i);
-                let _e457 = (_e426 + 1i);
-                if (_e456 > 0i) {
-                    phi_610_ = _e456;
+                let _e455 = phi_600_;
+                let _e456 = bitcast<u32>(_e452);
+                let _e458 = (_e417 + 1i);
+                let _e459 = (_e426 + 1i);
+                if (_e458 > 0i) {
+                    phi_609_ = _e458;
                 } else {
-                    phi_610_ = 0i;
+                    phi_609_ = 0i;
                 }
-                let _e460 = phi_610_;
-                if (_e457 > 0i) {
-                    phi_615_ = _e457;
+                let _e462 = phi_609_;
+                if (_e459 > 0i) {
+                    phi_614_ = _e459;
                 } else {
-                    phi_615_ = 0i;
+                    phi_614_ = 0i;
                 }
-                let _e463 = phi_615_;
-                if (_e460 < _e441) {
-                    phi_620_ = _e460;
+                let _e465 = phi_614_;
+                if (_e462 < _e443) {
+                    phi_619_ = _e462;
                 } else {
-                    phi_620_ = _e441;
+                    phi_619_ = _e443;
                 }
-                let _e466 = phi_620_;
-                if (_e463 < _e441) {
-                    phi_625_ = _e463;
+                let _e468 = phi_619_;
+                if (_e465 < _e443) {
+                    phi_624_ = _e465;
                 } else {
-                    phi_625_ = _e441;
+                    phi_624_ = _e443;
                 }
-                let _e469 = phi_625_;
-                let _e470 = bitcast<u32>(_e466);
-                let _e472 = (bitcast<u32>(_e453) * _e439);
-                let _e473 = (bitcast<u32>(_e469) * _e439);
-                let _e474 = (_e472 + _e454);
-                let _e475 = (_e472 + _e470);
-                let _e476 = (_e473 + _e454);
-                let _e477 = (_e473 + _e470);
-                if (_e474 < _e44) {
-                } else {
-                    return;
-                }
-                let _e481 = map.member[(0u + _e474)];
-                if (_e475 < _e44) {
+                let _e471 = phi_624_;
+                let _e472 = bitcast<u32>(_e468);
+                let _e474 = (bitcast<u32>(_e455) * _e439);
+                let _e475 = (bitcast<u32>(_e471) * _e439);
+                let _e480 = ((_e474 + _e456) + _e441);
+                let _e481 = ((_e474 + _e472) + _e441);
+                let _e482 = ((_e475 + _e456) + _e441);
+                let _e483 = ((_e475 + _e472) + _e441);
+                if (_e480 < _e44) {
                 } else {
                     return;
                 }
-                let _e493 = map.member[(0u + _e475)];
-                if (_e476 < _e44) {
+                let _e487 = map.member[(0u + _e480)];
+                if (_e481 < _e44) {
                 } else {
                     return;
                 }
-                let _e509 = map.member[(0u + _e476)];
-                if (_e477 < _e44) {
+                let _e499 = map.member[(0u + _e481)];
+                if (_e482 < _e44) {
                 } else {
                     return;
                 }
-                let _e525 = map.member[(0u + _e477)];
-                let _e539 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e481.x * _e429) + (_e493.x * _e431)) + (_e509.x * _e433)) + (_e525.x * _e434)), ((((_e481.y * _e429) + (_e493.y * _e431)) + (_e509.y * _e433)) + (_e525.y * _e434)), ((((_e481.z * _e429) + (_e493.z * _e431)) + (_e509.z * _e433)) + (_e525.z * _e434)), ((((_e481.w * _e429) + (_e493.w * _e431)) + (_e509.w * _e433)) + (_e525.w * _e434))), _e347);
-                phi_710_ = evaluate_Verdict(_e539, false);
-                phi_711_ = evaluate_Verdict();
-                phi_712_ = false;
+                let _e515 = map.member[(0u + _e482)];
+                if (_e483 < _e44) {
+                } else {
+                    return;
+                }
+                let _e531 = map.member[(0u + _e483)];
+                let _e545 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e487.x * _e429) + (_e499.x * _e431)) + (_e515.x * _e433)) + (_e531.x * _e434)), ((((_e487.y * _e429) + (_e499.y * _e431)) + (_e515.y * _e433)) + (_e531.y * _e434)), ((((_e487.z * _e429) + (_e499.z * _e431)) + (_e515.z * _e433)) + (_e531.z * _e434)), ((((_e487.w * _e429) + (_e499.w * _e431)) + (_e515.w * _e433)) + (_e531.w * _e434))), _e347);
+                phi_713_ = evaluate_Verdict(_e545, false);
+                phi_714_ = evaluate_Verdict();
+                phi_715_ = false;
             } else {
-                phi_710_ = evaluate_Verdict();
-                phi_711_ = evaluate_Verdict(1f, false);
-                phi_712_ = true;
+                phi_713_ = evaluate_Verdict();
+                phi_714_ = evaluate_Verdict(1f, false);
+                phi_715_ = true;
             }
-            let _e543 = phi_710_;
-            let _e545 = phi_711_;
-            let _e547 = phi_712_;
-            phi_713_ = _e545;
-            phi_714_ = _e543;
-            phi_715_ = _e547;
+            let _e549 = phi_713_;
+            let _e551 = phi_714_;
+            let _e553 = phi_715_;
+            phi_716_ = _e551;
+            phi_717_ = _e549;
+            phi_718_ = _e553;
         }
-        let _e549 = phi_713_;
-        let _e551 = phi_714_;
-        let _e553 = phi_715_;
-        if _e553 {
-            phi_719_ = _e549;
+        let _e555 = phi_716_;
+        let _e557 = phi_717_;
+        let _e559 = phi_718_;
+        if _e559 {
+            phi_722_ = _e555;
         } else {
-            phi_719_ = _e551;
+            phi_722_ = _e557;
         }
-        let _e555 = phi_719_;
+        let _e561 = phi_722_;
         if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.first_primitive)] = _e555.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e561.visibility;
     }
     return;
 }

@@ -49,13 +49,17 @@ struct abi_ShadowParams {
     map_size: u32,
     epsilon: f32,
     root: u32,
+    level_count: u32,
+    fade_uv: f32,
     pad0_: u32,
-    pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_32 {
     member: abi_ShadowParams,
+}
+
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
 }
 
 var<private> id_1: vec3<u32>;
@@ -70,36 +74,36 @@ var<storage, read_write> visibility: type_13;
 var<storage> map: type_28;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_133_: lt_bvh_traverse_Tree;
-    var phi_134_: bool;
-    var phi_139_: lt_bvh_traverse_Tree;
+    var phi_132_: lt_bvh_traverse_Tree;
+    var phi_133_: bool;
+    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_135_: bool;
+    var phi_140_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_132_ = false;
+            phi_132_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_133_ = false;
         } else {
-            phi_131_ = lt_bvh_traverse_Tree();
-            phi_132_ = true;
+            phi_132_ = lt_bvh_traverse_Tree();
+            phi_133_ = true;
         }
-        let _e47 = phi_131_;
-        let _e49 = phi_132_;
-        phi_133_ = _e47;
-        phi_134_ = _e49;
+        let _e47 = phi_132_;
+        let _e49 = phi_133_;
+        phi_134_ = _e47;
+        phi_135_ = _e49;
     } else {
-        phi_133_ = lt_bvh_traverse_Tree();
-        phi_134_ = true;
+        phi_134_ = lt_bvh_traverse_Tree();
+        phi_135_ = true;
     }
-    let _e51 = phi_133_;
-    let _e53 = phi_134_;
+    let _e51 = phi_134_;
+    let _e53 = phi_135_;
     if _e53 {
-        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_140_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_139_ = _e51;
+        phi_140_ = _e51;
     }
-    let _e58 = phi_139_;
+    let _e58 = phi_140_;
     return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
 }
 
@@ -108,28 +112,28 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_758_: f32;
-    var phi_759_: f32;
-    var phi_760_: f32;
-    var phi_766_: bool;
-    var phi_788_: f32;
-    var phi_789_: f32;
-    var phi_790_: f32;
+    var phi_761_: f32;
+    var phi_762_: f32;
+    var phi_763_: f32;
+    var phi_769_: bool;
     var phi_791_: f32;
-    var phi_792_: bool;
+    var phi_792_: f32;
     var phi_793_: f32;
-    var phi_794_: bool;
-    var phi_832_: vec2<f32>;
-    var phi_866_: f32;
-    var phi_867_: f32;
-    var phi_868_: f32;
-    var phi_897_: f32;
-    var phi_898_: f32;
-    var phi_899_: f32;
-    var phi_903_: f32;
-    var phi_904_: f32;
-    var phi_905_: f32;
+    var phi_794_: f32;
+    var phi_795_: bool;
+    var phi_796_: f32;
+    var phi_797_: bool;
+    var phi_835_: vec2<f32>;
+    var phi_869_: f32;
+    var phi_870_: f32;
+    var phi_871_: f32;
+    var phi_900_: f32;
+    var phi_901_: f32;
+    var phi_902_: f32;
     var phi_906_: f32;
+    var phi_907_: f32;
+    var phi_908_: f32;
+    var phi_909_: f32;
 
     let _e37 = (*param_4);
     let _e38 = (1f - _e37);
@@ -140,65 +144,65 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     let _e53 = (_e49 - (_e48 * _e48));
     let _e55 = (((param_5.z * _e38) + _e47) - (_e48 * _e49));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_760_ = param_6;
+        phi_763_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_759_ = 0f;
+            phi_762_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_758_ = 1f;
+                phi_761_ = 1f;
             } else {
-                phi_758_ = param_6;
+                phi_761_ = param_6;
             }
-            let _e67 = phi_758_;
-            phi_759_ = _e67;
+            let _e67 = phi_761_;
+            phi_762_ = _e67;
         }
-        let _e69 = phi_759_;
-        phi_760_ = _e69;
+        let _e69 = phi_762_;
+        phi_763_ = _e69;
     }
-    let _e71 = phi_760_;
+    let _e71 = phi_763_;
     if (_e48 == _e51) {
-        phi_766_ = (_e48 > 0.5f);
+        phi_769_ = (_e48 > 0.5f);
     } else {
-        phi_766_ = false;
+        phi_769_ = false;
     }
-    let _e75 = phi_766_;
+    let _e75 = phi_769_;
     if _e75 {
         if (_e71 > 0f) {
             if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
-                phi_790_ = _e48;
+                phi_793_ = _e48;
             } else {
                 if (_e48 < 0f) {
-                    phi_789_ = 0f;
+                    phi_792_ = 0f;
                 } else {
                     if (_e48 > 1f) {
-                        phi_788_ = 1f;
+                        phi_791_ = 1f;
                     } else {
-                        phi_788_ = _e48;
+                        phi_791_ = _e48;
                     }
-                    let _e83 = phi_788_;
-                    phi_789_ = _e83;
+                    let _e83 = phi_791_;
+                    phi_792_ = _e83;
                 }
-                let _e85 = phi_789_;
-                phi_790_ = _e85;
+                let _e85 = phi_792_;
+                phi_793_ = _e85;
             }
-            let _e87 = phi_790_;
-            phi_791_ = _e87;
-            phi_792_ = false;
+            let _e87 = phi_793_;
+            phi_794_ = _e87;
+            phi_795_ = false;
         } else {
-            phi_791_ = f32();
-            phi_792_ = true;
+            phi_794_ = f32();
+            phi_795_ = true;
         }
-        let _e89 = phi_791_;
-        let _e91 = phi_792_;
-        phi_793_ = _e89;
-        phi_794_ = _e91;
+        let _e89 = phi_794_;
+        let _e91 = phi_795_;
+        phi_796_ = _e89;
+        phi_797_ = _e91;
     } else {
-        phi_793_ = f32();
-        phi_794_ = true;
+        phi_796_ = f32();
+        phi_797_ = true;
     }
-    let _e93 = phi_793_;
-    let _e95 = phi_794_;
+    let _e93 = phi_796_;
+    let _e95 = phi_797_;
     if _e95 {
         let _e96 = (_e55 / _e53);
         let _e97 = (_e71 - _e48);
@@ -208,123 +212,123 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e115 = ((_e112 * _e112) - (((1f - (_e106 * _e48)) - (_e103 * _e49)) / _e103));
         if (_e115 >= 0f) {
             let _e117 = sqrt(_e115);
-            phi_832_ = vec2<f32>((-(_e112) - _e117), (-(_e112) + _e117));
+            phi_835_ = vec2<f32>((-(_e112) - _e117), (-(_e112) + _e117));
         } else {
-            phi_832_ = vec2(bitcast<f32>((bitcast<u32>(_e115) | 2143289344u)));
+            phi_835_ = vec2(bitcast<f32>((bitcast<u32>(_e115) | 2143289344u)));
         }
-        let _e128 = phi_832_;
+        let _e128 = phi_835_;
         if (_e71 <= _e128.x) {
-            phi_905_ = 1f;
+            phi_908_ = 1f;
         } else {
             if (_e71 > _e128.y) {
                 let _e141 = (((_e49 - (_e48 * (_e128.x + _e128.y))) + (_e128.x * _e128.y)) / ((_e71 - _e128.x) * (_e71 - _e128.y)));
                 if ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u) {
-                    phi_868_ = _e141;
+                    phi_871_ = _e141;
                 } else {
                     if (_e141 < 0f) {
-                        phi_867_ = 0f;
+                        phi_870_ = 0f;
                     } else {
                         if (_e141 > 1f) {
-                            phi_866_ = 1f;
+                            phi_869_ = 1f;
                         } else {
-                            phi_866_ = _e141;
+                            phi_869_ = _e141;
                         }
-                        let _e148 = phi_866_;
-                        phi_867_ = _e148;
+                        let _e148 = phi_869_;
+                        phi_870_ = _e148;
                     }
-                    let _e150 = phi_867_;
-                    phi_868_ = _e150;
+                    let _e150 = phi_870_;
+                    phi_871_ = _e150;
                 }
-                let _e152 = phi_868_;
-                phi_904_ = _e152;
+                let _e152 = phi_871_;
+                phi_907_ = _e152;
             } else {
                 if (_e71 > _e128.x) {
                     let _e163 = (1f - (((_e49 - (_e48 * (_e71 + _e128.y))) + (_e71 * _e128.y)) / ((_e128.x - _e71) * (_e128.x - _e128.y))));
                     if ((bitcast<u32>(_e163) & 2147483647u) > 2139095040u) {
-                        phi_899_ = _e163;
+                        phi_902_ = _e163;
                     } else {
                         if (_e163 < 0f) {
-                            phi_898_ = 0f;
+                            phi_901_ = 0f;
                         } else {
                             if (_e163 > 1f) {
-                                phi_897_ = 1f;
+                                phi_900_ = 1f;
                             } else {
-                                phi_897_ = _e163;
+                                phi_900_ = _e163;
                             }
-                            let _e170 = phi_897_;
-                            phi_898_ = _e170;
+                            let _e170 = phi_900_;
+                            phi_901_ = _e170;
                         }
-                        let _e172 = phi_898_;
-                        phi_899_ = _e172;
+                        let _e172 = phi_901_;
+                        phi_902_ = _e172;
                     }
-                    let _e174 = phi_899_;
-                    phi_903_ = _e174;
+                    let _e174 = phi_902_;
+                    phi_906_ = _e174;
                 } else {
-                    phi_903_ = bitcast<f32>((bitcast<u32>(_e128.x) | 2143289344u));
+                    phi_906_ = bitcast<f32>((bitcast<u32>(_e128.x) | 2143289344u));
                 }
-                let _e179 = phi_903_;
-                phi_904_ = _e179;
+                let _e179 = phi_906_;
+                phi_907_ = _e179;
             }
-            let _e181 = phi_904_;
-            phi_905_ = _e181;
+            let _e181 = phi_907_;
+            phi_908_ = _e181;
         }
-        let _e183 = phi_905_;
-        phi_906_ = _e183;
+        let _e183 = phi_908_;
+        phi_909_ = _e183;
     } else {
-        phi_906_ = _e93;
+        phi_909_ = _e93;
     }
-    let _e185 = phi_906_;
+    let _e185 = phi_909_;
     return _e185;
 }
 
 fn function_() {
     var local: f32;
-    var phi_199_: bool;
-    var phi_200_: bool;
-    var phi_201_: bool;
-    var phi_202_: bool;
+    var phi_203_: bool;
+    var phi_204_: bool;
+    var phi_205_: bool;
     var phi_206_: bool;
-    var phi_250_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_210_: bool;
     var phi_254_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_331_: bool;
-    var phi_340_: bool;
-    var phi_349_: bool;
+    var phi_258_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_332_: bool;
+    var phi_341_: bool;
     var phi_350_: bool;
     var phi_351_: bool;
     var phi_352_: bool;
     var phi_353_: bool;
     var phi_354_: bool;
     var phi_355_: bool;
-    var phi_359_: bool;
+    var phi_356_: bool;
+    var phi_360_: bool;
+    var phi_450_: f32;
     var phi_453_: f32;
-    var phi_456_: f32;
-    var phi_485_: f32;
-    var phi_490_: f32;
-    var phi_491_: bool;
-    var phi_492_: f32;
-    var phi_493_: bool;
-    var phi_497_: f32;
-    var phi_517_: f32;
-    var phi_522_: f32;
-    var phi_523_: bool;
-    var phi_524_: f32;
-    var phi_525_: bool;
-    var phi_529_: f32;
-    var phi_575_: i32;
-    var phi_580_: i32;
-    var phi_585_: i32;
-    var phi_590_: i32;
-    var phi_599_: i32;
-    var phi_604_: i32;
-    var phi_609_: i32;
-    var phi_614_: i32;
-    var phi_699_: evaluate_Verdict;
-    var phi_700_: evaluate_Verdict;
-    var phi_701_: bool;
+    var phi_482_: f32;
+    var phi_487_: f32;
+    var phi_488_: bool;
+    var phi_489_: f32;
+    var phi_490_: bool;
+    var phi_494_: f32;
+    var phi_514_: f32;
+    var phi_519_: f32;
+    var phi_520_: bool;
+    var phi_521_: f32;
+    var phi_522_: bool;
+    var phi_526_: f32;
+    var phi_574_: i32;
+    var phi_579_: i32;
+    var phi_584_: i32;
+    var phi_589_: i32;
+    var phi_598_: i32;
+    var phi_603_: i32;
+    var phi_608_: i32;
+    var phi_613_: i32;
     var phi_702_: evaluate_Verdict;
     var phi_703_: evaluate_Verdict;
     var phi_704_: bool;
-    var phi_708_: evaluate_Verdict;
+    var phi_705_: evaluate_Verdict;
+    var phi_706_: evaluate_Verdict;
+    var phi_707_: bool;
+    var phi_711_: evaluate_Verdict;
 
     let _e35 = id_1;
     let _e42 = arrayLength((&map.member));
@@ -332,212 +336,207 @@ fn function_() {
     let _e50 = p.member.size[1u];
     let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
     if (bitcast<i32>(_e51.root) != 0i) {
+        let _e57 = p.member.projection;
         if (_e51.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e60 = p.member.light;
-        let _e63 = samples.member[(0u + _e51.first_primitive)].normal[0u];
-        let _e65 = global[0u];
-        if (_e63 == _e65) {
-            let _e68 = samples.member[(0u + _e51.first_primitive)].normal[1u];
-            let _e70 = global[1u];
-            if (_e68 == _e70) {
-                let _e73 = samples.member[(0u + _e51.first_primitive)].normal[2u];
-                let _e75 = global[2u];
-                phi_199_ = (_e73 == _e75);
-                phi_200_ = false;
+        let _e61 = lt_math_OneLevel(_e57);
+        let _e63 = p.member.light;
+        let _e66 = samples.member[(0u + _e51.first_primitive)].normal[0u];
+        let _e68 = global[0u];
+        if (_e66 == _e68) {
+            let _e71 = samples.member[(0u + _e51.first_primitive)].normal[1u];
+            let _e73 = global[1u];
+            if (_e71 == _e73) {
+                let _e76 = samples.member[(0u + _e51.first_primitive)].normal[2u];
+                let _e78 = global[2u];
+                phi_203_ = (_e76 == _e78);
+                phi_204_ = false;
             } else {
-                phi_199_ = bool();
-                phi_200_ = true;
+                phi_203_ = bool();
+                phi_204_ = true;
             }
-            let _e78 = phi_199_;
-            let _e80 = phi_200_;
-            phi_201_ = _e78;
-            phi_202_ = _e80;
+            let _e81 = phi_203_;
+            let _e83 = phi_204_;
+            phi_205_ = _e81;
+            phi_206_ = _e83;
         } else {
-            phi_201_ = bool();
-            phi_202_ = true;
+            phi_205_ = bool();
+            phi_206_ = true;
         }
-        let _e82 = phi_201_;
-        let _e84 = phi_202_;
-        if _e84 {
-            phi_206_ = false;
+        let _e85 = phi_205_;
+        let _e87 = phi_206_;
+        if _e87 {
+            phi_210_ = false;
         } else {
-            phi_206_ = _e82;
+            phi_210_ = _e85;
         }
-        let _e86 = phi_206_;
-        if !(_e86) {
-            let _e89 = samples.member[(0u + _e51.first_primitive)].normal;
-            let _e91 = samples.member[(0u + _e51.first_primitive)].position;
-            if ((((_e89.x * (_e60.x - (_e91.x * _e60.w))) + (_e89.y * (_e60.y - (_e91.y * _e60.w)))) + (_e89.z * (_e60.z - (_e91.z * _e60.w)))) > 0f) {
-                let _e115 = samples.member[(0u + _e51.first_primitive)].flags;
-                let _e123 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e129 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e123.unnamed.visibility, false), _e123.unnamed_1);
-                phi_250_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e129.unnamed, ((_e115 & 1u) == 0u));
+        let _e89 = phi_210_;
+        if !(_e89) {
+            let _e92 = samples.member[(0u + _e51.first_primitive)].normal;
+            let _e94 = samples.member[(0u + _e51.first_primitive)].position;
+            if ((((_e92.x * (_e63.x - (_e94.x * _e63.w))) + (_e92.y * (_e63.y - (_e94.y * _e63.w)))) + (_e92.z * (_e63.z - (_e94.z * _e63.w)))) > 0f) {
+                let _e118 = samples.member[(0u + _e51.first_primitive)].flags;
+                let _e126 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e126.unnamed.visibility, false), _e126.unnamed_1);
+                phi_254_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e132.unnamed, ((_e118 & 1u) == 0u));
             } else {
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e144 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e138.unnamed.visibility, false), _e138.unnamed_1);
-                phi_250_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e144.unnamed, true);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
+                phi_254_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, true);
             }
-            let _e149 = phi_250_;
-            phi_254_ = _e149;
+            let _e152 = phi_254_;
+            phi_258_ = _e152;
         } else {
-            let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e155.unnamed.visibility, false), _e155.unnamed_1);
-            phi_254_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e161.unnamed, true);
+            let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
+            phi_258_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
         }
-        let _e166 = phi_254_;
-        if _e166.unnamed_1 {
-            phi_702_ = evaluate_Verdict(_e166.unnamed.visibility, _e166.unnamed.is_doubted);
-            phi_703_ = evaluate_Verdict();
-            phi_704_ = true;
+        let _e169 = phi_258_;
+        if _e169.unnamed_1 {
+            phi_705_ = evaluate_Verdict(_e169.unnamed.visibility, _e169.unnamed.is_doubted);
+            phi_706_ = evaluate_Verdict();
+            phi_707_ = true;
         } else {
-            let _e174 = samples.member[(0u + _e51.first_primitive)].position;
-            let _e180 = p.member.projection.row_w;
-            let _e191 = ((((_e180.x * _e174.x) + (_e180.y * _e174.y)) + (_e180.z * _e174.z)) + (_e180.w * 1f));
-            let _e193 = p.member.projection.row_x;
-            let _e205 = (((((_e193.x * _e174.x) + (_e193.y * _e174.y)) + (_e193.z * _e174.z)) + (_e193.w * 1f)) / _e191);
-            let _e207 = p.member.projection.row_y;
-            let _e219 = (((((_e207.x * _e174.x) + (_e207.y * _e174.y)) + (_e207.z * _e174.z)) + (_e207.w * 1f)) / _e191);
-            let _e221 = p.member.projection.row_z;
-            let _e232 = ((((_e221.x * _e174.x) + (_e221.y * _e174.y)) + (_e221.z * _e174.z)) + (_e221.w * 1f));
-            if (_e191 > 0f) {
-                if (_e205 >= 0f) {
-                    phi_331_ = (_e205 <= 1f);
+            let _e177 = samples.member[(0u + _e51.first_primitive)].position;
+            let _e195 = ((((_e61.projection.row_w.x * _e177.x) + (_e61.projection.row_w.y * _e177.y)) + (_e61.projection.row_w.z * _e177.z)) + (_e61.projection.row_w.w * 1f));
+            let _e209 = (((((_e61.projection.row_x.x * _e177.x) + (_e61.projection.row_x.y * _e177.y)) + (_e61.projection.row_x.z * _e177.z)) + (_e61.projection.row_x.w * 1f)) / _e195);
+            let _e223 = (((((_e61.projection.row_y.x * _e177.x) + (_e61.projection.row_y.y * _e177.y)) + (_e61.projection.row_y.z * _e177.z)) + (_e61.projection.row_y.w * 1f)) / _e195);
+            let _e236 = ((((_e61.projection.row_z.x * _e177.x) + (_e61.projection.row_z.y * _e177.y)) + (_e61.projection.row_z.z * _e177.z)) + (_e61.projection.row_z.w * 1f));
+            if (_e195 > 0f) {
+                if (_e209 >= 0f) {
+                    phi_332_ = (_e209 <= 1f);
                 } else {
-                    phi_331_ = false;
+                    phi_332_ = false;
                 }
-                let _e237 = phi_331_;
-                if _e237 {
-                    if (_e219 >= 0f) {
-                        phi_340_ = (_e219 <= 1f);
+                let _e241 = phi_332_;
+                if _e241 {
+                    if (_e223 >= 0f) {
+                        phi_341_ = (_e223 <= 1f);
                     } else {
-                        phi_340_ = false;
+                        phi_341_ = false;
                     }
-                    let _e241 = phi_340_;
-                    if _e241 {
-                        if (_e232 >= 0f) {
-                            phi_349_ = (_e232 <= 1f);
+                    let _e245 = phi_341_;
+                    if _e245 {
+                        if (_e236 >= 0f) {
+                            phi_350_ = (_e236 <= 1f);
                         } else {
-                            phi_349_ = false;
+                            phi_350_ = false;
                         }
-                        let _e245 = phi_349_;
-                        phi_350_ = _e245;
-                        phi_351_ = false;
+                        let _e249 = phi_350_;
+                        phi_351_ = _e249;
+                        phi_352_ = false;
                     } else {
-                        phi_350_ = bool();
-                        phi_351_ = true;
+                        phi_351_ = bool();
+                        phi_352_ = true;
                     }
-                    let _e247 = phi_350_;
-                    let _e249 = phi_351_;
-                    phi_352_ = _e247;
-                    phi_353_ = _e249;
+                    let _e251 = phi_351_;
+                    let _e253 = phi_352_;
+                    phi_353_ = _e251;
+                    phi_354_ = _e253;
                 } else {
-                    phi_352_ = bool();
-                    phi_353_ = true;
+                    phi_353_ = bool();
+                    phi_354_ = true;
                 }
-                let _e251 = phi_352_;
-                let _e253 = phi_353_;
-                phi_354_ = _e251;
-                phi_355_ = _e253;
+                let _e255 = phi_353_;
+                let _e257 = phi_354_;
+                phi_355_ = _e255;
+                phi_356_ = _e257;
             } else {
-                phi_354_ = bool();
-                phi_355_ = true;
+                phi_355_ = bool();
+                phi_356_ = true;
             }
-            let _e255 = phi_354_;
-            let _e257 = phi_355_;
-            if _e257 {
-                phi_359_ = false;
+            let _e259 = phi_355_;
+            let _e261 = phi_356_;
+            if _e261 {
+                phi_360_ = false;
             } else {
-                phi_359_ = _e255;
+                phi_360_ = _e259;
             }
-            let _e259 = phi_359_;
-            if _e259 {
+            let _e263 = phi_360_;
+            if _e263 {
                 if (0f > 0f) {
-                    let _e262 = samples.member[(0u + _e51.first_primitive)].normal;
-                    let _e264 = p.member.map_size;
-                    let _e267 = p.member.projection.row_x;
-                    let _e289 = p.member.projection.row_y;
-                    let _e311 = p.member.projection.row_z;
-                    let _e338 = ((abs(((((_e267.x * _e262.x) + (_e267.y * _e262.y)) + (_e267.z * _e262.z)) / (((_e267.x * _e267.x) + (_e267.y * _e267.y)) + (_e267.z * _e267.z)))) + abs(((((_e289.x * _e262.x) + (_e289.y * _e262.y)) + (_e289.z * _e262.z)) / (((_e289.x * _e289.x) + (_e289.y * _e289.y)) + (_e289.z * _e289.z))))) / (abs(((((_e311.x * _e262.x) + (_e311.y * _e262.y)) + (_e311.z * _e262.z)) / (((_e311.x * _e311.x) + (_e311.y * _e311.y)) + (_e311.z * _e311.z)))) * f32(_e264)));
+                    let _e266 = samples.member[(0u + _e51.first_primitive)].normal;
+                    let _e268 = p.member.map_size;
+                    let _e338 = ((abs(((((_e57.row_x.x * _e266.x) + (_e57.row_x.y * _e266.y)) + (_e57.row_x.z * _e266.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e266.x) + (_e57.row_y.y * _e266.y)) + (_e57.row_y.z * _e266.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e266.x) + (_e57.row_z.y * _e266.y)) + (_e57.row_z.z * _e266.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e268)));
                     if (_e338 < 0.002f) {
-                        phi_453_ = _e338;
+                        phi_450_ = _e338;
                     } else {
-                        phi_453_ = 0.002f;
+                        phi_450_ = 0.002f;
                     }
-                    let _e341 = phi_453_;
-                    phi_456_ = (_e232 - (0f * _e341));
+                    let _e341 = phi_450_;
+                    phi_453_ = (_e236 - (0f * _e341));
                 } else {
-                    phi_456_ = _e232;
+                    phi_453_ = _e236;
                 }
-                let _e345 = phi_456_;
+                let _e345 = phi_453_;
                 let _e347 = p.member.map_size;
                 let _e348 = f32(_e347);
-                let _e351 = ((_e205 * _e348) - 0.5f);
-                let _e352 = ((_e219 * _e348) - 0.5f);
+                let _e351 = ((_e209 * _e348) - 0.5f);
+                let _e352 = ((_e223 * _e348) - 0.5f);
                 if (_e351 > -8388608f) {
                     let _e364 = f32(select(0i, select(select(i32(_e351), i32(-2147483648), (_e351 < bitcast<f32>(3472883712u))), 2147483647i, (_e351 > bitcast<f32>(1325400063u))), (_e351 == _e351)));
                     if (_e364 > _e351) {
-                        phi_485_ = 1f;
+                        phi_482_ = 1f;
                     } else {
-                        phi_485_ = 0f;
+                        phi_482_ = 0f;
                     }
-                    let _e367 = phi_485_;
+                    let _e367 = phi_482_;
                     if (_e351 < 8388608f) {
-                        phi_490_ = (_e364 - _e367);
-                        phi_491_ = false;
+                        phi_487_ = (_e364 - _e367);
+                        phi_488_ = false;
                     } else {
-                        phi_490_ = f32();
-                        phi_491_ = true;
+                        phi_487_ = f32();
+                        phi_488_ = true;
                     }
-                    let _e370 = phi_490_;
-                    let _e372 = phi_491_;
-                    phi_492_ = _e370;
-                    phi_493_ = _e372;
+                    let _e370 = phi_487_;
+                    let _e372 = phi_488_;
+                    phi_489_ = _e370;
+                    phi_490_ = _e372;
                 } else {
-                    phi_492_ = f32();
-                    phi_493_ = true;
+                    phi_489_ = f32();
+                    phi_490_ = true;
                 }
-                let _e374 = phi_492_;
-                let _e376 = phi_493_;
+                let _e374 = phi_489_;
+                let _e376 = phi_490_;
                 if _e376 {
-                    phi_497_ = _e351;
+                    phi_494_ = _e351;
                 } else {
-                    phi_497_ = _e374;
+                    phi_494_ = _e374;
                 }
-                let _e378 = phi_497_;
+                let _e378 = phi_494_;
                 if (_e352 > -8388608f) {
                     let _e390 = f32(select(0i, select(select(i32(_e352), i32(-2147483648), (_e352 < bitcast<f32>(3472883712u))), 2147483647i, (_e352 > bitcast<f32>(1325400063u))), (_e352 == _e352)));
                     if (_e390 > _e352) {
-                        phi_517_ = 1f;
+                        phi_514_ = 1f;
                     } else {
-                        phi_517_ = 0f;
+                        phi_514_ = 0f;
                     }
-                    let _e393 = phi_517_;
+                    let _e393 = phi_514_;
                     if (_e352 < 8388608f) {
-                        phi_522_ = (_e390 - _e393);
-                        phi_523_ = false;
+                        phi_519_ = (_e390 - _e393);
+                        phi_520_ = false;
                     } else {
-                        phi_522_ = f32();
-                        phi_523_ = true;
+                        phi_519_ = f32();
+                        phi_520_ = true;
                     }
-                    let _e396 = phi_522_;
-                    let _e398 = phi_523_;
-                    phi_524_ = _e396;
-                    phi_525_ = _e398;
+                    let _e396 = phi_519_;
+                    let _e398 = phi_520_;
+                    phi_521_ = _e396;
+                    phi_522_ = _e398;
                 } else {
-                    phi_524_ = f32();
-                    phi_525_ = true;
+                    phi_521_ = f32();
+                    phi_522_ = true;
                 }
-                let _e400 = phi_524_;
-                let _e402 = phi_525_;
+                let _e400 = phi_521_;
+                let _e402 = phi_522_;
                 if _e402 {
-                    phi_529_ = _e352;
+                    phi_526_ = _e352;
                 } else {
-                    phi_529_ = _e400;
+                    phi_526_ = _e400;
                 }
-                let _e404 = phi_529_;
+                let _e404 = phi_526_;
                 let _e405 = (_e351 - _e378);
                 let _e406 = (_e352 - _e404);
                 let _e415 = select(0i, select(select(i32(_e378), i32(-2147483648), (_e378 < bitcast<f32>(3472883712u))), 2147483647i, (_e378 > bitcast<f32>(1325400063u))), (_e378 == _e378));
@@ -550,115 +549,116 @@ fn function_() {
                 let _e435 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e434);
                 let _e437 = p.member.map_size;
                 local = _e435;
-                let _e439 = (bitcast<i32>(_e437) - 1i);
+                let _e439 = ((0u * _e437) * _e437);
+                let _e441 = (bitcast<i32>(_e437) - 1i);
                 if (_e415 > 0i) {
-                    phi_575_ = _e415;
+                    phi_574_ = _e415;
                 } else {
-                    phi_575_ = 0i;
+                    phi_574_ = 0i;
                 }
-                let _e442 = phi_575_;
+                let _e444 = phi_574_;
                 if (_e424 > 0i) {
-                    phi_580_ = _e424;
+                    phi_579_ = _e424;
                 } else {
-                    phi_580_ = 0i;
+                    phi_579_ = 0i;
                 }
-                let _e445 = phi_580_;
-                if (_e442 < _e439) {
-                    phi_585_ = _e442;
+                let _e447 = phi_579_;
+                if (_e444 < _e441) {
+                    phi_584_ = _e444;
                 } else {
-                    phi_585_ = _e439;
+                    phi_584_ = _e441;
                 }
-                let _e448 = phi_585_;
-                if (_e445 < _e439) {
-                    phi_590_ = _e445;
+                let _e450 = phi_584_;
+                if (_e447 < _e441) {
+                    phi_589_ = _e447;
                 } else {
-                    phi_590_ = _e439;
+                    phi_589_ = _e441;
                 }
-                let _e451 = phi_590_;
-                let _e452 = bitcast<u32>(_e448);
-                let _e454 = (_e415 + 1i);
-                let _e455 = (_e424 + 1i);
-                if (_e454 > 0i) {
-                    phi_599_ = _e454;
+                let _e453 = phi_589_;
+                let _e454 = bitcast<u32>(_e450);
+                let _e456 = (_e415 + 1i);
+                let _e457 = (_e424 + 1i);
+                if (_e456 > 0i) {
+                    phi_598_ = _e456;
                 } else {
-                    phi_599_ = 0i;
+                    phi_598_ = 0i;
                 }
-                let _e458 = phi_599_;
-                if (_e455 > 0i) {
-                    phi_604_ = _e455;
+                let _e460 = phi_598_;
+                if (_e457 > 0i) {
+                    phi_603_ = _e457;
                 } else {
-                    phi_604_ = 0i;
+                    phi_603_ = 0i;
                 }
-                let _e461 = phi_604_;
-                if (_e458 < _e439) {
-                    phi_609_ = _e458;
+                let _e463 = phi_603_;
+                if (_e460 < _e441) {
+                    phi_608_ = _e460;
                 } else {
-                    phi_609_ = _e439;
+                    phi_608_ = _e441;
                 }
-                let _e464 = phi_609_;
-                if (_e461 < _e439) {
-                    phi_614_ = _e461;
+                let _e466 = phi_608_;
+                if (_e463 < _e441) {
+                    phi_613_ = _e463;
                 } else {
-                    phi_614_ = _e439;
+                    phi_613_ = _e441;
                 }
-                let _e467 = phi_614_;
-                let _e468 = bitcast<u32>(_e464);
-                let _e470 = (bitcast<u32>(_e451) * _e437);
-                let _e471 = (bitcast<u32>(_e467) * _e437);
-                let _e472 = (_e470 + _e452);
-                let _e473 = (_e470 + _e468);
-                let _e474 = (_e471 + _e452);
-                let _e475 = (_e471 + _e468);
-                if (_e472 < _e42) {
-                } else {
-                    return;
-                }
-                let _e479 = map.member[(0u + _e472)];
-                if (_e473 < _e42) {
+                let _e469 = phi_613_;
+                let _e470 = bitcast<u32>(_e466);
+                let _e472 = (bitcast<u32>(_e453) * _e437);
+                let _e473 = (bitcast<u32>(_e469) * _e437);
+                let _e478 = ((_e472 + _e454) + _e439);
+                let _e479 = ((_e472 + _e470) + _e439);
+                let _e480 = ((_e473 + _e454) + _e439);
+                let _e481 = ((_e473 + _e470) + _e439);
+                if (_e478 < _e42) {
                 } else {
                     return;
                 }
-                let _e491 = map.member[(0u + _e473)];
-                if (_e474 < _e42) {
+                let _e485 = map.member[(0u + _e478)];
+                if (_e479 < _e42) {
                 } else {
                     return;
                 }
-                let _e507 = map.member[(0u + _e474)];
-                if (_e475 < _e42) {
+                let _e497 = map.member[(0u + _e479)];
+                if (_e480 < _e42) {
                 } else {
                     return;
                 }
-                let _e523 = map.member[(0u + _e475)];
-                let _e537 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e479.x * _e427) + (_e491.x * _e429)) + (_e507.x * _e431)) + (_e523.x * _e432)), ((((_e479.y * _e427) + (_e491.y * _e429)) + (_e507.y * _e431)) + (_e523.y * _e432)), ((((_e479.z * _e427) + (_e491.z * _e429)) + (_e507.z * _e431)) + (_e523.z * _e432)), ((((_e479.w * _e427) + (_e491.w * _e429)) + (_e507.w * _e431)) + (_e523.w * _e432))), _e345);
-                phi_699_ = evaluate_Verdict(_e537, false);
-                phi_700_ = evaluate_Verdict();
-                phi_701_ = false;
+                let _e513 = map.member[(0u + _e480)];
+                if (_e481 < _e42) {
+                } else {
+                    return;
+                }
+                let _e529 = map.member[(0u + _e481)];
+                let _e543 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e485.x * _e427) + (_e497.x * _e429)) + (_e513.x * _e431)) + (_e529.x * _e432)), ((((_e485.y * _e427) + (_e497.y * _e429)) + (_e513.y * _e431)) + (_e529.y * _e432)), ((((_e485.z * _e427) + (_e497.z * _e429)) + (_e513.z * _e431)) + (_e529.z * _e432)), ((((_e485.w * _e427) + (_e497.w * _e429)) + (_e513.w * _e431)) + (_e529.w * _e432))), _e345);
+                phi_702_ = evaluate_Verdict(_e543, false);
+                phi_703_ = evaluate_Verdict();
+                phi_704_ = false;
             } else {
-                phi_699_ = evaluate_Verdict();
-                phi_700_ = evaluate_Verdict(1f, false);
-                phi_701_ = true;
+                phi_702_ = evaluate_Verdict();
+                phi_703_ = evaluate_Verdict(1f, false);
+                phi_704_ = true;
             }
-            let _e541 = phi_699_;
-            let _e543 = phi_700_;
-            let _e545 = phi_701_;
-            phi_702_ = _e543;
-            phi_703_ = _e541;
-            phi_704_ = _e545;
+            let _e547 = phi_702_;
+            let _e549 = phi_703_;
+            let _e551 = phi_704_;
+            phi_705_ = _e549;
+            phi_706_ = _e547;
+            phi_707_ = _e551;
         }
-        let _e547 = phi_702_;
-        let _e549 = phi_703_;
-        let _e551 = phi_704_;
-        if _e551 {
-            phi_708_ = _e547;
+        let _e553 = phi_705_;
+        let _e555 = phi_706_;
+        let _e557 = phi_707_;
+        if _e557 {
+            phi_711_ = _e553;
         } else {
-            phi_708_ = _e549;
+            phi_711_ = _e555;
         }
-        let _e553 = phi_708_;
+        let _e559 = phi_711_;
         if (_e51.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e51.first_primitive)] = _e553.visibility;
+        visibility.member[(0u + _e51.first_primitive)] = _e559.visibility;
     }
     return;
 }

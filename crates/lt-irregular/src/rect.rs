@@ -65,6 +65,26 @@ impl Rect {
             && self.z >= inner.z
     }
 
+    /// Whether `inner` lies within, whatever its nearness.
+    #[inline(always)]
+    pub(crate) fn covers(&self, inner: &Self) -> bool {
+        self.x0 <= inner.x0 && self.x1 >= inner.x1 && self.y0 <= inner.y0 && self.y1 >= inner.y1
+    }
+
+    /// What two rectangles that meet have in common, with the nearness of the other.
+    #[inline(always)]
+    pub(crate) fn common(&self, other: &Self) -> Self {
+        let min = |a: f32, b: f32| if a < b { a } else { b };
+        let max = |a: f32, b: f32| if a > b { a } else { b };
+        Rect {
+            x0: max(self.x0, other.x0),
+            x1: min(self.x1, other.x1),
+            y0: max(self.y0, other.y0),
+            y1: min(self.y1, other.y1),
+            z: other.z,
+        }
+    }
+
     /// Area; that of an empty one is 0.
     #[inline(always)]
     pub fn area(&self) -> f32 {

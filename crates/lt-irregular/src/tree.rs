@@ -2,7 +2,7 @@
 
 use crate::block::{BLOCK, Block};
 use crate::casters::Casters;
-use crate::lanes::Lanes;
+use crate::lanes::{Lanes, Level};
 use crate::planes::Planes;
 use crate::rect::Rect;
 use crate::split::{Item, split};
@@ -110,6 +110,16 @@ impl Tree {
         let builder = Builder { view: &view, casters };
         let part = if items.is_empty() { Part::default() } else { builder.subtree(&mut items) };
         Tree { view, nodes: part.nodes, blocks: part.blocks }
+    }
+
+    /// Asks for what a link leads to, that it may have come by the time it is needed.
+    #[inline(always)]
+    pub fn prefetch<L: Level>(&self, level: L, link: u32) {
+        if link & LEAF == 0 {
+            level.prefetch(&self.nodes[link as usize]);
+        } else {
+            level.prefetch(self.block(link));
+        }
     }
 
     /// What a leaf's link leads to.

@@ -27,6 +27,7 @@
 //!
 //! - Visibility: 1 lit, 0 shadowed. Depth: linear along the light's axis, 0 near, 1 far; values outside count as the end.
 //! - uv: [0, 1]² with v downwards; texel centres at + 0.5; footprints in the order (x0 y0, x1 y0, x0 y1, x1 y1).
+//! - Several maps of one light are levels ([`LevelSource`]): cascades, or the faces of a cube. Level 0 is the finest.
 //! - World positions are f32, relative to an origin near the viewer ([`LightProjection`]).
 //! - NaN: goes in, comes out, and becomes a ray. Nothing hides one in a `min`, `max` or `clamp`; unsolvable moments
 //!   (of filtered maps) answer NaN on purpose. Tests for NaN look at bits, because shader compilers may assume that NaNs do not exist.
@@ -64,6 +65,7 @@ compile_error!("lt-math needs floats from somewhere: enable feature `std` (defau
 
 pub use glam;
 
+mod cascade;
 pub mod chebyshev;
 mod esm;
 mod evsm;
@@ -85,6 +87,9 @@ pub mod six_atoms;
 mod sm;
 mod vsm;
 
+pub use cascade::{DEFAULT_SPLIT_BLEND, LevelPoint, LevelSource, Levels, OneLevel, level_margin_uv};
+#[cfg(not(target_arch = "spirv"))]
+pub use cascade::{snapped_interval, split_depth};
 pub use esm::{DEFAULT_ESM_EXPONENT, Esm, MAX_ESM_EXPONENT};
 pub use evsm::{
     DEFAULT_NEGATIVE_EXPONENT, DEFAULT_POSITIVE_EXPONENT, Evsm, MAX_EVSM_EXPONENT, MAX_EVSM_EXPONENT_F16,

@@ -44,6 +44,17 @@ impl LightFrame {
         Self { right, up, forward }
     }
 
+    /// The frame turned about `forward` by this angle, from `right` towards `up`.
+    #[cfg(not(target_arch = "spirv"))]
+    pub fn rolled(&self, angle_rad: f32) -> Self {
+        let (sin, cos) = num_traits::Float::sin_cos(angle_rad);
+        Self {
+            right: self.right * cos + self.up * sin,
+            up: self.up * cos - self.right * sin,
+            forward: self.forward,
+        }
+    }
+
     /// `p` in this frame: (along right, along up, along forward).
     #[inline]
     pub fn to_light(&self, p: Vec3) -> Vec3 {
@@ -118,6 +129,16 @@ mod tests {
             let frame = LightFrame::from_direction(bad);
             assert_eq!(frame.forward, Vec3::NEG_Y, "{bad}");
             assert!(defect(&frame) < 2e-6);
+        }
+    }
+
+    #[test]
+    fn a_rolled_frame_is_one_and_looks_the_same_way() {
+        let frame = LightFrame::from_direction(Vec3::new(0.3, -1.0, 0.2));
+        for angle in [0.0, 0.4, 1.6, -3.0] {
+            let rolled = frame.rolled(angle);
+            assert!(defect(&rolled) < 1e-6 && rolled.forward == frame.forward);
+            assert!((rolled.right.dot(frame.right) - angle.cos()).abs() < 1e-6);
         }
     }
 

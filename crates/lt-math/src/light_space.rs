@@ -40,6 +40,18 @@ pub struct LightPoint {
     pub is_inside: bool,
 }
 
+impl LightPoint {
+    /// Whether it is inside and at least `margin` (in uv) away from the map's edges; not so for NaN.
+    #[inline]
+    pub fn is_within(&self, margin: f32) -> bool {
+        self.is_inside
+            && self.uv.x >= margin
+            && self.uv.x <= 1.0 - margin
+            && self.uv.y >= margin
+            && self.uv.y <= 1.0 - margin
+    }
+}
+
 impl LightProjection {
     /// Projects a world position. Outside the map, `is_inside` is false and the pixel needs a ray.
     #[inline]

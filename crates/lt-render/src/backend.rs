@@ -2,6 +2,7 @@
 
 use std::{fmt, str::FromStr};
 
+use lt_math::LightProjection;
 use lt_math::glam::{Vec3, Vec4};
 use lt_shaders::abi::{
     CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams,
@@ -44,12 +45,40 @@ impl fmt::Display for BackendKind {
 }
 
 /// What the depth map and filter passes draw.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct DepthMapJob {
-    /// The raster pass.
-    pub depth: DepthParams,
+    /// The raster pass of every level, finest first; at least one, all of one size.
+    pub levels: Vec<DepthParams>,
+    /// Levels that are drawn in this frame, ascending; the others' maps, in the slot, are still good.
+    pub draws: Vec<u32>,
+    /// Of the others, those in which casters may have moved: what stands still is in the slot's map already, by the same
+    /// projection, and what moves must be drawn anew.
+    pub refreshes: Vec<u32>,
     /// The blur passes.
     pub filter: FilterParams,
+}
+
+impl DepthMapJob {
+    /// Texels along a map's side.
+    pub fn map_size(&self) -> u32 {
+        self.filter.map_size
+    }
+
+    /// Levels whose maps change in this frame, in no order.
+    pub fn drawn(&self) -> impl Iterator<Item = u32> {
+        self.draws.iter().chain(&self.refreshes).copied()
+    }
+
+    /// Where a level's texels lie in a buffer of all levels.
+    pub fn texels(&self, level: u32) -> std::ops::Range<usize> {
+        let (first, size) = (level as usize, (self.map_size() as usize).pow(2));
+        first * size..(first + 1) * size
+    }
+
+    /// World to map, for every level.
+    pub fn projections(&self) -> Vec<LightProjection> {
+        self.levels.iter().map(|level| level.projection).collect()
+    }
 }
 
 /// Everything the passes of one frame need.
@@ -61,8 +90,6 @@ pub struct FrameJob {
     pub shadow: ShadowParams,
     /// The map, if the plan draws one.
     pub map: Option<DepthMapJob>,
-    /// Whether the map is drawn in this frame; otherwise the slot's own is still good.
-    pub draws_map: bool,
     /// The temporal mask's frame, if the plan has one.
     pub mask: Option<MaskParams>,
     /// Which storage keeps map and history between frames: 0 for techniques that keep nothing, else the technique's own.
@@ -72,7 +99,18 @@ pub struct FrameJob {
 impl FrameJob {
     /// The passes of this frame, in order: the plan's, less those that would draw a map anew that still serves.
     pub fn passes(&self) -> Vec<PassKind> {
-        self.plan.passes().into_iter().filter(|k| self.draws_map || !k.makes_map()).collect()
+        let draws = self.map.as_ref().is_some_and(|m| m.drawn().next().is_some());
+        self.plan.passes().into_iter().filter(|k| draws || !k.makes_map()).collect()
+    }
+
+    /// The levels that pixels search, where the plan has them search.
+    pub fn searched_levels(&self) -> Option<Vec<LightProjection>> {
+        self.map.as_ref().filter(|_| self.plan.level_search).map(DepthMapJob::projections)
+    }
+
+    /// How many maps are drawn whole in this frame.
+    pub fn map_draws(&self) -> u32 {
+        self.map.as_ref().map_or(0, |m| m.draws.len() as u32)
     }
 }
 

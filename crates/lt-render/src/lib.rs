@@ -23,12 +23,14 @@
 //! ```
 
 mod backend;
+mod cascades;
 mod compare;
 pub mod cpu;
 mod error;
 mod frame;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+mod levels;
 mod light_fit;
 pub mod metrics;
 mod pace;
@@ -39,6 +41,7 @@ mod setup;
 mod technique;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
+pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits};
 pub use compare::{
     CompareOptions, Comparison, FrameStats, PassTime, PlayOptions, Row, compare, compare_frames, flips,
     quantile,

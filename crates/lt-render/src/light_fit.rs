@@ -25,7 +25,7 @@ const DEPTH_MARGIN: f32 = 1e-3;
 /// How much wider than what the camera sees a map is fitted that is to be kept (Kern et al. 2024: 15 %).
 pub const KEPT_GROWTH: f32 = 0.15;
 /// A kept map is given up once it is this much wider than a new one would be: its texels are too coarse by then.
-const KEPT_LOOSENESS: f32 = 1.5;
+pub(crate) const KEPT_LOOSENESS: f32 = 1.5;
 
 /// Fits a map of `map_size`² texels to a light travelling along `direction`.
 ///
@@ -52,7 +52,7 @@ impl LightFit {
     /// than a new one would be.
     pub fn serves(&self, scene: Bounds, camera: &CameraParams, direction: Vec3, map_size: u32) -> bool {
         let scene = or_unit_box(scene);
-        let seen = visible_region(scene, camera);
+        let seen = visible_region(scene, camera, None);
         let points = if seen.is_empty() { scene.corners().to_vec() } else { seen };
         let covers = points.iter().all(|&p| self.projection.project(p).is_inside);
         let fresh = fit_kept(scene, camera, direction, map_size);
@@ -61,21 +61,21 @@ impl LightFit {
     }
 }
 
-fn or_unit_box(scene: Bounds) -> Bounds {
+pub(crate) fn or_unit_box(scene: Bounds) -> Bounds {
     if scene.is_empty() { Bounds { min: Vec3::NEG_ONE, max: Vec3::ONE } } else { scene }
 }
 
-fn in_light(frame: &LightFrame, points: &[Vec3]) -> Bounds {
+pub(crate) fn in_light(frame: &LightFrame, points: &[Vec3]) -> Bounds {
     points.iter().fold(Bounds::EMPTY, |b, &p| b.including(frame.to_light(p)))
 }
 
-fn casters_in_light(scene: Bounds, frame: &LightFrame) -> Bounds {
+pub(crate) fn casters_in_light(scene: Bounds, frame: &LightFrame) -> Bounds {
     in_light(frame, &or_unit_box(scene).corners())
 }
 
 fn receivers_in_light(scene: Bounds, camera: &CameraParams, frame: &LightFrame) -> Bounds {
     let scene = or_unit_box(scene);
-    let seen = visible_region(scene, camera);
+    let seen = visible_region(scene, camera, None);
     if seen.is_empty() { in_light(frame, &scene.corners()) } else { in_light(frame, &seen) }
 }
 
@@ -84,8 +84,7 @@ fn fit_box(frame: &LightFrame, receivers: Bounds, casters: Bounds, map_size: u32
     let (mut min, mut max) = (receivers.min, receivers.max);
     min.z = casters.min.z;
     // A flat or tiny region still needs a box with an inside.
-    let largest = casters.min.abs().max(casters.max.abs()).max_element();
-    let least = ((casters.max - casters.min).max_element() * 1e-5).max(largest * 1e-6).max(1e-30);
+    let least = least_length(casters);
     let texel = ((max - min).xy().max_element().max(least)) / map_size as f32;
     let margin =
         Vec3::new(MARGIN_TEXELS * texel, MARGIN_TEXELS * texel, ((max.z - min.z) * DEPTH_MARGIN).max(least));
@@ -94,19 +93,98 @@ fn fit_box(frame: &LightFrame, receivers: Bounds, casters: Bounds, map_size: u32
     LightFit { projection: LightProjection::orthographic(frame, min, max), extent_world: max - min }
 }
 
-/// Corner points of the convex region that lies in the scene's box and in the view pyramid; empty if nothing does.
-fn visible_region(scene: Bounds, camera: &CameraParams) -> Vec<Vec3> {
+/// A length that is small beside the scene and still survives rounding.
+fn least_length(casters: Bounds) -> f32 {
+    let largest = casters.min.abs().max(casters.max.abs()).max_element();
+    ((casters.max - casters.min).max_element() * 1e-5).max(largest * 1e-6).max(1e-30)
+}
+
+/// How far past the casters' own depths a level reaches, so that rounding clips none.
+pub(crate) fn depth_margin(casters: Bounds) -> f32 {
+    ((casters.max.z - casters.min.z) * DEPTH_MARGIN).max(least_length(casters))
+}
+
+/// Corner points of the convex region that lies in the scene's box, in the view pyramid and, if asked, between two view
+/// depths; empty if nothing does.
+pub(crate) fn visible_region(scene: Bounds, camera: &CameraParams, slice: Option<[f32; 2]>) -> Vec<Vec3> {
+    let planes = view_planes(camera, slice);
     let mut points: Vec<Vec3> =
-        box_faces(scene).into_iter().flat_map(|face| clip_to_view(face, camera)).collect();
-    let is_inside = |p: Vec3| p.cmpge(scene.min).all() && p.cmple(scene.max).all();
-    if is_inside(camera.eye) {
-        points.push(camera.eye);
-    }
-    for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
-        let edge = camera.forward + camera.right * x + camera.up * y;
-        points.extend(segment_in_box(camera.eye, edge, scene).into_iter().flatten());
+        box_faces(scene).into_iter().flat_map(|face| clip(face, planes.iter().copied())).collect();
+    match slice {
+        None => {
+            if scene.contains(camera.eye) {
+                points.push(camera.eye);
+            }
+            for (x, y) in CORNERS {
+                let edge = camera.forward + camera.right * x + camera.up * y;
+                points.extend(segment_in_box(camera.eye, edge, scene).into_iter().flatten());
+            }
+        }
+        // Corners of an intersection lie on a face of one body inside the other.
+        Some(depths) => {
+            points.extend(slice_faces(camera, depths).into_iter().flat_map(|f| clip(f, box_planes(scene))))
+        }
     }
     points
+}
+
+/// Corner points of the part of the scene's box inside a light's map, however far along the light; empty if there is none.
+pub(crate) fn region_in_column(scene: Bounds, frame: &LightFrame, x: (f32, f32), y: (f32, f32)) -> Vec<Vec3> {
+    let sides = [
+        Plane { normal: frame.right, point: frame.right * x.0 },
+        Plane { normal: -frame.right, point: frame.right * x.1 },
+        Plane { normal: frame.up, point: frame.up * y.0 },
+        Plane { normal: -frame.up, point: frame.up * y.1 },
+    ];
+    let mut points: Vec<Vec3> =
+        box_faces(scene).into_iter().flat_map(|face| clip(face, sides.into_iter())).collect();
+    // The column's own edges, where they run through the box.
+    for (x, y) in [(x.0, y.0), (x.0, y.1), (x.1, y.0), (x.1, y.1)] {
+        let middle = (scene.min + scene.max) * 0.5;
+        let on_edge = frame.right * x + frame.up * y + frame.forward * frame.forward.dot(middle);
+        let reach = (scene.max - scene.min).length();
+        let start = on_edge - frame.forward * reach;
+        points.extend(segment_in_box(start, frame.forward, scene).into_iter().flatten());
+    }
+    points
+}
+
+/// Signs of a picture's corners in order around it.
+const CORNERS: [(f32, f32); 4] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+
+/// A half-space: what lies along `normal` from `point`.
+#[derive(Clone, Copy)]
+struct Plane {
+    normal: Vec3,
+    point: Vec3,
+}
+
+/// The view's four side planes, and the plane through the eye or those of a slice.
+fn view_planes(camera: &CameraParams, slice: Option<[f32; 2]>) -> Vec<Plane> {
+    let (r, u, f) = (camera.right, camera.up, camera.forward);
+    let (rr, uu) = (r / r.length_squared(), u / u.length_squared());
+    let mut planes: Vec<Plane> =
+        [f, f - rr, f + rr, f - uu, f + uu].map(|normal| Plane { normal, point: camera.eye }).to_vec();
+    if let Some([near, far]) = slice {
+        planes[0].point = camera.eye + f * near;
+        planes.push(Plane { normal: -f, point: camera.eye + f * far });
+    }
+    planes
+}
+
+fn box_planes(b: Bounds) -> impl Iterator<Item = Plane> {
+    [Vec3::X, Vec3::Y, Vec3::Z]
+        .into_iter()
+        .flat_map(move |axis| [Plane { normal: axis, point: b.min }, Plane { normal: -axis, point: b.max }])
+}
+
+/// The six faces of the view between two depths.
+fn slice_faces(camera: &CameraParams, depths: [f32; 2]) -> Vec<Vec<Vec3>> {
+    let [near, far] = depths.map(|depth| {
+        CORNERS.map(|(x, y)| camera.eye + (camera.forward + camera.right * x + camera.up * y) * depth)
+    });
+    let side = |i: usize| vec![near[i], near[(i + 1) % 4], far[(i + 1) % 4], far[i]];
+    vec![near.to_vec(), far.to_vec(), side(0), side(1), side(2), side(3)]
 }
 
 fn box_faces(b: Bounds) -> [Vec<Vec3>; 6] {
@@ -115,12 +193,10 @@ fn box_faces(b: Bounds) -> [Vec<Vec3>; 6] {
         .map(|f| f.map(|i| c[i]).to_vec())
 }
 
-/// Sutherland–Hodgman against the view's four side planes and the plane through the eye.
-fn clip_to_view(mut polygon: Vec<Vec3>, camera: &CameraParams) -> Vec<Vec3> {
-    let (r, u, f) = (camera.right, camera.up, camera.forward);
-    let (rr, uu) = (r / r.length_squared(), u / u.length_squared());
-    for plane in [f, f - rr, f + rr, f - uu, f + uu] {
-        let side = |p: Vec3| plane.dot(p - camera.eye);
+/// Sutherland–Hodgman.
+fn clip(mut polygon: Vec<Vec3>, planes: impl Iterator<Item = Plane>) -> Vec<Vec3> {
+    for plane in planes {
+        let side = |p: Vec3| plane.normal.dot(p - plane.point);
         let mut kept = Vec::with_capacity(polygon.len() + 1);
         for i in 0..polygon.len() {
             let (a, b) = (polygon[i], polygon[(i + 1) % polygon.len()]);

@@ -1,6 +1,6 @@
 //! Which effects a scene, a view and a technique call for: the frame driver runs exactly these.
 
-use crate::{Doubt, MapSource, MapTest, PackStats, PassKind, Removal, Resolve, Technique};
+use crate::{Doubt, FarLevel, MapSource, MapTest, PackStats, PassKind, Removal, Resolve, Technique};
 
 /// One effect, needed or not, with the reason.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +52,10 @@ pub struct EffectPlan {
     pub color_textures: bool,
     /// A depth map is drawn, for this test.
     pub map: Option<(MapTest, MapSource)>,
+    /// Maps of the light: levels of a cascade.
+    pub levels: u32,
+    /// Every pixel looks for its level; off, one map answers all.
+    pub level_search: bool,
     /// Doubted pixels are compacted into a list.
     pub doubt_list: bool,
     /// Every light-facing pixel is traced, without a list.
@@ -76,11 +80,15 @@ impl EffectPlan {
         let trace_all = technique.doubt == Doubt::Always;
         let size = technique.map_size.unwrap_or(map_size);
         let is_prefiltered = matches!(map, Some((_, MapSource::Prefiltered)));
+        let levels = if map.is_some() { technique.cascades.maps() } else { 0 };
+        let map_bytes = u64::from(levels) * u64::from(size) * u64::from(size);
         let mut plan = Self {
             alpha_test: s.masked_triangles > 0,
             instances: s.instanced_meshes > 0,
             color_textures: s.color_texel_bytes > 0,
             map,
+            levels,
+            level_search: technique.cascades.count > 1,
             doubt_list,
             trace_all,
             mask: technique.mask.map(|m| MaskEffects {
@@ -90,7 +98,7 @@ impl EffectPlan {
                 removes: m.removal != Removal::Never,
             }),
             object_motion: technique.mask.is_some() && sequence.objects_move,
-            reuse: map.is_some() && technique.reuse && sequence.is_played && !sequence.objects_move,
+            reuse: map.is_some() && technique.reuse && sequence.is_played,
             tint: s.is_translucency_traced && s.translucent_triangles > 0,
             effects: Vec::new(),
         };
@@ -123,7 +131,17 @@ impl EffectPlan {
             "depth map",
             map.is_some(),
             map.map_or("the technique asks no map".to_owned(), |(t, _)| format!("estimate is {}", t.id())),
-            format!("1 pass, {}", bytes(u64::from(size) * u64::from(size) * 4)),
+            format!("1 pass, {}", bytes(map_bytes * 4)),
+        );
+        list(
+            "cascades",
+            technique.cascades.count > 1,
+            match (technique.cascades.count, technique.cascades.far) {
+                (1, _) => "one map for all that the camera sees".to_owned(),
+                (n, FarLevel::Map) => format!("{n} levels, each with a map"),
+                (n, FarLevel::Rays) => format!("{n} levels, the last one traced"),
+            },
+            "1 binding, a projection a level and pixel, a map a level".to_owned(),
         );
         list(
             "pre-filter",
@@ -134,7 +152,7 @@ impl EffectPlan {
                 "vectors are made from gathered depths"
             }
             .to_owned(),
-            format!("2 passes, {}", bytes(u64::from(size) * u64::from(size) * 32)),
+            format!("2 passes, {}", bytes(map_bytes * 32)),
         );
         list(
             "doubt list",
@@ -177,7 +195,9 @@ impl EffectPlan {
                 (None, ..) => "the technique asks no map",
                 (_, false, _) => "the technique draws its map every frame",
                 (_, _, Sequence { is_played: false, .. }) => "a single frame",
-                (_, _, Sequence { objects_move: true, .. }) => "casters move",
+                (_, _, Sequence { objects_move: true, .. }) => {
+                    "several frames; casters that move are drawn over those at rest"
+                }
                 _ => "several frames, casters at rest",
             }
             .to_owned(),

@@ -4,7 +4,7 @@ use std::{collections::HashMap, time::Instant};
 
 use lt_mask::DEPTH_CONSISTENCY_TOLERANCE;
 use lt_math::glam::{UVec2, Vec3, Vec4};
-use lt_scene::{Camera, LightKind, Scene};
+use lt_scene::{Bounds, Camera, LightKind, Scene};
 use lt_shaders::abi::{
     CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams,
 };
@@ -12,7 +12,11 @@ use lt_shaders::abi::{
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
     Backend, BackendKind, EffectPlan, Frame, FrameJob, LightFit, PackStats, PackedScene, Removal,
-    RenderError, Sequence, Setup, Technique, cpu::CpuBackend, fit_directional, light_fit::fit_kept,
+    RenderError, Sequence, Setup, Technique,
+    cpu::CpuBackend,
+    fit_directional,
+    levels::{Levels, View, fit_levels, keep_levels},
+    light_fit::fit_kept,
 };
 
 /// What preparing the scene took.
@@ -55,7 +59,7 @@ pub struct Session {
 
 /// What planning and fitting need of a scene once the backend owns its buffers.
 struct PackedSummary {
-    bounds: lt_scene::Bounds,
+    bounds: Bounds,
     stats: PackStats,
     root: u32,
 }
@@ -77,7 +81,10 @@ struct LastFrame {
     view: u64,
     pose: u64,
     camera: CameraParams,
-    map: Option<(LightFit, u32)>,
+    /// The levels of the light's map and their size; empty without a map.
+    levels: (Vec<LightFit>, u32),
+    /// A box of all casters that the levels' depths were fitted to.
+    casters: Bounds,
 }
 
 impl Session {
@@ -251,52 +258,74 @@ impl Session {
         // Drawn once more, the same view is its own past: nothing has moved since.
         plan.object_motion &= slot.last.as_ref().is_none_or(|l| l.view != self.view);
         let map_size = technique.map_size.unwrap_or(self.setup.map_size);
-        let kept = slot.last.as_ref().and_then(|l| l.map).filter(|(fit, size)| {
-            plan.reuse
-                && *size == map_size
-                && fit.serves(self.scene.bounds, &self.camera, sun_direction(&self.setup), map_size)
-        });
-        let fit = match kept {
-            Some((fit, _)) => fit,
-            None if plan.reuse => {
-                fit_kept(self.scene.bounds, &self.camera, sun_direction(&self.setup), map_size)
-            }
-            None => self.light_fit(map_size),
+        let last = slot.last.as_ref().filter(|l| plan.reuse && l.levels.1 == map_size);
+        // A caster outside the box that the kept maps were drawn of may lie before their near planes.
+        let kept = last.filter(|l| encloses(l.casters, self.scene.bounds)).map_or(&[][..], |l| &l.levels.0);
+        let levels = self.levels(technique, &plan, map_size, kept);
+        let casters = match last {
+            Some(last) if levels.draws.is_empty() => last.casters,
+            _ => self.scene.bounds,
         };
+        let has_moved = last.is_some_and(|l| l.pose != self.pose);
+        let can_refresh = |level: &u32| {
+            has_moved && !levels.draws.contains(level) && levels.fits[*level as usize].extent_world.x > 0.0
+        };
+        let refreshes = (0..levels.fits.len() as u32).filter(can_refresh).collect();
+        let projection = levels.fits.first().map_or(bytemuck::Zeroable::zeroed(), |fit| fit.projection);
         let test = technique.map_test().map_or(Vec4::ZERO, |(test, _)| test_params(test));
         let shadow = ShadowParams {
-            projection: fit.projection,
+            projection,
             light: homogeneous_light(&self.setup),
             test,
             size: self.setup.size,
             map_size,
             epsilon: technique.epsilon,
             root: self.scene.root,
+            level_count: levels.fits.len() as u32,
+            fade_uv: technique.cascades.fade,
             pad0: 0,
-            pad1: 0,
-            pad2: 0,
         };
+        let depth_params =
+            |fit: &LightFit| DepthParams { projection: fit.projection, map_size, pad0: 0, pad1: 0, pad2: 0 };
         let map = technique.map_test().map(|_| DepthMapJob {
-            depth: DepthParams { projection: fit.projection, map_size, pad0: 0, pad1: 0, pad2: 0 },
+            levels: levels.fits.iter().map(depth_params).collect(),
+            draws: levels.draws,
+            refreshes,
             filter: FilterParams { test, map_size, sigma: FILTER_SIGMA, pad: UVec2::ZERO },
         });
-        let mask = technique.mask.map(|m| self.mask_params(&m, &slot, (fit, map_size)));
-        let job = FrameJob {
-            plan,
-            shadow,
-            draws_map: map.is_some() && kept.is_none(),
-            map,
-            mask,
-            slot: slot.index,
-        };
+        let mask = technique.mask.map(|m| self.mask_params(&m, &slot, (&levels.fits, map_size)));
+        let job = FrameJob { plan, shadow, map, mask, slot: slot.index };
         slot.frame = slot.frame.wrapping_add(1);
         slot.last = Some(LastFrame {
             view: self.view,
             pose: self.pose,
             camera: self.camera,
-            map: technique.map_test().map(|_| (fit, map_size)),
+            levels: (levels.fits, map_size),
+            casters,
         });
         (job, slot)
+    }
+
+    /// Where the maps of a technique look in its next frame, and which of them must be drawn.
+    fn levels(&self, technique: &Technique, plan: &EffectPlan, map_size: u32, kept: &[LightFit]) -> Levels {
+        let (scene, camera, direction) = (self.scene.bounds, &self.camera, sun_direction(&self.setup));
+        if plan.map.is_none() {
+            return Levels { fits: Vec::new(), draws: Vec::new() };
+        }
+        if technique.cascades.count > 1 {
+            let view = View { scene, camera, direction, map_size };
+            return match plan.reuse {
+                true => keep_levels(view, &technique.cascades, kept),
+                false => fit_levels(view, &technique.cascades),
+            };
+        }
+        match kept.first().filter(|fit| fit.serves(scene, camera, direction, map_size)) {
+            Some(fit) => Levels { fits: vec![*fit], draws: Vec::new() },
+            None if plan.reuse => {
+                Levels { fits: vec![fit_kept(scene, camera, direction, map_size)], draws: vec![0] }
+            }
+            None => Levels { fits: vec![self.light_fit(map_size)], draws: vec![0] },
+        }
     }
 
     /// What a technique kept, less what this view cannot follow.
@@ -313,10 +342,10 @@ impl Session {
         slot
     }
 
-    fn mask_params(&self, mask: &crate::TemporalMask, slot: &Slot, map: (LightFit, u32)) -> MaskParams {
+    fn mask_params(&self, mask: &crate::TemporalMask, slot: &Slot, map: (&[LightFit], u32)) -> MaskParams {
         let last = slot.last.as_ref();
         // Where the map or a caster changed, what a ray found in the last frame says nothing certain about this one.
-        let is_still = last.is_some_and(|l| l.map == Some(map) && l.pose == self.pose);
+        let is_still = last.is_some_and(|l| (&l.levels.0[..], l.levels.1) == map && l.pose == self.pose);
         let mut flags = 0;
         if last.is_some() {
             flags |= MaskParams::HAS_HISTORY;
@@ -333,7 +362,7 @@ impl Session {
             light: homogeneous_light(&self.setup),
             frame: slot.frame,
             still_pattern: mask.pattern.to_index(),
-            moving_pattern: mask.moving_pattern.to_index(),
+            moving_pattern: mask.moving_pattern_for(self.scene.stats.masked_triangles > 0).to_index(),
             flags,
             depth_tolerance: DEPTH_CONSISTENCY_TOLERANCE,
             pad0: 0,
@@ -365,6 +394,11 @@ fn make_backend(packed: PackedScene, kind: BackendKind) -> Result<Box<dyn Backen
         }
         BackendKind::Auto => Ok(Box::new(CpuBackend::new(packed))),
     }
+}
+
+/// Whether one box lies in another, surfaces included.
+fn encloses(outer: Bounds, inner: Bounds) -> bool {
+    outer.contains(inner.min) && outer.contains(inner.max)
 }
 
 fn sun_direction(setup: &Setup) -> Vec3 {

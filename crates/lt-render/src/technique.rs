@@ -5,6 +5,8 @@ use std::{fmt, str::FromStr};
 use lt_mask::Pattern;
 use lt_math::LTT_EPSILON;
 
+use crate::{Cascades, FarLevel};
+
 /// How a map answers the shadow test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MapTest {
@@ -111,8 +113,8 @@ pub struct TemporalMask {
     pub removal: Removal,
     /// Neighbours asked where pixels stand still.
     pub pattern: Pattern,
-    /// Neighbours asked where pixels move.
-    pub moving_pattern: Pattern,
+    /// Neighbours asked where pixels move; `None` leaves it to the scene ([`TemporalMask::moving_pattern_for`]).
+    pub moving_pattern: Option<Pattern>,
     /// The temporal depth test: a pixel where the last frame saw another surface counts as not found.
     pub depth_test: bool,
 }
@@ -126,9 +128,15 @@ impl TemporalMask {
             expands: true,
             removal: Removal::Still,
             pattern: Pattern::GATHER_2X2,
-            moving_pattern: Pattern::FULL_3X3,
+            moving_pattern: None,
             depth_test: matches!(test, MapTest::Esm | MapTest::Msm | MapTest::MsmHausdorff),
         }
+    }
+
+    /// Neighbours asked where pixels move: leaves have edges everywhere, and a wider look pays for its rays there.
+    pub fn moving_pattern_for(&self, has_holes: bool) -> Pattern {
+        let by_scene = if has_holes { Pattern::DIAMOND } else { Pattern::FULL_3X3 };
+        self.moving_pattern.unwrap_or(by_scene)
     }
 }
 
@@ -145,6 +153,8 @@ pub struct Technique {
     pub resolve: Resolve,
     /// Whether a map is kept from frame to frame while it covers what the camera sees; else it is drawn every frame.
     pub reuse: bool,
+    /// Levels of a directional light's map.
+    pub cascades: Cascades,
     /// LTT's ε, in (0, 0.5).
     pub epsilon: f32,
     /// Map resolution if it differs from the setup's.
@@ -172,6 +182,7 @@ impl Technique {
         mask: None,
         resolve: Resolve::Ray,
         reuse: true,
+        cascades: Cascades::ONE,
         epsilon: LTT_EPSILON,
         map_size: None,
     };
@@ -184,6 +195,7 @@ impl Technique {
             mask: None,
             resolve: Resolve::None,
             reuse: true,
+            cascades: Cascades::ONE,
             epsilon: LTT_EPSILON,
             map_size: None,
         }
@@ -197,6 +209,7 @@ impl Technique {
             mask: None,
             resolve: Resolve::Ray,
             reuse: true,
+            cascades: Cascades::ONE,
             epsilon: LTT_EPSILON,
             map_size: None,
         }
@@ -236,11 +249,16 @@ impl Technique {
     }
 
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 11] {
+    pub fn modifiers() -> [(&'static str, &'static str); 16] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
             ("map=N", "map resolution, a multiple of 64 up to 16384"),
+            ("cascades=N", "levels of a directional light's map, 1 to 16"),
+            ("lambda=X", "share of logarithmic against linear splits, 0 to 1 (default 0.85)"),
+            ("splits=A/B/…", "view depths where levels meet, instead of cascades= and lambda="),
+            ("far=map|ray", "what answers in the last level: a map, or rays for all of it"),
+            ("fade=X", "maps without doubt: fade to light over this share of the last level's width"),
             ("no-reuse", "over several frames: draw the map every frame instead of keeping it while it fits"),
             ("no-rr", "lt-: remove no rays"),
             ("no-er", "lt-: expand no rays"),
@@ -251,9 +269,13 @@ impl Technique {
             (
                 "pattern=P",
                 "lt-: neighbours asked where pixels stand still: 3x3, plus, cross, checkerboard, alternating, \
-                 gather (default: a 2×2 jittered over 4 frames), 5x5",
+                 gather (default: a 2×2 jittered over 4 frames), 5x5, diamond (13 within two steps)",
             ),
-            ("moving=P", "lt-: neighbours asked where pixels move: the same names (default 3x3)"),
+            (
+                "moving=P",
+                "lt-: neighbours asked where pixels move: the same names (default 3x3; diamond where casters have \
+                 holes)",
+            ),
             (
                 "depth-test",
                 "lt-: a pixel that the last frame saw at another depth counts as new (default: esm, msm)",
@@ -291,6 +313,7 @@ impl fmt::Display for Technique {
                 if !self.reuse {
                     write!(f, ":no-reuse")?;
                 }
+                self.cascades.write(&Cascades::ONE, f)?;
             }
         }
         if self.epsilon != LTT_EPSILON {
@@ -308,7 +331,7 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
     let mut base = *default;
     if mask.removal == Removal::Published {
         write!(f, ":published")?;
-        base = TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..base };
+        base = TemporalMask { removal: Removal::Published, moving_pattern: Some(mask.pattern), ..base };
     }
     if mask.removal == Removal::Never {
         write!(f, ":no-rr")?;
@@ -319,8 +342,8 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
     if mask.pattern != base.pattern {
         write!(f, ":pattern={}", pattern_name(mask.pattern))?;
     }
-    if mask.moving_pattern != base.moving_pattern {
-        write!(f, ":moving={}", pattern_name(mask.moving_pattern))?;
+    if let Some(pattern) = mask.moving_pattern.filter(|_| mask.moving_pattern != base.moving_pattern) {
+        write!(f, ":moving={}", pattern_name(pattern))?;
     }
     match (mask.depth_test, base.depth_test) {
         (true, false) => write!(f, ":depth-test"),
@@ -330,7 +353,7 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
 }
 
 /// Patterns by the names that ids use.
-const PATTERNS: [(&str, Pattern); 7] = [
+const PATTERNS: [(&str, Pattern); 8] = [
     ("3x3", Pattern::FULL_3X3),
     ("plus", Pattern::PLUS),
     ("cross", Pattern::CROSS),
@@ -338,6 +361,7 @@ const PATTERNS: [(&str, Pattern); 7] = [
     ("alternating", Pattern::ALTERNATING),
     ("gather", Pattern::GATHER_2X2),
     ("5x5", Pattern::FULL_5X5),
+    ("diamond", Pattern::DIAMOND),
 ];
 
 fn pattern_name(pattern: Pattern) -> &'static str {
@@ -369,6 +393,12 @@ impl FromStr for Technique {
         }
         if technique.mask.is_some_and(|m| !m.expands && m.removal == Removal::Never) {
             return Err(fail("`no-er` and `no-rr` together leave no mask: use the ltt- technique".into()));
+        }
+        let cascades = &technique.cascades;
+        if cascades.far == FarLevel::Rays && (cascades.count < 2 || technique.doubt == Doubt::Never) {
+            return Err(fail(
+                "`far=ray` needs rays (an ltt- or lt- technique) and at least cascades=2".into(),
+            ));
         }
         Ok(technique)
     }
@@ -407,6 +437,12 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
             technique.map_size = Some(parse_map_size(value)?);
         }
         "map" => return Err("`map` needs a technique that draws a map".into()),
+        "cascades" | "lambda" | "splits" | "far" | "fade" if technique.estimate == Estimate::None => {
+            return Err(format!("`{key}` needs a technique that draws a map"));
+        }
+        "fade" if technique.doubt != Doubt::Never => {
+            return Err("`fade` needs a map alone, such as evsm: a doubted edge is traced".into());
+        }
         "no-reuse" if technique.estimate != Estimate::None => technique.reuse = false,
         "no-reuse" => return Err("`no-reuse` needs a technique that draws a map".into()),
         "no-rr" | "no-er" | "published" | "pattern" | "moving" | "depth-test" | "no-depth-test" => {
@@ -417,20 +453,26 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                 "no-rr" => mask.removal = Removal::Never,
                 "no-er" => mask.expands = false,
                 "published" => {
-                    *mask =
-                        TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..*mask };
+                    *mask = TemporalMask {
+                        removal: Removal::Published,
+                        moving_pattern: Some(mask.pattern),
+                        ..*mask
+                    };
                 }
                 "pattern" => {
                     mask.pattern = parse_pattern(key, value)?;
                     if mask.removal == Removal::Published {
-                        mask.moving_pattern = mask.pattern;
+                        mask.moving_pattern = Some(mask.pattern);
                     }
                 }
-                "moving" => mask.moving_pattern = parse_pattern(key, value)?,
+                "moving" => mask.moving_pattern = Some(parse_pattern(key, value)?),
                 _ => mask.depth_test = key == "depth-test",
             }
         }
         _ => {
+            if let Some(result) = technique.cascades.apply(key, value) {
+                return result;
+            }
             let known: Vec<&str> = Technique::modifiers().iter().map(|m| m.0).collect();
             return Err(format!("unknown modifier `{modifier}`; known: {}", known.join(", ")));
         }
@@ -464,6 +506,9 @@ mod tests {
             "sm:no-reuse:map=512",
             "lt-evsm:no-rr:pattern=3x3:moving=5x5:depth-test",
             "lt-msm:prefiltered:no-er:pattern=plus:no-depth-test:no-reuse:eps=0.02",
+            "lt-evsm:cascades=4:lambda=0.5:far=ray",
+            "ltt-vsm:splits=5/20/60.5:far=ray",
+            "sm:cascades=3:fade=0.1:map=512",
             "lt-esm:published",
             "lt-esm:published:pattern=alternating:moving=cross",
         ] {
@@ -486,6 +531,17 @@ mod tests {
             "lt-evsm:pattern=2x2",
             "lt-evsm:no-er:no-rr",
             "ray:no-reuse",
+            "ray:cascades=2",
+            "sm:cascades=0",
+            "sm:cascades=17",
+            "sm:cascades=2:far=ray",
+            "ltt-evsm:far=ray",
+            "ltt-evsm:cascades=2:far=sky",
+            "ltt-evsm:fade=0.1",
+            "sm:splits=5/5",
+            "sm:splits=0",
+            "sm:splits=1/x",
+            "sm:lambda=2",
         ] {
             assert!(id.parse::<Technique>().unwrap_err().problem.len() > 20, "{id}");
         }

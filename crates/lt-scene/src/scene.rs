@@ -22,6 +22,11 @@ impl Bounds {
         self.min.cmpgt(self.max).any()
     }
 
+    /// Whether `p` lies in it, its surface included; not so for NaN.
+    pub fn contains(&self, p: Vec3) -> bool {
+        p.cmpge(self.min).all() && p.cmple(self.max).all()
+    }
+
     /// The smallest box that also holds `p`; a point that is not finite is ignored.
     pub fn including(self, p: Vec3) -> Self {
         if !p.is_finite() {

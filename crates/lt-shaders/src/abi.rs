@@ -65,7 +65,7 @@ pub struct CameraParams {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct ShadowParams {
-    /// World to light map.
+    /// World to light map; variants with levels read a list of projections instead.
     pub projection: LightProjection,
     /// Homogeneous light: `xyz` with `w = 0` is the unit direction *to* a directional light, with `w = 1` the position
     /// of a point or spot light. The vector from p to the light is `xyz − w·p` either way.
@@ -80,12 +80,13 @@ pub struct ShadowParams {
     pub epsilon: f32,
     /// First node of the tree to walk: the TLAS, or the one world-space tree.
     pub root: u32,
+    /// Levels of the light's map (cascades); read by variants with levels only.
+    pub level_count: u32,
+    /// Width of the last level's border over which an estimate without doubt fades to light, in uv; 0 for none. Read by
+    /// variants with levels only.
+    pub fade_uv: f32,
     /// Explicit padding: a scalar, because uniform arrays would need a stride of 16.
     pub pad0: u32,
-    /// Explicit padding.
-    pub pad1: u32,
-    /// Explicit padding.
-    pub pad2: u32,
 }
 
 /// Vertex attributes, indexed by `lt_bvh::Triangle::i0…i2`.

@@ -2,8 +2,8 @@
 
 use lt_math::glam::{IVec2, Vec2, Vec3, Vec4};
 use lt_math::{
-    Esm, Evsm, Footprint, LightProjection, MsmHamburger, MsmHausdorff, Pcf, ShadowTest, Sm, Vsm,
-    bilinear_footprint, needs_ray,
+    Esm, Evsm, Footprint, LevelSource, LightPoint, LightProjection, MsmHamburger, MsmHausdorff, OneLevel,
+    Pcf, ShadowTest, Sm, Vsm, bilinear_footprint, needs_ray,
 };
 
 use crate::abi::{Sample, ShadowParams};
@@ -114,20 +114,34 @@ impl TestFromParams for MsmHausdorff {
 
 /// What the evaluate pass reads of a map.
 pub trait MapSource: Copy {
-    /// v̂ at a footprint of a square map.
-    fn visibility<T: TestFromParams>(&self, test: T, footprint: Footprint, map_size: u32, depth: f32) -> f32;
+    /// v̂ at a footprint of a square map, `level` maps past the first.
+    fn visibility<T: TestFromParams>(
+        &self,
+        test: T,
+        footprint: Footprint,
+        map_size: u32,
+        level: u32,
+        depth: f32,
+    ) -> f32;
 }
 
-/// Plain depths, row by row: the four of the footprint become vectors here.
+/// Plain depths, row by row and map after map: the four of the footprint become vectors here.
 #[derive(Clone, Copy)]
 pub struct GatheredDepths<'a> {
-    /// `map_size²` depths.
+    /// `map_size²` depths a map.
     pub depths: &'a [f32],
 }
 
 impl MapSource for GatheredDepths<'_> {
-    fn visibility<T: TestFromParams>(&self, test: T, footprint: Footprint, map_size: u32, depth: f32) -> f32 {
-        let i = quad_indices(footprint.texel, map_size);
+    fn visibility<T: TestFromParams>(
+        &self,
+        test: T,
+        footprint: Footprint,
+        map_size: u32,
+        level: u32,
+        depth: f32,
+    ) -> f32 {
+        let i = level_quad_indices(footprint.texel, map_size, level);
         let depths = Vec4::new(
             self.depths[i[0] as usize],
             self.depths[i[1] as usize],
@@ -138,16 +152,23 @@ impl MapSource for GatheredDepths<'_> {
     }
 }
 
-/// Pre-filtered depth vectors, row by row.
+/// Pre-filtered depth vectors, row by row and map after map.
 #[derive(Clone, Copy)]
 pub struct FilteredVectors<'a> {
-    /// `map_size²` vectors.
+    /// `map_size²` vectors a map.
     pub vectors: &'a [Vec4],
 }
 
 impl MapSource for FilteredVectors<'_> {
-    fn visibility<T: TestFromParams>(&self, test: T, footprint: Footprint, map_size: u32, depth: f32) -> f32 {
-        let i = quad_indices(footprint.texel, map_size);
+    fn visibility<T: TestFromParams>(
+        &self,
+        test: T,
+        footprint: Footprint,
+        map_size: u32,
+        level: u32,
+        depth: f32,
+    ) -> f32 {
+        let i = level_quad_indices(footprint.texel, map_size, level);
         let w = footprint.weights;
         let blended = self.vectors[i[0] as usize] * w.x
             + self.vectors[i[1] as usize] * w.y
@@ -165,6 +186,14 @@ pub fn quad_indices(texel: IVec2, map_size: u32) -> [u32; 4] {
     let high = (texel + IVec2::ONE).clamp(IVec2::ZERO, IVec2::splat(last)).as_uvec2();
     let (row0, row1) = (low.y * map_size, high.y * map_size);
     [row0 + low.x, row0 + high.x, row1 + low.x, row1 + high.x]
+}
+
+/// [`quad_indices`] in maps that follow one another.
+#[inline]
+fn level_quad_indices(texel: IVec2, map_size: u32, level: u32) -> [u32; 4] {
+    let first = level * map_size * map_size;
+    let i = quad_indices(texel, map_size);
+    [i[0] + first, i[1] + first, i[2] + first, i[3] + first]
 }
 
 /// Depth by which the plane with this normal falls off over one texel along x and along y, added and capped:
@@ -192,28 +221,81 @@ pub fn doubt(visibility: f32, epsilon: f32) -> Verdict {
     Verdict { visibility: if is_between { visibility } else { Verdict::UNJUDGED }, is_doubted: true }
 }
 
-/// Estimate and doubt of one pixel by a map; with `LTT` off nothing is ever doubted.
+/// [`plane_slope`] for any map, at the place of a sample: from the map's derivatives there.
+#[inline]
+pub fn plane_slope_at(
+    projection: &LightProjection,
+    sample: &Sample,
+    point: &LightPoint,
+    map_size: u32,
+) -> f32 {
+    let along = projection.row_w.truncate();
+    let w = along.dot(sample.position) + projection.row_w.w;
+    // How u and v grow along world axes.
+    let u = (projection.row_x.truncate() - along * point.uv.x) / w;
+    let v = (projection.row_y.truncate() - along * point.uv.y) / w;
+    let depth = projection.row_z.truncate();
+    // In the plane: a step across v, along which u alone grows, and one across u.
+    let (across_v, across_u) = (v.cross(sample.normal), u.cross(sample.normal));
+    let per = |step: Vec3, axis: Vec3| (depth.dot(step) / axis.dot(step)).abs();
+    let slope = (per(across_v, u) + per(across_u, v)) / map_size as f32;
+    if slope < MAX_SLOPE { slope } else { MAX_SLOPE }
+}
+
+/// Estimate and doubt of one pixel by the one map of a directional light; with `LTT` off nothing is ever doubted.
+#[inline]
 pub fn evaluate<T: TestFromParams, M: MapSource, const LTT: bool>(
     sample: &Sample,
     p: &ShadowParams,
     map: M,
 ) -> Verdict {
+    evaluate_levels::<T, M, OneLevel, LTT>(sample, p, map, OneLevel { projection: p.projection })
+}
+
+/// Estimate and doubt of one pixel by the level that answers for it; with `LTT` off nothing is ever doubted.
+///
+/// A pixel on no level is doubted and unjudged, or lit with `LTT` off.
+pub fn evaluate_levels<T: TestFromParams, M: MapSource, L: LevelSource, const LTT: bool>(
+    sample: &Sample,
+    p: &ShadowParams,
+    map: M,
+    levels: L,
+) -> Verdict {
     let (verdict, is_settled) = settle(sample, p.light);
     if is_settled {
         return verdict;
     }
-    let point = p.projection.project(sample.position);
+    let found = levels.find(sample.position, p.map_size);
+    let point = found.point;
     if !point.is_inside {
         return Verdict { visibility: if LTT { Verdict::UNJUDGED } else { 1.0 }, is_doubted: LTT };
     }
     let mut depth = point.depth;
     if T::PLANE_BIAS_TEXELS > 0.0 {
-        depth -= T::PLANE_BIAS_TEXELS * plane_slope(&p.projection, sample.normal, p.map_size);
+        let projection = levels.projection(found.level);
+        let is_straight = !L::MAY_BE_PERSPECTIVE || projection.row_w.truncate() == Vec3::ZERO;
+        depth -= T::PLANE_BIAS_TEXELS
+            * if is_straight {
+                plane_slope(&projection, sample.normal, p.map_size)
+            } else {
+                plane_slope_at(&projection, sample, &point, p.map_size)
+            };
     }
     let footprint = bilinear_footprint(point.uv * Vec2::splat(p.map_size as f32));
-    let visibility = map.visibility(T::from_params(p.test), footprint, p.map_size, depth);
+    let visibility = map.visibility(T::from_params(p.test), footprint, p.map_size, found.level, depth);
     if LTT {
         return doubt(visibility, p.epsilon);
     }
+    if L::MAY_BE_PERSPECTIVE && p.fade_uv > 0.0 && levels.is_last(found.level) {
+        return Verdict { visibility: faded(visibility, point.uv, p.fade_uv), is_doubted: false };
+    }
     Verdict { visibility, is_doubted: false }
+}
+
+/// A visibility that goes over to light towards the edge of a map, over a border this wide.
+#[inline]
+fn faded(visibility: f32, uv: Vec2, fade_uv: f32) -> f32 {
+    let lesser = |a: f32, b: f32| if a < b { a } else { b };
+    let to_edge = lesser(lesser(uv.x, 1.0 - uv.x), lesser(uv.y, 1.0 - uv.y));
+    if to_edge < fade_uv { 1.0 - (1.0 - visibility) * (to_edge / fade_uv) } else { visibility }
 }

@@ -10,17 +10,17 @@
 //! first, which knows three kinds of footprint whose answer is certain.
 
 use lt_math::glam::{Mat4, Vec4};
-use lt_math::{Evsm, Vsm, chebyshev, float};
+use lt_math::{Evsm, Levels, LightProjection, Vsm, chebyshev, float, level_margin_uv};
 use lt_shaders::abi::{Sample, ShadowParams};
-use lt_shaders::evaluate::{GatheredDepths, TestFromParams, Verdict, doubt, evaluate};
+use lt_shaders::evaluate::{GatheredDepths, TestFromParams, Verdict, doubt, evaluate, evaluate_levels};
 
 use super::shortcut::Shortcut;
 
 /// Pixels of a batch: its arrays stay in the first-level cache. Measured: 128 take 1.4 times as long, 32 as long.
-const BATCH: usize = 64;
+pub(super) const BATCH: usize = 64;
 
 /// A number for every pixel of a batch.
-type Lanes = [f32; BATCH];
+pub(super) type Lanes = [f32; BATCH];
 
 /// Estimate and doubt of many pixels from a map of plain depths, by a test that has a batch form.
 ///
@@ -36,28 +36,67 @@ pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    assert!(
-        depths.len() == (p.map_size as usize).pow(2),
-        "{} depths, {}² expected",
-        depths.len(),
-        p.map_size
-    );
+    let maps = Maps { projections: &[p.projection], depths, margin_uv: None };
+    evaluate_on::<T, LTT>(samples, p, maps, visibility, is_doubted);
+}
+
+/// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of [`evaluate_levels`].
+///
+/// `depths` are `p.map_size`² in rows for each level.
+///
+/// # Panics
+/// If the lengths disagree.
+pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
+    samples: &[Sample],
+    p: &ShadowParams,
+    projections: &[LightProjection],
+    depths: &[f32],
+    visibility: &mut [f32],
+    is_doubted: &mut [bool],
+) {
+    let maps = Maps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) };
+    if !LTT && p.fade_uv > 0.0 {
+        // A fading edge is rare, and needs no speed: a map alone shows it.
+        return evaluate_each::<T, LTT>(samples, p, maps, visibility, is_doubted);
+    }
+    evaluate_on::<T, LTT>(samples, p, maps, visibility, is_doubted);
+}
+
+/// What a batch reads of a light's maps.
+#[derive(Clone, Copy)]
+pub(super) struct Maps<'a> {
+    projections: &'a [LightProjection],
+    /// Map after map.
+    depths: &'a [f32],
+    /// How far from its edge a level answers; `None` for one map, all of which answers.
+    margin_uv: Option<f32>,
+}
+
+fn evaluate_on<T: BatchTest, const LTT: bool>(
+    samples: &[Sample],
+    p: &ShadowParams,
+    maps: Maps<'_>,
+    visibility: &mut [f32],
+    is_doubted: &mut [bool],
+) {
+    let expected = (p.map_size as usize).pow(2) * maps.projections.len();
+    assert!(maps.depths.len() == expected, "{} depths, {expected} expected", maps.depths.len());
     assert!(samples.len() == visibility.len() && samples.len() == is_doubted.len(), "unequal lengths");
     #[cfg(target_arch = "x86_64")]
     if x86::has_avx512() {
         // SAFETY: the processor has what the function was compiled for.
-        return unsafe { x86::evaluate_avx512::<T, LTT>(samples, p, depths, visibility, is_doubted) };
+        return unsafe { x86::evaluate_avx512::<T, LTT>(samples, p, maps, visibility, is_doubted) };
     } else if x86::has_avx2() {
         // SAFETY: as above.
-        return unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, depths, visibility, is_doubted) };
+        return unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, maps, visibility, is_doubted) };
     }
-    evaluate_all::<T, LTT>(samples, p, depths, visibility, is_doubted);
+    evaluate_all::<T, LTT>(samples, p, maps, visibility, is_doubted);
 }
 
 #[cfg(target_arch = "x86_64")]
-mod x86 {
+pub(super) mod x86 {
     //! The same loops for x86-64 extensions.
-    use super::{BatchTest, Sample, ShadowParams, evaluate_all};
+    use super::{BatchTest, Maps, Sample, ShadowParams, evaluate_all};
 
     pub fn has_avx2() -> bool {
         std::is_x86_feature_detected!("avx2")
@@ -74,22 +113,22 @@ mod x86 {
     pub fn evaluate_avx2<T: BatchTest, const LTT: bool>(
         samples: &[Sample],
         p: &ShadowParams,
-        depths: &[f32],
+        maps: Maps<'_>,
         visibility: &mut [f32],
         is_doubted: &mut [bool],
     ) {
-        evaluate_all::<T, LTT>(samples, p, depths, visibility, is_doubted);
+        evaluate_all::<T, LTT>(samples, p, maps, visibility, is_doubted);
     }
 
     #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
     pub fn evaluate_avx512<T: BatchTest, const LTT: bool>(
         samples: &[Sample],
         p: &ShadowParams,
-        depths: &[f32],
+        maps: Maps<'_>,
         visibility: &mut [f32],
         is_doubted: &mut [bool],
     ) {
-        evaluate_all::<T, LTT>(samples, p, depths, visibility, is_doubted);
+        evaluate_all::<T, LTT>(samples, p, maps, visibility, is_doubted);
     }
 }
 
@@ -98,7 +137,7 @@ mod x86 {
 fn evaluate_all<T: BatchTest, const LTT: bool>(
     samples: &[Sample],
     p: &ShadowParams,
-    depths: &[f32],
+    maps: Maps<'_>,
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
@@ -113,7 +152,7 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
         // Whole batches of sky, or of what faces away, need no map.
         let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
         let answers = if is_any_open {
-            footprints.fill(&rows, p, depths, &mut states);
+            footprints.fill(&rows, p, maps, &mut states);
             test.visibility_of_footprints::<LTT>(&footprints, &states, p.epsilon)
         } else {
             [0.0; BATCH]
@@ -131,22 +170,37 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
             is_doubted[i] = LTT && ((states[i] == MAPPED && verdict.is_doubted) || states[i] == OUTSIDE);
         }
     }
-    let map = GatheredDepths { depths };
-    for ((sample, visibility), is_doubted) in rest.iter().zip(lit_rest).zip(doubted_rest) {
-        let verdict = evaluate::<T, _, LTT>(sample, p, map);
+    evaluate_each::<T, LTT>(rest, p, maps, lit_rest, doubted_rest);
+}
+
+/// By the shared function.
+fn evaluate_each<T: BatchTest, const LTT: bool>(
+    samples: &[Sample],
+    p: &ShadowParams,
+    maps: Maps<'_>,
+    visibility: &mut [f32],
+    is_doubted: &mut [bool],
+) {
+    let map = GatheredDepths { depths: maps.depths };
+    let levels = Levels { projections: maps.projections, count: maps.projections.len() as u32 };
+    for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
+        let verdict = match maps.margin_uv {
+            None => evaluate::<T, _, LTT>(sample, p, map),
+            Some(_) => evaluate_levels::<T, _, _, LTT>(sample, p, map, levels),
+        };
         *visibility = verdict.visibility;
         *is_doubted = verdict.is_doubted;
     }
 }
 
 /// Settled: nothing visible, or facing away.
-const BLOCKED: u32 = 0;
+pub(super) const BLOCKED: u32 = 0;
 /// Settled: receives no shadow.
-const LIT: u32 = 1;
+pub(super) const LIT: u32 = 1;
 /// Not settled, and outside the map.
 const OUTSIDE: u32 = 2;
 /// For the map to say.
-const MAPPED: u32 = 3;
+pub(super) const MAPPED: u32 = 3;
 
 /// What the gathers of a batch found, seen from the receivers. Pixels that the map does not answer have numbers, too.
 pub struct Footprints {
@@ -156,16 +210,16 @@ pub struct Footprints {
 }
 
 /// The parts of a batch's samples that evaluation reads, each in a row of its own.
-struct Rows {
-    position: [Lanes; 3],
-    normal: [Lanes; 3],
+pub(super) struct Rows {
+    pub(super) position: [Lanes; 3],
+    pub(super) normal: [Lanes; 3],
     flags: [u32; BATCH],
 }
 
 impl Rows {
     /// By four samples at a time, whose vectors are transposed in registers: left alone, compilers make seven gathers.
     #[inline(always)]
-    fn of(samples: &[Sample; BATCH]) -> Self {
+    pub(super) fn of(samples: &[Sample; BATCH]) -> Self {
         let mut rows = Self { position: [[0.0; BATCH]; 3], normal: [[0.0; BATCH]; 3], flags: [0; BATCH] };
         for (group, four) in samples.as_chunks::<4>().0.iter().enumerate() {
             let at = 4 * group..4 * group + 4;
@@ -184,7 +238,7 @@ impl Rows {
 
     /// [`lt_shaders::evaluate::settle`]: `BLOCKED`, `LIT`, or `MAPPED` if that settles nothing.
     #[inline(always)]
-    fn settle(&self, light: [f32; 4]) -> [u32; BATCH] {
+    pub(super) fn settle(&self, light: [f32; 4]) -> [u32; BATCH] {
         let [x, y, z] = &self.position;
         let [nx, ny, nz] = &self.normal;
         let [lx, ly, lz, lw] = light;
@@ -205,30 +259,73 @@ fn transposed(v: [Vec4; 4]) -> [[f32; 4]; 4] {
     Mat4::from_cols(v[0], v[1], v[2], v[3]).transpose().to_cols_array_2d()
 }
 
+/// Where a batch's pixels lie on the levels that answer for them; the middle of nowhere for those on none.
+struct Places {
+    u: Lanes,
+    v: Lanes,
+    receivers: Lanes,
+    /// Number of the first texel of the level.
+    first_texels: [u32; BATCH],
+    is_inside: [bool; BATCH],
+}
+
+impl Places {
+    #[inline(always)]
+    fn new() -> Self {
+        Self {
+            u: [0.0; BATCH],
+            v: [0.0; BATCH],
+            receivers: [0.0; BATCH],
+            first_texels: [0; BATCH],
+            is_inside: [false; BATCH],
+        }
+    }
+
+    /// Moves pixels that a level holds onto it.
+    #[inline(always)]
+    fn find(&mut self, rows: &Rows, projection: &LightProjection, first_texel: u32, margin_uv: Option<f32>) {
+        let [x, y, z] = &rows.position;
+        let [row_x, row_y, row_z, row_w] =
+            [projection.row_x, projection.row_y, projection.row_z, projection.row_w].map(|r| r.to_array());
+        // Without a margin all of [0, 1] is inside: the same comparisons.
+        let margin = margin_uv.unwrap_or(0.0);
+        let (low, high) = (margin, 1.0 - margin);
+        for i in 0..BATCH {
+            let along = |r: [f32; 4]| r[0] * x[i] + r[1] * y[i] + r[2] * z[i] + r[3] * 1.0;
+            let (w, depth) = (along(row_w), along(row_z));
+            let (at_u, at_v) = (along(row_x) / w, along(row_y) / w);
+            let is_between = |x: f32| (x >= low) & (x <= high);
+            let is_unit = |x: f32| (0.0..=1.0).contains(&x);
+            let is_inside = (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
+            self.u[i] = if is_inside { at_u } else { self.u[i] };
+            self.v[i] = if is_inside { at_v } else { self.v[i] };
+            self.receivers[i] = if is_inside { depth } else { self.receivers[i] };
+            self.first_texels[i] = if is_inside { first_texel } else { self.first_texels[i] };
+            self.is_inside[i] |= is_inside;
+        }
+    }
+}
+
 impl Footprints {
     fn new() -> Self {
         Self { offsets: [[0.0; BATCH]; 4], weights: [[0.0; BATCH]; 4] }
     }
 
     /// Projects and gathers, and finds who is `OUTSIDE`.
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "four texels of a footprint lie side by side: pixel by pixel"
+    )]
     #[inline(always)]
-    fn fill(&mut self, rows: &Rows, p: &ShadowParams, depths: &[f32], states: &mut [u32; BATCH]) {
-        let [x, y, z] = &rows.position;
-        let (mut u, mut v, mut receivers) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
-        let projection = &p.projection;
-        let [row_x, row_y, row_z, row_w] =
-            [projection.row_x, projection.row_y, projection.row_z, projection.row_w].map(|r| r.to_array());
+    fn fill(&mut self, rows: &Rows, p: &ShadowParams, maps: Maps<'_>, states: &mut [u32; BATCH]) {
+        let mut places = Places::new();
+        // The finest level comes last and wins.
+        for (level, projection) in maps.projections.iter().enumerate().rev() {
+            places.find(rows, projection, level as u32 * p.map_size * p.map_size, maps.margin_uv);
+        }
+        let Places { u, v, receivers, first_texels, is_inside } = places;
         for i in 0..BATCH {
-            let along = |r: [f32; 4]| r[0] * x[i] + r[1] * y[i] + r[2] * z[i] + r[3] * 1.0;
-            let (w, depth) = (along(row_w), along(row_z));
-            let (at_u, at_v) = (along(row_x) / w, along(row_y) / w);
-            let is_unit = |x: f32| (0.0..=1.0).contains(&x);
-            let is_inside = (w > 0.0) & is_unit(at_u) & is_unit(at_v) & is_unit(depth);
-            states[i] = if (states[i] == MAPPED) & !is_inside { OUTSIDE } else { states[i] };
-            // Any place will do outside.
-            u[i] = if is_inside { at_u } else { 0.0 };
-            v[i] = if is_inside { at_v } else { 0.0 };
-            receivers[i] = if is_inside { depth } else { 0.0 };
+            states[i] = if (states[i] == MAPPED) & !is_inside[i] { OUTSIDE } else { states[i] };
         }
         let mut quads = [[0u32; BATCH]; 4];
         let (size, last) = (p.map_size as f32, p.map_size as i32 - 1);
@@ -245,6 +342,7 @@ impl Footprints {
             let (left, right) = (on_map(x0), on_map(x0 + 1));
             let (upper, lower) =
                 (on_map(y0).wrapping_mul(p.map_size), on_map(y0 + 1).wrapping_mul(p.map_size));
+            let (upper, lower) = (upper + first_texels[i], lower + first_texels[i]);
             quads[0][i] = upper + left;
             quads[1][i] = upper + right;
             quads[2][i] = lower + left;
@@ -252,7 +350,7 @@ impl Footprints {
         }
         for i in 0..BATCH {
             for k in 0..4 {
-                self.offsets[k][i] = depths[quads[k][i] as usize];
+                self.offsets[k][i] = maps.depths[quads[k][i] as usize];
             }
         }
         for row in &mut self.offsets {
@@ -469,47 +567,65 @@ mod tests {
     fn shared<T: BatchTest, const LTT: bool>(
         samples: &[Sample],
         p: &ShadowParams,
-        depths: &[f32],
+        maps: Maps<'_>,
     ) -> Vec<(f32, bool)> {
-        let map = GatheredDepths { depths };
-        let verdicts = samples.iter().map(|s| evaluate::<T, _, LTT>(s, p, map));
-        verdicts.map(|v| (v.visibility, v.is_doubted)).collect()
+        let (mut visibility, mut is_doubted) = (vec![0.5; samples.len()], vec![false; samples.len()]);
+        evaluate_each::<T, LTT>(samples, p, maps, &mut visibility, &mut is_doubted);
+        visibility.into_iter().zip(is_doubted).collect()
     }
 
-    type Level<'a> = (&'a str, &'a dyn Fn(&[Sample], &ShadowParams, &[f32], &mut [f32], &mut [bool]));
+    type Level<'a> = (&'a str, &'a dyn Fn(&[Sample], &ShadowParams, Maps<'_>, &mut [f32], &mut [bool]));
 
     fn check<T: BatchTest, const LTT: bool>(params: Vec4) {
         for count in [0, 1, BATCH - 1, BATCH, BATCH + 1, 40 * BATCH + 5] {
             let (samples, mut p, depths) = hard_case(count);
             p.test = params;
-            let expected = shared::<T, LTT>(&samples, &p, &depths);
-            let mut levels: Vec<Level<'_>> =
-                vec![("portable", &evaluate_all::<T, LTT>), ("chosen", &evaluate_batch::<T, LTT>)];
-            #[cfg(target_arch = "x86_64")]
-            if x86::has_avx2() {
-                levels.push(("avx2", &|samples, p, depths, lit, doubted| {
-                    // SAFETY: the processor has AVX2, as was asked.
-                    unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, depths, lit, doubted) }
-                }));
+            check_maps::<T, LTT>(
+                &samples,
+                &p,
+                Maps { projections: &[p.projection], depths: &depths, margin_uv: None },
+            );
+            // Levels of other sizes and places, their maps shifted against each other.
+            let frame = LightFrame::from_direction(Vec3::new(0.3, -1.0, 0.2));
+            let of = |half: f32, at: f32| {
+                LightProjection::orthographic(&frame, Vec3::splat(at - half), Vec3::splat(at + half))
+            };
+            let projections = [of(0.3, 0.1), of(0.5, -0.2), of(1.0, 0.0)];
+            let all: Vec<f32> = (0..3 * depths.len()).map(|i| depths[(i + i / 37) % depths.len()]).collect();
+            let margin_uv = Some(level_margin_uv(p.map_size));
+            check_maps::<T, LTT>(&samples, &p, Maps { projections: &projections, depths: &all, margin_uv });
+        }
+    }
+
+    fn check_maps<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, maps: Maps<'_>) {
+        let count = samples.len();
+        let expected = shared::<T, LTT>(samples, p, maps);
+        let mut levels: Vec<Level<'_>> =
+            vec![("portable", &evaluate_all::<T, LTT>), ("chosen", &evaluate_on::<T, LTT>)];
+        #[cfg(target_arch = "x86_64")]
+        if x86::has_avx2() {
+            levels.push(("avx2", &|samples, p, maps, lit, doubted| {
+                // SAFETY: the processor has AVX2, as was asked.
+                unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, maps, lit, doubted) }
+            }));
+        }
+        for (name, level) in levels {
+            let (mut lit, mut doubted) = (vec![0.25; count], vec![false; count]);
+            level(samples, p, maps, &mut lit, &mut doubted);
+            for (i, (&(v, is_doubted), (&lit, &doubted))) in
+                expected.iter().zip(lit.iter().zip(&doubted)).enumerate()
+            {
+                let is_same = v.to_bits() == lit.to_bits() || (v.is_nan() && lit.is_nan());
+                assert!(
+                    is_same && is_doubted == doubted,
+                    "{name} {i}: {lit} {doubted}, expected {v} {is_doubted}"
+                );
             }
-            for (name, level) in levels {
-                let (mut lit, mut doubted) = (vec![0.25; count], vec![false; count]);
-                level(&samples, &p, &depths, &mut lit, &mut doubted);
-                for (i, (&(v, is_doubted), (&lit, &doubted))) in
-                    expected.iter().zip(lit.iter().zip(&doubted)).enumerate()
-                {
-                    let is_same = v.to_bits() == lit.to_bits() || (v.is_nan() && lit.is_nan());
-                    assert!(
-                        is_same && is_doubted == doubted,
-                        "{name} {i}: {lit} {doubted}, expected {v} {is_doubted}"
-                    );
-                }
-            }
-            if LTT && count > 1000 {
-                let tally = |f: &dyn Fn(&(f32, bool)) -> bool| expected.iter().filter(|v| f(v)).count();
-                assert!(tally(&|v| v.1) > 50 && tally(&|v| !v.1 && v.0 == 1.0) > 50, "all kinds occur");
-                assert!(tally(&|v| !v.1 && v.0 == 0.0) > 50, "all kinds occur");
-            }
+        }
+        if LTT && count > 1000 {
+            let tally = |f: &dyn Fn(&(f32, bool)) -> bool| expected.iter().filter(|v| f(v)).count();
+            assert!(tally(&|v| v.1) > 50 && tally(&|v| !v.1 && v.0 == 1.0) > 50, "all kinds occur");
+            assert!(tally(&|v| !v.1 && v.0 == 0.0) > 50, "all kinds occur");
         }
     }
 

@@ -52,10 +52,13 @@ pub(super) struct HistoryBuffers {
     pub current: usize,
 }
 
-/// One light map.
+/// The maps of one light.
 pub(super) struct MapBuffers {
     pub size: u32,
+    pub levels: u32,
+    /// Target of one level after another.
     pub texture: wgpu::TextureView,
+    /// Level after level.
     pub depths: wgpu::Buffer,
     /// Blurred rows and blurred vectors, of a pre-filtered map.
     pub filtered: Option<[wgpu::Buffer; 2]>,
@@ -68,7 +71,17 @@ pub(super) struct DoubtBuffers {
 }
 
 impl MapBuffers {
-    /// Bytes the technique needs for its map: depths (the raster target is a copy of them) and vectors.
+    /// A level's part of a buffer of all levels.
+    pub fn part<'a>(&self, of: &'a wgpu::Buffer, level: u32) -> wgpu::BindingResource<'a> {
+        let bytes = of.size() / u64::from(self.levels);
+        wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+            buffer: of,
+            offset: bytes * u64::from(level),
+            size: std::num::NonZeroU64::new(bytes),
+        })
+    }
+
+    /// Bytes the technique needs for its maps: depths (the raster target is a copy of one of them) and vectors.
     pub fn bytes(&self) -> u64 {
         self.depths.size() + self.filtered.iter().flatten().map(wgpu::Buffer::size).sum::<u64>()
     }
@@ -182,14 +195,14 @@ impl Allocator {
         })
     }
 
-    pub fn map(&self, size: u32, is_prefiltered: bool) -> Result<MapBuffers, RenderError> {
+    pub fn map(&self, size: u32, levels: u32, is_prefiltered: bool) -> Result<MapBuffers, RenderError> {
         let most = self.device.limits().max_texture_dimension_2d;
         if size > most {
             return Err(self.error(format!(
                 "a map of {size}² texels exceeds the device's {most}²: use --map-size {most}"
             )));
         }
-        let texels = u64::from(size) * u64::from(size);
+        let texels = u64::from(size) * u64::from(size) * u64::from(levels);
         let texture = self.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("depth map"),
             size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
@@ -203,6 +216,7 @@ impl Allocator {
         let vectors = |what| self.empty(what, texels * 16, Usage::STORAGE);
         Ok(MapBuffers {
             size,
+            levels,
             texture: texture.create_view(&wgpu::TextureViewDescriptor::default()),
             depths: self.empty("depths", texels * 4, Usage::STORAGE | Usage::COPY_DST)?,
             filtered: match is_prefiltered {

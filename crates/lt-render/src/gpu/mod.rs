@@ -226,7 +226,7 @@ impl Backend for GpuBackend {
                 words.into_iter().map(MaskBits::from_bits).collect()
             }
         };
-        let map_draws = u32::from(job.draws_map);
+        let map_draws = job.map_draws();
         Ok(Frame { visibility, tint, doubt, rays, passes, map_bytes, mask, map_draws })
     }
 

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use lt_math::glam::UVec2;
-use lt_shaders::abi::{CameraParams, ShadeParams};
+use lt_shaders::abi::{CameraParams, DepthParams, ShadeParams};
 use wgpu::BufferUsages as Usage;
 
 use super::buffers::{Allocator, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers};
@@ -152,13 +152,15 @@ impl Recorder {
         }
         let slot = &mut frame.slots[job.slot];
         let is_prefiltered = job.plan.is_prefiltered();
-        match job.map {
+        match &job.map {
             None => slot.map = None,
             Some(map) => {
-                let fits =
-                    |m: &MapBuffers| m.size == map.depth.map_size && m.filtered.is_some() == is_prefiltered;
+                let (map_size, levels) = (map.map_size(), map.levels.len() as u32);
+                let fits = |m: &MapBuffers| {
+                    (m.size, m.levels, m.filtered.is_some()) == (map_size, levels, is_prefiltered)
+                };
                 if !slot.map.as_ref().is_some_and(fits) {
-                    slot.map = Some(self.allocator.map(map.depth.map_size, is_prefiltered)?);
+                    slot.map = Some(self.allocator.map(map_size, levels, is_prefiltered)?);
                 }
             }
         }
@@ -225,8 +227,39 @@ impl Recorder {
         job: &FrameJob,
     ) -> Result<(), RenderError> {
         let slot = self.slot(frame, job)?;
-        let (Some(map), Some(map_job)) = (&slot.map, job.map) else { return Err(self.unprepared()) };
-        let uniform = self.allocator.filled("depth map", &[map_job.depth], Usage::UNIFORM)?;
+        let (Some(map), Some(map_job)) = (&slot.map, &job.map) else { return Err(self.unprepared()) };
+        for level in map_job.drawn() {
+            self.draw_level(encoder, scene, map, &map_job.levels[level as usize])?;
+            encoder.copy_texture_to_buffer(
+                wgpu::TexelCopyTextureInfo {
+                    texture: map.texture.texture(),
+                    mip_level: 0,
+                    origin: wgpu::Origin3d::ZERO,
+                    aspect: wgpu::TextureAspect::DepthOnly,
+                },
+                wgpu::TexelCopyBufferInfo {
+                    buffer: &map.depths,
+                    layout: wgpu::TexelCopyBufferLayout {
+                        offset: u64::from(level) * u64::from(map.size) * u64::from(map.size) * 4,
+                        bytes_per_row: Some(map.size * 4),
+                        rows_per_image: None,
+                    },
+                },
+                map.texture.texture().size(),
+            );
+        }
+        Ok(())
+    }
+
+    /// Draws one level into the maps' texture.
+    fn draw_level(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        map: &MapBuffers,
+        p: &DepthParams,
+    ) -> Result<(), RenderError> {
+        let uniform = self.allocator.filled("depth map", &[*p], Usage::UNIFORM)?;
         let mut variants: HashMap<&str, (wgpu::RenderPipeline, wgpu::BindGroup)> = HashMap::new();
         for draw in &scene.draws {
             let name = depth_variant(scene.instances.is_some(), draw.has_holes);
@@ -262,25 +295,6 @@ impl Recorder {
             let first = draw.first_triangle * 3;
             pass.draw(first..first + draw.triangles * 3, draw.instance..draw.instance + 1);
         }
-        drop(pass);
-        let extent = map.texture.texture().size();
-        encoder.copy_texture_to_buffer(
-            wgpu::TexelCopyTextureInfo {
-                texture: map.texture.texture(),
-                mip_level: 0,
-                origin: wgpu::Origin3d::ZERO,
-                aspect: wgpu::TextureAspect::DepthOnly,
-            },
-            wgpu::TexelCopyBufferInfo {
-                buffer: &map.depths,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(map.size * 4),
-                    rows_per_image: None,
-                },
-            },
-            extent,
-        );
         Ok(())
     }
 
@@ -292,18 +306,21 @@ impl Recorder {
         job: &FrameJob,
     ) -> Result<(), RenderError> {
         let slot = self.slot(frame, job)?;
-        let (Some(map), Some(map_job), Some((test, _))) = (&slot.map, job.map, job.plan.map) else {
+        let (Some(map), Some(map_job), Some((test, _))) = (&slot.map, &job.map, job.plan.map) else {
             return Err(self.unprepared());
         };
         let Some([rows, vectors]) = &map.filtered else { return Err(self.unprepared()) };
         let uniform = self.allocator.filled("filter", &[map_job.filter], Usage::UNIFORM)?;
-        let groups = grid(UVec2::splat(map.size));
-        if kind == PassKind::FilterX {
-            let name = format!("filter_x_{}_cs", test.id().replace('-', "_"));
-            self.dispatch(encoder, &name, &[&uniform, &map.depths, rows], groups)
-        } else {
-            self.dispatch(encoder, "filter_y_cs", &[&uniform, rows, vectors], groups)
+        for level in map_job.drawn() {
+            let name = match kind {
+                PassKind::FilterX => format!("filter_x_{}_cs", test.id().replace('-', "_")),
+                _ => "filter_y_cs".to_owned(),
+            };
+            let (from, to) = if kind == PassKind::FilterX { (&map.depths, rows) } else { (rows, vectors) };
+            let resources = [uniform.as_entire_binding(), map.part(from, level), map.part(to, level)];
+            self.dispatch_resources(encoder, &name, &resources, grid(UVec2::splat(map.size)))?;
         }
+        Ok(())
     }
 
     fn evaluate(
@@ -334,7 +351,13 @@ impl Recorder {
             encoder.clear_buffer(&doubt.list, 0, Some(16));
             bindings.push(&doubt.list);
         }
-        let name = format!("evaluate_{doubt_word}{test}{suffix}_cs");
+        let levels = match job.searched_levels() {
+            Some(levels) => Some(self.allocator.filled("levels", &levels, Usage::STORAGE)?),
+            None => None,
+        };
+        bindings.extend(&levels);
+        let search = if levels.is_some() { "_levels" } else { "" };
+        let name = format!("evaluate_{doubt_word}{test}{suffix}{search}_cs");
         self.dispatch(encoder, &name, &bindings, grid(frame.size))
     }
 

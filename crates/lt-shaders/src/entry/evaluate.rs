@@ -1,18 +1,27 @@
-//! Evaluate pass: every shadow test × gathered or pre-filtered × with or without the leak tracing test.
+//! Evaluate pass: every shadow test × gathered or pre-filtered × with or without the leak tracing test × one map or levels.
 
 use lt_math::glam::{UVec3, Vec4};
-use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
+use lt_math::{Esm, Evsm, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm};
 use spirv_std::arch::IndexUnchecked;
 use spirv_std::spirv;
 
 use super::{doubt::list_pixel, pixel_index};
 use crate::{
     abi::{Sample, ShadowParams},
-    evaluate::{FilteredVectors, GatheredDepths, Verdict, evaluate},
+    evaluate::{FilteredVectors, GatheredDepths, Verdict, evaluate_levels},
 };
 
+macro_rules! levels {
+    ($p:ident, $levels:ident $binding:literal) => {
+        Levels { projections: $levels, count: $p.level_count }
+    };
+    ($p:ident) => {
+        OneLevel { projection: $p.projection }
+    };
+}
+
 macro_rules! map_entry {
-    ($name:ident, $test:ty, $texel:ty, $source:expr) => {
+    ($name:ident, $test:ty, $texel:ty, $source:expr $(, levels $levels:literal)?) => {
         /// The estimate alone.
         #[spirv(compute(threads(8, 8)))]
         pub fn $name(
@@ -21,16 +30,19 @@ macro_rules! map_entry {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] map: &[$texel],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] visibility: &mut [f32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $levels)] levels: &[LightProjection],)?
         ) {
             if let Some(i) = pixel_index(id, p.size) {
-                visibility[i] = evaluate::<$test, _, false>(&samples[i], p, $source(map)).visibility;
+                let levels = levels!(p $(, levels $levels)?);
+                visibility[i] =
+                    evaluate_levels::<$test, _, _, false>(&samples[i], p, $source(map), levels).visibility;
             }
         }
     };
 }
 
 macro_rules! ltt_entry {
-    ($name:ident, $test:ty, $texel:ty, $source:expr) => {
+    ($name:ident, $test:ty, $texel:ty, $source:expr $(, levels $levels:literal)?) => {
         /// Estimate and doubt; doubted pixels join the list.
         #[spirv(compute(threads(8, 8)))]
         pub fn $name(
@@ -42,6 +54,7 @@ macro_rules! ltt_entry {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] map: &[$texel],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] visibility: &mut [f32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] list: &mut [u32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $levels)] levels: &[LightProjection],)?
         ) {
             let mut is_doubted = false;
             let mut index = 0;
@@ -49,7 +62,8 @@ macro_rules! ltt_entry {
                 // SAFETY: the host sizes `samples` and `visibility` to the picture, and i lies in it. A checked index
                 // may leave the function before the list's barriers, which WebGPU's uniformity analysis forbids.
                 let sample = unsafe { samples.index_unchecked(i) };
-                let verdict: Verdict = evaluate::<$test, _, true>(sample, p, $source(map));
+                let levels = levels!(p $(, levels $levels)?);
+                let verdict: Verdict = evaluate_levels::<$test, _, _, true>(sample, p, $source(map), levels);
                 // SAFETY: as above.
                 unsafe { *visibility.index_unchecked_mut(i) = verdict.visibility };
                 is_doubted = verdict.is_doubted;
@@ -61,7 +75,7 @@ macro_rules! ltt_entry {
 }
 
 macro_rules! judged_entry {
-    ($name:ident, $test:ty, $texel:ty, $source:expr) => {
+    ($name:ident, $test:ty, $texel:ty, $source:expr $(, levels $levels:literal)?) => {
         /// Estimate and doubt in one number, for the mask pass.
         #[spirv(compute(threads(8, 8)))]
         pub fn $name(
@@ -70,9 +84,12 @@ macro_rules! judged_entry {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] map: &[$texel],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] visibility: &mut [f32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = $levels)] levels: &[LightProjection],)?
         ) {
             if let Some(i) = pixel_index(id, p.size) {
-                visibility[i] = evaluate::<$test, _, true>(&samples[i], p, $source(map)).visibility;
+                let levels = levels!(p $(, levels $levels)?);
+                visibility[i] =
+                    evaluate_levels::<$test, _, _, true>(&samples[i], p, $source(map), levels).visibility;
             }
         }
     };
@@ -88,30 +105,51 @@ fn filtered(vectors: &[Vec4]) -> FilteredVectors<'_> {
 
 macro_rules! filterable {
     ($($test:ty: $gather:ident $filtered:ident $ltt_gather:ident $ltt_filtered:ident
-        $lt_gather:ident $lt_filtered:ident;)*) => {
+        $lt_gather:ident $lt_filtered:ident $(, levels $level:literal $ltt_level:literal)?;)*) => {
         $(
-            map_entry!($gather, $test, f32, gathered);
-            map_entry!($filtered, $test, Vec4, filtered);
-            ltt_entry!($ltt_gather, $test, f32, gathered);
-            ltt_entry!($ltt_filtered, $test, Vec4, filtered);
-            judged_entry!($lt_gather, $test, f32, gathered);
-            judged_entry!($lt_filtered, $test, Vec4, filtered);
+            map_entry!($gather, $test, f32, gathered $(, levels $level)?);
+            map_entry!($filtered, $test, Vec4, filtered $(, levels $level)?);
+            ltt_entry!($ltt_gather, $test, f32, gathered $(, levels $ltt_level)?);
+            ltt_entry!($ltt_filtered, $test, Vec4, filtered $(, levels $ltt_level)?);
+            judged_entry!($lt_gather, $test, f32, gathered $(, levels $level)?);
+            judged_entry!($lt_filtered, $test, Vec4, filtered $(, levels $level)?);
         )*
     };
 }
 
 map_entry!(evaluate_sm_cs, Sm, f32, gathered);
+map_entry!(evaluate_sm_levels_cs, Sm, f32, gathered, levels 4);
 map_entry!(evaluate_pcf_cs, Pcf, f32, gathered);
+map_entry!(evaluate_pcf_levels_cs, Pcf, f32, gathered, levels 4);
 filterable! {
-    Vsm: evaluate_vsm_cs evaluate_vsm_prefiltered_cs evaluate_ltt_vsm_cs evaluate_ltt_vsm_prefiltered_cs
+    Vsm: evaluate_vsm_cs evaluate_vsm_prefiltered_cs
+        evaluate_ltt_vsm_cs evaluate_ltt_vsm_prefiltered_cs
         evaluate_lt_vsm_cs evaluate_lt_vsm_prefiltered_cs;
-    Esm: evaluate_esm_cs evaluate_esm_prefiltered_cs evaluate_ltt_esm_cs evaluate_ltt_esm_prefiltered_cs
+    Vsm: evaluate_vsm_levels_cs evaluate_vsm_prefiltered_levels_cs
+        evaluate_ltt_vsm_levels_cs evaluate_ltt_vsm_prefiltered_levels_cs
+        evaluate_lt_vsm_levels_cs evaluate_lt_vsm_prefiltered_levels_cs, levels 4 5;
+    Esm: evaluate_esm_cs evaluate_esm_prefiltered_cs
+        evaluate_ltt_esm_cs evaluate_ltt_esm_prefiltered_cs
         evaluate_lt_esm_cs evaluate_lt_esm_prefiltered_cs;
-    Evsm: evaluate_evsm_cs evaluate_evsm_prefiltered_cs evaluate_ltt_evsm_cs evaluate_ltt_evsm_prefiltered_cs
+    Esm: evaluate_esm_levels_cs evaluate_esm_prefiltered_levels_cs
+        evaluate_ltt_esm_levels_cs evaluate_ltt_esm_prefiltered_levels_cs
+        evaluate_lt_esm_levels_cs evaluate_lt_esm_prefiltered_levels_cs, levels 4 5;
+    Evsm: evaluate_evsm_cs evaluate_evsm_prefiltered_cs
+        evaluate_ltt_evsm_cs evaluate_ltt_evsm_prefiltered_cs
         evaluate_lt_evsm_cs evaluate_lt_evsm_prefiltered_cs;
-    MsmHamburger: evaluate_msm_cs evaluate_msm_prefiltered_cs evaluate_ltt_msm_cs evaluate_ltt_msm_prefiltered_cs
+    Evsm: evaluate_evsm_levels_cs evaluate_evsm_prefiltered_levels_cs
+        evaluate_ltt_evsm_levels_cs evaluate_ltt_evsm_prefiltered_levels_cs
+        evaluate_lt_evsm_levels_cs evaluate_lt_evsm_prefiltered_levels_cs, levels 4 5;
+    MsmHamburger: evaluate_msm_cs evaluate_msm_prefiltered_cs
+        evaluate_ltt_msm_cs evaluate_ltt_msm_prefiltered_cs
         evaluate_lt_msm_cs evaluate_lt_msm_prefiltered_cs;
+    MsmHamburger: evaluate_msm_levels_cs evaluate_msm_prefiltered_levels_cs
+        evaluate_ltt_msm_levels_cs evaluate_ltt_msm_prefiltered_levels_cs
+        evaluate_lt_msm_levels_cs evaluate_lt_msm_prefiltered_levels_cs, levels 4 5;
     MsmHausdorff: evaluate_msm_hausdorff_cs evaluate_msm_hausdorff_prefiltered_cs
         evaluate_ltt_msm_hausdorff_cs evaluate_ltt_msm_hausdorff_prefiltered_cs
         evaluate_lt_msm_hausdorff_cs evaluate_lt_msm_hausdorff_prefiltered_cs;
+    MsmHausdorff: evaluate_msm_hausdorff_levels_cs evaluate_msm_hausdorff_prefiltered_levels_cs
+        evaluate_ltt_msm_hausdorff_levels_cs evaluate_ltt_msm_hausdorff_prefiltered_levels_cs
+        evaluate_lt_msm_hausdorff_levels_cs evaluate_lt_msm_hausdorff_prefiltered_levels_cs, levels 4 5;
 }
