@@ -4,6 +4,7 @@ mod batch;
 mod effects;
 mod hard;
 mod laws;
+mod light;
 mod mask;
 mod real_scenes;
 mod translucency;
