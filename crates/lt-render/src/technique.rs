@@ -107,6 +107,11 @@ impl Resolve {
         self != Resolve::None
     }
 
+    /// Whether it works in the light's own space: on scenes packed with [`Packing::bakes_copies`](crate::Packing) alone.
+    pub fn is_in_light_space(self) -> bool {
+        matches!(self, Resolve::Light | Resolve::DivideAndConquer | Resolve::AliasFree)
+    }
+
     /// The modifier that asks for it; none for rays, which need no asking for.
     pub fn modifier(self) -> Option<&'static str> {
         match self {

@@ -17,7 +17,7 @@ const MARGIN: f32 = 1e-4;
 pub(super) fn check(scene: &PackedScene, job: &FrameJob) -> Result<(), RenderError> {
     match (job.plan.resolve.modifier(), scene.trees()) {
         (Some(resolver), Trees::Instanced(_)) => Err(RenderError::Unsupported(format!(
-            "the resolver `{resolver}` needs a scene baked into one tree, and this one has placed copies: use rays"
+            "the resolver `{resolver}` needs a scene packed into one tree, and this one has placed copies: set `Packing::bakes_copies`"
         ))),
         _ => Ok(()),
     }
