@@ -1,6 +1,7 @@
 //! Cross-crate tests in one binary.
 
 mod batch;
+mod cascades;
 mod effects;
 mod hard;
 mod laws;

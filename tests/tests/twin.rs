@@ -61,6 +61,12 @@ fn every_technique_agrees() {
                 "ltt-evsm:prefiltered",
                 "ltt-msm:prefiltered",
                 "ltt-msm-hausdorff:prefiltered",
+                "sm:cascades=3",
+                "pcf:cascades=3",
+                "evsm:splits=4/9:fade=0.3",
+                "ltt-evsm:cascades=1",
+                "ltt-vsm:cascades=3:far=map",
+                "ltt-evsm:cascades=2:far=map:prefiltered",
             ]
             .map(|id| id.parse::<Technique>().expect("a known id")),
         );

@@ -87,6 +87,8 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             instances: false,
             color_textures: false,
             map: None,
+            levels: 1,
+            level_search: false,
             doubt_list: false,
             trace_all: rays > 0,
             mask: None,

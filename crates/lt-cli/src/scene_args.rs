@@ -10,7 +10,7 @@ use crate::{
     failure::Usage,
     numbers::grouped,
     progress::spinner,
-    values::{self, Ground},
+    values::{self, Defaults, Ground},
 };
 
 /// Options shared by `compare`, `render` and `plan`.
@@ -58,6 +58,9 @@ pub struct SceneArgs {
     /// ε of the leak tracing techniques whose id does not set it [default: 0.01]
     #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = values::epsilon, help_heading = "Techniques")]
     pub epsilon: Option<f32>,
+    /// Levels of a directional light's map, for techniques whose id does not say [default: ltt- and lt- 4, others 1]
+    #[arg(long, value_name = "N", value_parser = lt_render::parse_count, help_heading = "Techniques")]
+    pub cascades: Option<u32>,
     /// CPU threads [default: all]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1024), help_heading = "Machine")]
     pub threads: Option<u16>,
@@ -97,6 +100,11 @@ impl SceneArgs {
         let session = Session::new(&scene, setup, self.backend).map_err(|e| self.explain(e))?;
         work.finish_and_clear();
         Ok(Opened { session, name: scene.name.clone(), source, scene })
+    }
+
+    /// What the options say about techniques whose ids leave it open.
+    pub fn technique_defaults(&self) -> Defaults {
+        Defaults { epsilon: self.epsilon, cascades: self.cascades }
     }
 
     /// The scene at a moment, ground included. The ground's size is that of the pose at the moment asked for by `--time`.

@@ -112,22 +112,42 @@ pub struct TypedTechnique {
     pub technique: Technique,
     /// Whether the id itself sets ε.
     pub sets_epsilon: bool,
+    /// Whether the id itself says how many levels its map has.
+    pub sets_cascades: bool,
+}
+
+/// What options say about techniques whose ids leave it open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Defaults {
+    /// LTT's ε.
+    pub epsilon: Option<f32>,
+    /// Levels of a directional light's map.
+    pub cascades: Option<u32>,
 }
 
 impl TypedTechnique {
-    /// The technique, with `epsilon` where its id leaves ε open. Ids without a doubt test ignore it.
-    pub fn with_epsilon(self, epsilon: Option<f32>) -> Technique {
-        let takes_epsilon = self.technique.doubt == lt_render::Doubt::Ltt && !self.sets_epsilon;
-        match epsilon {
-            Some(epsilon) if takes_epsilon => Technique { epsilon, ..self.technique },
-            _ => self.technique,
+    /// The technique, with what its id leaves open. Ids without a doubt test have no ε, those without a map no levels.
+    pub fn with(self, defaults: Defaults) -> Technique {
+        let mut technique = self.technique;
+        if let Some(epsilon) = defaults.epsilon
+            && technique.doubt == lt_render::Doubt::Ltt
+            && !self.sets_epsilon
+        {
+            technique.epsilon = epsilon;
         }
+        if let Some(count) = defaults.cascades
+            && technique.map_test().is_some()
+            && !self.sets_cascades
+        {
+            technique.cascades = technique.cascades.with_count(count);
+        }
+        technique
     }
 }
 
 impl From<Technique> for TypedTechnique {
     fn from(technique: Technique) -> Self {
-        Self { technique, sets_epsilon: false }
+        Self { technique, sets_epsilon: false, sets_cascades: false }
     }
 }
 
@@ -135,7 +155,11 @@ impl From<Technique> for TypedTechnique {
 pub fn technique(text: &str) -> Result<TypedTechnique, String> {
     let technique =
         text.trim().parse::<Technique>().map_err(|e| format!("{}; see `lt compare --list`", e.problem))?;
-    Ok(TypedTechnique { technique, sets_epsilon: text.contains(":eps=") })
+    Ok(TypedTechnique {
+        technique,
+        sets_epsilon: text.contains(":eps="),
+        sets_cascades: text.contains(":cascades=") || text.contains(":splits="),
+    })
 }
 
 #[cfg(test)]
@@ -193,10 +217,13 @@ mod tests {
     }
 
     #[test]
-    fn epsilon_fills_only_what_an_id_leaves_open() {
-        let with = |id: &str| technique(id).unwrap().with_epsilon(Some(0.2)).epsilon;
-        assert_eq!(with("ltt-evsm"), 0.2);
-        assert_eq!(with("ltt-evsm:eps=0.01"), 0.01);
-        assert_eq!(technique("vsm").unwrap().with_epsilon(Some(0.2)), technique("vsm").unwrap().technique);
+    fn options_fill_only_what_an_id_leaves_open() {
+        let defaults = Defaults { epsilon: Some(0.2), cascades: Some(3) };
+        let with = |id: &str| technique(id).unwrap().with(defaults);
+        assert_eq!(with("ltt-evsm").epsilon, 0.2);
+        assert_eq!(with("ltt-evsm:eps=0.01").epsilon, 0.01);
+        assert_eq!(with("ltt-evsm:splits=2:eps=0.01").cascades.count, 2);
+        assert_eq!(with("vsm").to_string(), "vsm:cascades=3");
+        assert_eq!(with("ray"), Technique::RAY);
     }
 }

@@ -47,6 +47,19 @@ impl Cascades {
         Self { count, splits: Splits::Blend(DEFAULT_SPLIT_BLEND), far: FarLevel::Map, fade: 0.0 }
     }
 
+    /// What leaves least to rays for three maps' cost, as in Kern et al. 2024: four levels, the last one traced.
+    pub const TRACED_FAR: Self = Self { far: FarLevel::Rays, ..Self::levels(4) };
+
+    /// The same with this many levels; one level is one map.
+    pub fn with_count(self, count: u32) -> Self {
+        let far = if count == 1 { FarLevel::Map } else { self.far };
+        let splits = match self.splits {
+            Splits::Depths(_) => Splits::Blend(DEFAULT_SPLIT_BLEND),
+            blend => blend,
+        };
+        Self { count, far, splits, ..self }
+    }
+
     /// How many maps are drawn.
     pub fn maps(&self) -> u32 {
         match self.far {
@@ -58,7 +71,9 @@ impl Cascades {
     /// Takes one modifier of a technique's id, without its colon. `None` if it is not about cascades.
     pub(crate) fn apply(&mut self, key: &str, value: &str) -> Option<Result<(), String>> {
         Some(match key {
-            "cascades" => parse_count(value).map(|count| self.count = count),
+            "cascades" => parse_count(value)
+                .map(|count| *self = self.with_count(count))
+                .map_err(|problem| format!("`cascades={value}` {problem}")),
             "lambda" => number(value, 0.0..=1.0)
                 .map(|blend| self.splits = Splits::Blend(blend))
                 .ok_or_else(|| format!("`lambda={value}` must be a number from 0 to 1")),
@@ -101,7 +116,8 @@ impl Cascades {
                 }
             }
         }
-        if self.far != usual.far {
+        // One level is one map in any case.
+        if self.far != usual.far && self.count > 1 {
             write!(f, ":far={}", if self.far == FarLevel::Map { "map" } else { "ray" })?;
         }
         if self.fade != usual.fade {
@@ -112,11 +128,14 @@ impl Cascades {
 }
 
 /// A number of levels.
-pub(crate) fn parse_count(text: &str) -> Result<u32, String> {
+///
+/// # Errors
+/// In words, what would be right.
+pub fn parse_count(text: &str) -> Result<u32, String> {
     text.parse()
         .ok()
         .filter(|n| (1..=MAX_LEVELS).contains(n))
-        .ok_or_else(|| format!("`cascades={text}` must be a whole number from 1 to {MAX_LEVELS}"))
+        .ok_or_else(|| format!("must be a whole number of levels from 1 to {MAX_LEVELS}"))
 }
 
 fn number(text: &str, range: std::ops::RangeInclusive<f32>) -> Option<f32> {

@@ -41,7 +41,7 @@ mod setup;
 mod technique;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob};
-pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits};
+pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits, parse_count};
 pub use compare::{
     CompareOptions, Comparison, FrameStats, PassTime, PlayOptions, Row, compare, compare_frames, flips,
     quantile,

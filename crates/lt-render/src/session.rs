@@ -410,3 +410,52 @@ pub(crate) fn camera_params(setup: &Setup, root: u32) -> CameraParams {
         pad3: UVec2::ZERO,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lt_scene::Source;
+
+    /// A level that is drawn anew sees other parts of thin things, and decides otherwise; what rays found must survive it.
+    #[test]
+    fn a_still_view_stays_right_while_levels_are_drawn_anew() {
+        for place in ["street:6", "square:8", "forest:20"] {
+            let scene = Source::open(place, 1).and_then(|s| s.pose(0.0)).expect("a place");
+            let setup = Setup { map_size: 256, ..Setup::for_scene(&scene, 240, 136) };
+            let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
+            session.play(Sequence { is_played: true, ..Sequence::default() });
+            let truth = session.render(&Technique::RAY).expect("frame");
+            let technique: Technique = "lt-evsm".parse().expect("an id");
+            for i in 0..10usize {
+                let frame = match i % 3 {
+                    2 => render_shifted(&mut session, &technique, i / 3),
+                    _ => session.render(&technique).expect("frame"),
+                };
+                let wrong = truth.visibility.iter().zip(&frame.visibility).filter(|(t, v)| t != v).count();
+                assert_eq!(wrong, 0, "{place} frame {i}");
+                assert_eq!(frame.map_draws, [3, 0, 1, 0, 0, 1, 0, 0, 1, 0][i], "{place} frame {i}");
+            }
+        }
+    }
+
+    /// The next frame, in which one level is fitted half a texel off where it was.
+    fn render_shifted(session: &mut Session, technique: &Technique, level: usize) -> Frame {
+        let (mut job, mut slot) = session.next_job(technique, session.plan(technique));
+        let shift = |projection: &mut lt_math::LightProjection| {
+            projection.row_x.w += 0.5 / 256.0;
+            projection.row_y.w -= 0.5 / 256.0;
+        };
+        let map = job.map.as_mut().expect("maps");
+        shift(&mut map.levels[level].projection);
+        map.draws = vec![level as u32];
+        shift(&mut slot.last.as_mut().expect("a last frame").levels.0[level].projection);
+        // As for any level that is drawn anew.
+        job.mask.as_mut().expect("a mask").flags &= !MaskParams::MAY_REMOVE;
+        session.backend.begin(&job).expect("frame");
+        for kind in job.passes() {
+            session.backend.pass(kind, &job).expect("pass");
+        }
+        session.slots.insert(technique.to_string(), slot);
+        session.backend.finish(&job).expect("frame")
+    }
+}
