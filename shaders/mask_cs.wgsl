@@ -98,632 +98,671 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_139_: lt_bvh_traverse_Tree;
-    var phi_140_: bool;
-    var phi_141_: lt_bvh_traverse_Tree;
-    var phi_142_: bool;
-    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_142_: lt_bvh_traverse_Tree;
+    var phi_143_: bool;
+    var phi_144_: lt_bvh_traverse_Tree;
+    var phi_145_: bool;
+    var phi_150_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_139_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_140_ = false;
+            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_143_ = false;
         } else {
-            phi_139_ = lt_bvh_traverse_Tree();
-            phi_140_ = true;
+            phi_142_ = lt_bvh_traverse_Tree();
+            phi_143_ = true;
         }
-        let _e50 = phi_139_;
-        let _e52 = phi_140_;
-        phi_141_ = _e50;
-        phi_142_ = _e52;
+        let _e52 = phi_142_;
+        let _e54 = phi_143_;
+        phi_144_ = _e52;
+        phi_145_ = _e54;
     } else {
-        phi_141_ = lt_bvh_traverse_Tree();
-        phi_142_ = true;
+        phi_144_ = lt_bvh_traverse_Tree();
+        phi_145_ = true;
     }
-    let _e54 = phi_141_;
-    let _e56 = phi_142_;
-    if _e56 {
-        phi_147_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e56 = phi_144_;
+    let _e58 = phi_145_;
+    if _e58 {
+        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_147_ = _e54;
+        phi_150_ = _e56;
     }
-    let _e61 = phi_147_;
-    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
+    let _e63 = phi_150_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_165_: vec2<i32>;
+    var phi_168_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_165_ = vec2(0i);
+            phi_168_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_165_ = vec2<i32>(0i, -1i);
+            phi_168_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_165_ = vec2<i32>(-1i, 0i);
+            phi_168_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_165_ = vec2<i32>(1i, 0i);
+            phi_168_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_165_ = vec2<i32>(0i, 1i);
+            phi_168_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e46 = phi_165_;
-    return vec2<i32>(_e46.x, _e46.y);
+    let _e48 = phi_168_;
+    return vec2<i32>(_e48.x, _e48.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_183_: vec2<i32>;
+    var phi_186_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_183_ = vec2(0i);
+            phi_186_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_183_ = vec2(-1i);
+            phi_186_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_183_ = vec2<i32>(1i, -1i);
+            phi_186_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_183_ = vec2<i32>(-1i, 1i);
+            phi_186_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_183_ = vec2(1i);
+            phi_186_ = vec2(1i);
             break;
         }
     }
-    let _e46 = phi_183_;
-    return vec2<i32>(_e46.x, _e46.y);
+    let _e48 = phi_186_;
+    return vec2<i32>(_e48.x, _e48.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_202_: vec2<i32>;
+    var phi_205_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e40 = lt_mask_pattern_plus(param_5);
-        phi_202_ = vec2<i32>(_e40.x, _e40.y);
+        let _e42 = lt_mask_pattern_plus(param_5);
+        phi_205_ = vec2<i32>(_e42.x, _e42.y);
     } else {
-        let _e44 = lt_mask_pattern_cross(param_5);
-        phi_202_ = vec2<i32>(_e44.x, _e44.y);
+        let _e46 = lt_mask_pattern_cross(param_5);
+        phi_205_ = vec2<i32>(_e46.x, _e46.y);
     }
-    let _e49 = phi_202_;
-    return vec2<i32>(_e49.x, _e49.y);
+    let _e51 = phi_205_;
+    return vec2<i32>(_e51.x, _e51.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_223_: u32;
-    var phi_224_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_230_: vec2<i32>;
 
-    let _e41 = (bitcast<i32>(param_7) + param_8);
-    if (_e41 < 0i) {
-        phi_224_ = 0u;
-    } else {
-        if (_e41 >= bitcast<i32>(param_9)) {
-            phi_223_ = (param_9 - 1u);
-        } else {
-            phi_223_ = bitcast<u32>(_e41);
+    let _e40 = (param_7 % 13u);
+    switch bitcast<i32>(_e40) {
+        case 9: {
+            phi_230_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e48 = phi_223_;
-        phi_224_ = _e48;
+        case 10: {
+            phi_230_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_230_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_230_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_230_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e50 = phi_224_;
-    return _e50;
+    let _e55 = phi_230_;
+    return vec2<i32>(_e55.x, _e55.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_251_: u32;
+    var phi_252_: u32;
+
+    let _e43 = (bitcast<i32>(param_8) + param_9);
+    if (_e43 < 0i) {
+        phi_252_ = 0u;
+    } else {
+        if (_e43 >= bitcast<i32>(param_10)) {
+            phi_251_ = (param_10 - 1u);
+        } else {
+            phi_251_ = bitcast<u32>(_e43);
+        }
+        let _e50 = phi_251_;
+        phi_252_ = _e50;
+    }
+    let _e52 = phi_252_;
+    return _e52;
 }
 
 fn function_() {
-    var phi_285_: bool;
-    var phi_286_: bool;
-    var phi_287_: bool;
-    var phi_288_: bool;
-    var phi_292_: bool;
-    var phi_336_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_340_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_353_: bool;
-    var phi_374_: bool;
-    var phi_385_: bool;
-    var phi_386_: bool;
-    var phi_387_: bool;
-    var phi_388_: bool;
-    var phi_389_: bool;
-    var phi_390_: bool;
-    var phi_394_: bool;
-    var phi_399_: bool;
-    var phi_413_: u32;
-    var phi_415_: u32;
-    var phi_418_: lt_mask_Neighbourhood;
-    var phi_430_: bool;
-    var phi_431_: bool;
-    var phi_439_: u32;
-    var phi_440_: u32;
-    var phi_499_: vec2<i32>;
-    var phi_515_: vec2<i32>;
-    var phi_538_: u32;
-    var phi_555_: bool;
-    var phi_556_: bool;
-    var phi_563_: bool;
-    var phi_564_: bool;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_416_: u32;
-    var phi_419_: lt_mask_Neighbourhood;
-    var phi_587_: lt_mask_Neighbourhood;
-    var phi_588_: lt_mask_Neighbourhood;
-    var phi_613_: bool;
-    var phi_614_: bool;
-    var phi_627_: bool;
-    var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_636_: u32;
-    var phi_637_: u32;
-    var phi_638_: u32;
-    var phi_639_: u32;
-    var phi_640_: u32;
+    var phi_313_: bool;
+    var phi_314_: bool;
+    var phi_315_: bool;
+    var phi_316_: bool;
+    var phi_320_: bool;
+    var phi_364_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_368_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_381_: bool;
+    var phi_402_: bool;
+    var phi_413_: bool;
+    var phi_414_: bool;
+    var phi_415_: bool;
+    var phi_416_: bool;
+    var phi_417_: bool;
+    var phi_418_: bool;
+    var phi_422_: bool;
+    var phi_427_: bool;
+    var phi_441_: u32;
+    var phi_443_: u32;
+    var phi_446_: lt_mask_Neighbourhood;
+    var phi_458_: bool;
+    var phi_459_: bool;
+    var phi_468_: u32;
+    var phi_469_: u32;
+    var phi_529_: vec2<i32>;
+    var phi_549_: vec2<i32>;
+    var phi_572_: u32;
+    var phi_589_: bool;
+    var phi_590_: bool;
+    var phi_597_: bool;
+    var phi_598_: bool;
+    var phi_616_: bool;
+    var phi_617_: bool;
+    var phi_618_: bool;
+    var phi_444_: u32;
+    var phi_447_: lt_mask_Neighbourhood;
+    var phi_621_: lt_mask_Neighbourhood;
+    var phi_622_: lt_mask_Neighbourhood;
+    var phi_647_: bool;
     var phi_648_: bool;
-    var phi_656_: u32;
-    var phi_661_: u32;
-    var phi_665_: u32;
-    var phi_666_: u32;
-    var phi_670_: f32;
-    var phi_672_: mask_Masked;
-    var phi_678_: bool;
-    var phi_679_: u32;
+    var phi_661_: bool;
+    var phi_662_: bool;
+    var phi_663_: bool;
+    var phi_670_: u32;
+    var phi_671_: u32;
+    var phi_672_: u32;
+    var phi_673_: u32;
+    var phi_674_: u32;
+    var phi_682_: bool;
     var phi_690_: u32;
+    var phi_695_: u32;
+    var phi_699_: u32;
+    var phi_700_: u32;
+    var phi_704_: f32;
+    var phi_706_: mask_Masked;
+    var phi_712_: bool;
+    var phi_713_: u32;
+    var phi_724_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e37 = id_1;
-    let _e38 = local_2;
-    let _e50 = p.member.current.size[0u];
-    let _e52 = p.member.current.size[1u];
-    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
-    if (bitcast<i32>(_e53.root) != 0i) {
-        let _e61 = p.member.current.size[0u];
-        let _e66 = visibility.member[_e53.first_primitive];
-        let _e70 = p.member.light;
-        let _e73 = samples.member[_e53.first_primitive].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[_e53.first_primitive].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[_e53.first_primitive].normal[2u];
-                let _e85 = global[2u];
-                phi_285_ = (_e83 == _e85);
-                phi_286_ = false;
+    let _e39 = id_1;
+    let _e40 = local_2;
+    let _e52 = p.member.current.size[0u];
+    let _e54 = p.member.current.size[1u];
+    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
+    if (bitcast<i32>(_e55.root) != 0i) {
+        let _e63 = p.member.current.size[0u];
+        let _e68 = visibility.member[_e55.first_primitive];
+        let _e72 = p.member.light;
+        let _e75 = samples.member[_e55.first_primitive].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[_e55.first_primitive].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[_e55.first_primitive].normal[2u];
+                let _e87 = global[2u];
+                phi_313_ = (_e85 == _e87);
+                phi_314_ = false;
             } else {
-                phi_285_ = bool();
-                phi_286_ = true;
+                phi_313_ = bool();
+                phi_314_ = true;
             }
-            let _e88 = phi_285_;
-            let _e90 = phi_286_;
-            phi_287_ = _e88;
-            phi_288_ = _e90;
+            let _e90 = phi_313_;
+            let _e92 = phi_314_;
+            phi_315_ = _e90;
+            phi_316_ = _e92;
         } else {
-            phi_287_ = bool();
-            phi_288_ = true;
+            phi_315_ = bool();
+            phi_316_ = true;
         }
-        let _e92 = phi_287_;
-        let _e94 = phi_288_;
-        if _e94 {
-            phi_292_ = false;
+        let _e94 = phi_315_;
+        let _e96 = phi_316_;
+        if _e96 {
+            phi_320_ = false;
         } else {
-            phi_292_ = _e92;
+            phi_320_ = _e94;
         }
-        let _e96 = phi_292_;
-        if !(_e96) {
-            let _e99 = samples.member[_e53.first_primitive].normal;
-            let _e101 = samples.member[_e53.first_primitive].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[_e53.first_primitive].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_336_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
+        let _e98 = phi_320_;
+        if !(_e98) {
+            let _e101 = samples.member[_e55.first_primitive].normal;
+            let _e103 = samples.member[_e55.first_primitive].position;
+            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
+                let _e127 = samples.member[_e55.first_primitive].flags;
+                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
+                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
             } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_336_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
+                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
+                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
             }
-            let _e159 = phi_336_;
-            phi_340_ = _e159;
+            let _e161 = phi_364_;
+            phi_368_ = _e161;
         } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
+            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+            phi_368_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
         }
-        let _e176 = phi_340_;
-        if _e176.unnamed_1 {
-            phi_672_ = mask_Masked(_e176.unnamed.visibility, 0u, false);
+        let _e178 = phi_368_;
+        if _e178.unnamed_1 {
+            phi_706_ = mask_Masked(_e178.unnamed.visibility, 0u, false);
         } else {
-            let _e181 = (_e66 < 0.5f);
-            if (_e66 > 0f) {
-                phi_353_ = (_e66 < 1f);
+            let _e183 = (_e68 < 0.5f);
+            if (_e68 > 0f) {
+                phi_381_ = (_e68 < 1f);
             } else {
-                phi_353_ = false;
+                phi_381_ = false;
             }
-            let _e185 = phi_353_;
-            let _e187 = p.member.flags;
-            let _e189 = ((_e187 & 1u) != 0u);
-            let _e191 = p.member.flags;
+            let _e187 = phi_381_;
+            let _e189 = p.member.flags;
+            let _e191 = ((_e189 & 1u) != 0u);
+            let _e193 = p.member.flags;
             if false {
-                let _e195 = p.member.flags;
-                phi_374_ = ((_e195 & 4u) == 0u);
+                let _e197 = p.member.flags;
+                phi_402_ = ((_e197 & 4u) == 0u);
             } else {
-                phi_374_ = false;
+                phi_402_ = false;
             }
-            let _e199 = phi_374_;
-            if ((_e191 & 2u) != 0u) {
+            let _e201 = phi_402_;
+            if ((_e193 & 2u) != 0u) {
                 if false {
-                    phi_387_ = bool();
-                    phi_388_ = true;
+                    phi_415_ = bool();
+                    phi_416_ = true;
                 } else {
                     if true {
-                        phi_385_ = !(_e199);
-                        phi_386_ = false;
+                        phi_413_ = !(_e201);
+                        phi_414_ = false;
                     } else {
-                        phi_385_ = bool();
-                        phi_386_ = true;
+                        phi_413_ = bool();
+                        phi_414_ = true;
                     }
-                    let _e202 = phi_385_;
-                    let _e204 = phi_386_;
-                    phi_387_ = _e202;
-                    phi_388_ = _e204;
+                    let _e204 = phi_413_;
+                    let _e206 = phi_414_;
+                    phi_415_ = _e204;
+                    phi_416_ = _e206;
                 }
-                let _e206 = phi_387_;
-                let _e208 = phi_388_;
-                phi_389_ = _e206;
-                phi_390_ = _e208;
+                let _e208 = phi_415_;
+                let _e210 = phi_416_;
+                phi_417_ = _e208;
+                phi_418_ = _e210;
             } else {
-                phi_389_ = bool();
-                phi_390_ = true;
+                phi_417_ = bool();
+                phi_418_ = true;
             }
-            let _e210 = phi_389_;
-            let _e212 = phi_390_;
-            if _e212 {
-                phi_394_ = false;
+            let _e212 = phi_417_;
+            let _e214 = phi_418_;
+            if _e214 {
+                phi_422_ = false;
             } else {
-                phi_394_ = _e210;
+                phi_422_ = _e212;
             }
-            let _e214 = phi_394_;
-            let _e215 = lt_mask_Neighbourhood(false, true);
-            if _e185 {
-                phi_399_ = _e214;
+            let _e216 = phi_422_;
+            let _e217 = lt_mask_Neighbourhood(false, true);
+            if _e187 {
+                phi_427_ = _e216;
             } else {
-                phi_399_ = true;
+                phi_427_ = true;
             }
-            let _e217 = phi_399_;
-            if _e217 {
-                if _e189 {
+            let _e219 = phi_427_;
+            if _e219 {
+                if _e191 {
                     if false {
-                        let _e219 = p.member.moving_pattern;
-                        phi_413_ = _e219;
+                        let _e221 = p.member.moving_pattern;
+                        phi_441_ = _e221;
                     } else {
-                        let _e221 = p.member.still_pattern;
-                        phi_413_ = _e221;
+                        let _e223 = p.member.still_pattern;
+                        phi_441_ = _e223;
                     }
-                    let _e223 = phi_413_;
-                    phi_415_ = 0u;
-                    phi_418_ = _e215;
+                    let _e225 = phi_441_;
+                    phi_443_ = 0u;
+                    phi_446_ = _e217;
                     loop {
-                        let _e225 = phi_415_;
-                        let _e227 = phi_418_;
-                        local_1 = _e227;
-                        if (1u <= _e223) {
-                            if (_e223 <= 4u) {
-                                phi_430_ = false;
+                        let _e227 = phi_443_;
+                        let _e229 = phi_446_;
+                        local_1 = _e229;
+                        if (1u <= _e225) {
+                            if (_e225 <= 4u) {
+                                phi_458_ = false;
                             } else {
-                                phi_430_ = true;
+                                phi_458_ = true;
                             }
-                            let _e231 = phi_430_;
-                            phi_431_ = _e231;
+                            let _e233 = phi_458_;
+                            phi_459_ = _e233;
                         } else {
-                            phi_431_ = true;
+                            phi_459_ = true;
                         }
-                        let _e233 = phi_431_;
-                        if _e233 {
-                            switch bitcast<i32>(_e223) {
+                        let _e235 = phi_459_;
+                        if _e235 {
+                            switch bitcast<i32>(_e225) {
                                 case 5: {
-                                    phi_439_ = 4u;
+                                    phi_468_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_439_ = 25u;
+                                    phi_468_ = 25u;
+                                    break;
+                                }
+                                case 7: {
+                                    phi_468_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_439_ = 9u;
+                                    phi_468_ = 9u;
                                     break;
                                 }
                             }
-                            let _e236 = phi_439_;
-                            phi_440_ = _e236;
+                            let _e238 = phi_468_;
+                            phi_469_ = _e238;
                         } else {
-                            phi_440_ = 5u;
+                            phi_469_ = 5u;
                         }
-                        let _e238 = phi_440_;
-                        let _e239 = (_e225 < _e238);
-                        if _e239 {
-                            let _e241 = p.member.frame;
-                            let _e245 = p.member.current.size[0u];
-                            let _e247 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e223) {
+                        let _e240 = phi_469_;
+                        let _e241 = (_e227 < _e240);
+                        if _e241 {
+                            let _e243 = p.member.frame;
+                            let _e247 = p.member.current.size[0u];
+                            let _e249 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e225) {
                                 case 1: {
-                                    let _e257 = lt_mask_pattern_plus(_e225);
-                                    phi_515_ = vec2<i32>(_e257.x, _e257.y);
+                                    let _e259 = lt_mask_pattern_plus(_e227);
+                                    phi_549_ = vec2<i32>(_e259.x, _e259.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e261 = lt_mask_pattern_cross(_e225);
-                                    phi_515_ = vec2<i32>(_e261.x, _e261.y);
+                                    let _e263 = lt_mask_pattern_cross(_e227);
+                                    phi_549_ = vec2<i32>(_e263.x, _e263.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e267 = lt_mask_pattern_plus_or_cross(_e225, ((_e37.x + _e37.y) & 1u));
-                                    phi_515_ = vec2<i32>(_e267.x, _e267.y);
+                                    let _e269 = lt_mask_pattern_plus_or_cross(_e227, ((_e39.x + _e39.y) & 1u));
+                                    phi_549_ = vec2<i32>(_e269.x, _e269.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e272 = lt_mask_pattern_plus_or_cross(_e225, (_e241 & 1u));
-                                    phi_515_ = vec2<i32>(_e272.x, _e272.y);
+                                    let _e274 = lt_mask_pattern_plus_or_cross(_e227, (_e243 & 1u));
+                                    phi_549_ = vec2<i32>(_e274.x, _e274.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e241 & 3u)) {
+                                    switch bitcast<i32>((_e243 & 3u)) {
                                         case 0: {
-                                            phi_499_ = vec2(-1i);
+                                            phi_529_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_499_ = vec2(0i);
+                                            phi_529_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_499_ = vec2<i32>(0i, -1i);
+                                            phi_529_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_499_ = vec2<i32>(-1i, 0i);
+                                            phi_529_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e283 = phi_499_;
-                                    phi_515_ = (_e283 + vec2<i32>(bitcast<i32>((_e225 & 1u)), bitcast<i32>(((_e225 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e285 = phi_529_;
+                                    phi_549_ = (_e285 + vec2<i32>(bitcast<i32>((_e227 & 1u)), bitcast<i32>(((_e227 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_515_ = vec2<i32>((bitcast<i32>((_e225 % 5u)) - 2i), (bitcast<i32>(((_e225 / 5u) % 5u)) - 2i));
+                                    phi_549_ = vec2<i32>((bitcast<i32>((_e227 % 5u)) - 2i), (bitcast<i32>(((_e227 / 5u) % 5u)) - 2i));
+                                    break;
+                                }
+                                case 7: {
+                                    let _e302 = lt_mask_pattern_diamond(_e227);
+                                    phi_549_ = vec2<i32>(_e302.x, _e302.y);
                                     break;
                                 }
                                 default: {
-                                    phi_515_ = vec2<i32>((bitcast<i32>((_e225 % 3u)) - 1i), (bitcast<i32>(((_e225 / 3u) % 3u)) - 1i));
+                                    phi_549_ = vec2<i32>((bitcast<i32>((_e227 % 3u)) - 1i), (bitcast<i32>(((_e227 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e301 = phi_515_;
-                            let _e304 = lt_mask_pattern_step_clamped(_e37.x, _e301.x, _e245);
-                            let _e305 = lt_mask_pattern_step_clamped(_e37.y, _e301.y, _e247);
-                            let _e307 = ((_e305 * _e61) + _e304);
-                            if (_e307 < arrayLength((&last_bits.member))) {
+                            let _e307 = phi_549_;
+                            let _e310 = lt_mask_pattern_step_clamped(_e39.x, _e307.x, _e247);
+                            let _e311 = lt_mask_pattern_step_clamped(_e39.y, _e307.y, _e249);
+                            let _e313 = ((_e311 * _e63) + _e310);
+                            if (_e313 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e311 = last_bits.member[(0u + _e307)];
-                            if ((_e311 & 2u) == 0u) {
-                                phi_538_ = (_e311 & 1u);
+                            let _e317 = last_bits.member[(0u + _e313)];
+                            if ((_e317 & 2u) == 0u) {
+                                phi_572_ = (_e317 & 1u);
                             } else {
-                                phi_538_ = (_e311 & 7u);
+                                phi_572_ = (_e317 & 7u);
                             }
-                            let _e317 = phi_538_;
-                            if _e227.any_expands {
-                                phi_564_ = true;
+                            let _e323 = phi_572_;
+                            if _e229.any_expands {
+                                phi_598_ = true;
                             } else {
-                                if ((_e317 & 2u) != 0u) {
-                                    if (((_e317 & 4u) != 0u) != _e181) {
-                                        phi_555_ = false;
+                                if ((_e323 & 2u) != 0u) {
+                                    if (((_e323 & 4u) != 0u) != _e183) {
+                                        phi_589_ = false;
                                     } else {
-                                        phi_555_ = true;
+                                        phi_589_ = true;
                                     }
-                                    let _e326 = phi_555_;
-                                    phi_556_ = _e326;
+                                    let _e332 = phi_589_;
+                                    phi_590_ = _e332;
                                 } else {
-                                    phi_556_ = true;
+                                    phi_590_ = true;
                                 }
-                                let _e328 = phi_556_;
-                                if _e328 {
-                                    phi_563_ = (((_e317 & 1u) != 0u) != _e181);
+                                let _e334 = phi_590_;
+                                if _e334 {
+                                    phi_597_ = (((_e323 & 1u) != 0u) != _e183);
                                 } else {
-                                    phi_563_ = true;
+                                    phi_597_ = true;
                                 }
-                                let _e333 = phi_563_;
-                                phi_564_ = _e333;
+                                let _e339 = phi_597_;
+                                phi_598_ = _e339;
                             }
-                            let _e335 = phi_564_;
-                            if _e227.all_remove {
-                                if (((_e317 & 1u) != 0u) == _e181) {
-                                    if ((_e317 & 2u) != 0u) {
-                                        phi_582_ = (((_e317 & 4u) != 0u) == _e181);
+                            let _e341 = phi_598_;
+                            if _e229.all_remove {
+                                if (((_e323 & 1u) != 0u) == _e183) {
+                                    if ((_e323 & 2u) != 0u) {
+                                        phi_616_ = (((_e323 & 4u) != 0u) == _e183);
                                     } else {
-                                        phi_582_ = true;
+                                        phi_616_ = true;
                                     }
-                                    let _e345 = phi_582_;
-                                    phi_583_ = _e345;
+                                    let _e351 = phi_616_;
+                                    phi_617_ = _e351;
                                 } else {
-                                    phi_583_ = false;
+                                    phi_617_ = false;
                                 }
-                                let _e347 = phi_583_;
-                                phi_584_ = _e347;
+                                let _e353 = phi_617_;
+                                phi_618_ = _e353;
                             } else {
-                                phi_584_ = false;
+                                phi_618_ = false;
                             }
-                            let _e349 = phi_584_;
-                            phi_416_ = (_e225 + 1u);
-                            phi_419_ = lt_mask_Neighbourhood(_e335, _e349);
+                            let _e355 = phi_618_;
+                            phi_444_ = (_e227 + 1u);
+                            phi_447_ = lt_mask_Neighbourhood(_e341, _e355);
                         } else {
-                            phi_416_ = u32();
-                            phi_419_ = lt_mask_Neighbourhood();
+                            phi_444_ = u32();
+                            phi_447_ = lt_mask_Neighbourhood();
                         }
-                        let _e353 = phi_416_;
-                        let _e355 = phi_419_;
+                        let _e359 = phi_444_;
+                        let _e361 = phi_447_;
                         continue;
                         continuing {
-                            phi_415_ = _e353;
-                            phi_418_ = _e355;
-                            break if !(_e239);
+                            phi_443_ = _e359;
+                            phi_446_ = _e361;
+                            break if !(_e241);
                         }
                     }
-                    let _e469 = local_1;
-                    phi_587_ = _e469;
+                    let _e475 = local_1;
+                    phi_621_ = _e475;
                 } else {
-                    phi_587_ = _e215;
+                    phi_621_ = _e217;
                 }
-                let _e358 = phi_587_;
-                phi_588_ = _e358;
+                let _e364 = phi_621_;
+                phi_622_ = _e364;
             } else {
-                phi_588_ = _e215;
+                phi_622_ = _e217;
             }
-            let _e360 = phi_588_;
-            if (_e66 != 0.5f) {
-                if _e189 {
-                    if _e185 {
-                        phi_614_ = true;
+            let _e366 = phi_622_;
+            if (_e68 != 0.5f) {
+                if _e191 {
+                    if _e187 {
+                        phi_648_ = true;
                     } else {
-                        if _e360.any_expands {
-                            phi_613_ = false;
+                        if _e366.any_expands {
+                            phi_647_ = false;
                         } else {
-                            phi_613_ = true;
+                            phi_647_ = true;
                         }
-                        let _e365 = phi_613_;
-                        phi_614_ = _e365;
+                        let _e371 = phi_647_;
+                        phi_648_ = _e371;
                     }
-                    let _e367 = phi_614_;
-                    if _e367 {
-                        if _e185 {
-                            if _e214 {
-                                if _e360.all_remove {
-                                    phi_627_ = false;
+                    let _e373 = phi_648_;
+                    if _e373 {
+                        if _e187 {
+                            if _e216 {
+                                if _e366.all_remove {
+                                    phi_661_ = false;
                                 } else {
-                                    phi_627_ = true;
+                                    phi_661_ = true;
                                 }
-                                let _e369 = phi_627_;
-                                phi_628_ = _e369;
+                                let _e375 = phi_661_;
+                                phi_662_ = _e375;
                             } else {
-                                phi_628_ = true;
+                                phi_662_ = true;
                             }
-                            let _e371 = phi_628_;
-                            phi_629_ = _e371;
+                            let _e377 = phi_662_;
+                            phi_663_ = _e377;
                         } else {
-                            phi_629_ = true;
+                            phi_663_ = true;
                         }
-                        let _e373 = phi_629_;
-                        if _e373 {
-                            if _e185 {
-                                phi_636_ = 1u;
+                        let _e379 = phi_663_;
+                        if _e379 {
+                            if _e187 {
+                                phi_670_ = 1u;
                             } else {
-                                phi_636_ = 0u;
+                                phi_670_ = 0u;
                             }
-                            let _e375 = phi_636_;
-                            phi_637_ = _e375;
+                            let _e381 = phi_670_;
+                            phi_671_ = _e381;
                         } else {
-                            phi_637_ = 5u;
+                            phi_671_ = 5u;
                         }
-                        let _e377 = phi_637_;
-                        phi_638_ = _e377;
+                        let _e383 = phi_671_;
+                        phi_672_ = _e383;
                     } else {
-                        phi_638_ = 4u;
+                        phi_672_ = 4u;
                     }
-                    let _e379 = phi_638_;
-                    phi_639_ = _e379;
+                    let _e385 = phi_672_;
+                    phi_673_ = _e385;
                 } else {
-                    phi_639_ = 3u;
+                    phi_673_ = 3u;
                 }
-                let _e381 = phi_639_;
-                phi_640_ = _e381;
+                let _e387 = phi_673_;
+                phi_674_ = _e387;
             } else {
-                phi_640_ = 2u;
+                phi_674_ = 2u;
             }
-            let _e383 = phi_640_;
-            if !((_e383 == 0u)) {
-                phi_648_ = !((_e383 == 5u));
+            let _e389 = phi_674_;
+            if !((_e389 == 0u)) {
+                phi_682_ = !((_e389 == 5u));
             } else {
-                phi_648_ = false;
+                phi_682_ = false;
             }
-            let _e389 = phi_648_;
-            if _e389 {
-                if _e181 {
-                    phi_656_ = (2u | 1u);
+            let _e395 = phi_682_;
+            if _e395 {
+                if _e183 {
+                    phi_690_ = (2u | 1u);
                 } else {
-                    phi_656_ = 2u;
+                    phi_690_ = 2u;
                 }
-                let _e392 = phi_656_;
+                let _e398 = phi_690_;
                 if false {
-                    phi_661_ = (_e392 | 4u);
+                    phi_695_ = (_e398 | 4u);
                 } else {
-                    phi_661_ = _e392;
+                    phi_695_ = _e398;
                 }
-                let _e395 = phi_661_;
-                phi_666_ = _e395;
+                let _e401 = phi_695_;
+                phi_700_ = _e401;
             } else {
-                if _e181 {
-                    phi_665_ = 1u;
+                if _e183 {
+                    phi_699_ = 1u;
                 } else {
-                    phi_665_ = 0u;
+                    phi_699_ = 0u;
                 }
-                let _e397 = phi_665_;
-                phi_666_ = _e397;
+                let _e403 = phi_699_;
+                phi_700_ = _e403;
             }
-            let _e399 = phi_666_;
-            if _e181 {
-                phi_670_ = 0f;
+            let _e405 = phi_700_;
+            if _e183 {
+                phi_704_ = 0f;
             } else {
-                phi_670_ = 1f;
+                phi_704_ = 1f;
             }
-            let _e401 = phi_670_;
-            phi_672_ = mask_Masked(_e401, _e399, _e389);
+            let _e407 = phi_704_;
+            phi_706_ = mask_Masked(_e407, _e405, _e395);
         }
-        let _e404 = phi_672_;
-        visibility.member[_e53.first_primitive] = _e404.visibility;
-        bits.member[_e53.first_primitive] = _e404.bits;
-        phi_678_ = _e404.needs_ray;
-        phi_679_ = _e53.first_primitive;
+        let _e410 = phi_706_;
+        visibility.member[_e55.first_primitive] = _e410.visibility;
+        bits.member[_e55.first_primitive] = _e410.bits;
+        phi_712_ = _e410.needs_ray;
+        phi_713_ = _e55.first_primitive;
     } else {
-        phi_678_ = false;
-        phi_679_ = 0u;
+        phi_712_ = false;
+        phi_713_ = 0u;
     }
-    let _e411 = phi_678_;
-    let _e413 = phi_679_;
-    if (_e38 == 0u) {
+    let _e417 = phi_712_;
+    let _e419 = phi_713_;
+    if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e411 {
-        let _e417 = atomicAdd((&shared_[0u]), 1u);
-        phi_690_ = _e417;
+    if _e417 {
+        let _e423 = atomicAdd((&shared_[0u]), 1u);
+        phi_724_ = _e423;
     } else {
-        phi_690_ = 0u;
+        phi_724_ = 0u;
     }
-    let _e419 = phi_690_;
+    let _e425 = phi_724_;
     workgroupBarrier();
-    if (_e38 == 0u) {
-        let _e423 = atomicLoad((&shared_[0u]));
-        let _e424 = atomicAdd((&list.member[3u]), _e423);
-        atomicStore((&shared_[1u]), _e424);
+    if (_e40 == 0u) {
+        let _e429 = atomicLoad((&shared_[0u]));
+        let _e430 = atomicAdd((&list.member[3u]), _e429);
+        atomicStore((&shared_[1u]), _e430);
     }
     workgroupBarrier();
-    if _e411 {
-        let _e427 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e427) + _e419)]), _e413);
+    if _e417 {
+        let _e433 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e433) + _e425)]), _e419);
     }
     return;
 }

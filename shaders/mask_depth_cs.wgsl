@@ -102,714 +102,753 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
-    var phi_153_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_153_: lt_bvh_traverse_Tree;
+    var phi_154_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_156_: bool;
+    var phi_161_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_151_ = false;
+            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_154_ = false;
         } else {
-            phi_150_ = lt_bvh_traverse_Tree();
-            phi_151_ = true;
+            phi_153_ = lt_bvh_traverse_Tree();
+            phi_154_ = true;
         }
-        let _e54 = phi_150_;
-        let _e56 = phi_151_;
-        phi_152_ = _e54;
-        phi_153_ = _e56;
+        let _e56 = phi_153_;
+        let _e58 = phi_154_;
+        phi_155_ = _e56;
+        phi_156_ = _e58;
     } else {
-        phi_152_ = lt_bvh_traverse_Tree();
-        phi_153_ = true;
+        phi_155_ = lt_bvh_traverse_Tree();
+        phi_156_ = true;
     }
-    let _e58 = phi_152_;
-    let _e60 = phi_153_;
-    if _e60 {
-        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e60 = phi_155_;
+    let _e62 = phi_156_;
+    if _e62 {
+        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_158_ = _e58;
+        phi_161_ = _e60;
     }
-    let _e65 = phi_158_;
-    return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
+    let _e67 = phi_161_;
+    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_176_: vec2<i32>;
+    var phi_179_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_176_ = vec2(0i);
+            phi_179_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_176_ = vec2<i32>(0i, -1i);
+            phi_179_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_176_ = vec2<i32>(-1i, 0i);
+            phi_179_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_176_ = vec2<i32>(1i, 0i);
+            phi_179_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_176_ = vec2<i32>(0i, 1i);
+            phi_179_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e50 = phi_176_;
-    return vec2<i32>(_e50.x, _e50.y);
+    let _e52 = phi_179_;
+    return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_194_: vec2<i32>;
+    var phi_197_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_194_ = vec2(0i);
+            phi_197_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_194_ = vec2(-1i);
+            phi_197_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_194_ = vec2<i32>(1i, -1i);
+            phi_197_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_194_ = vec2<i32>(-1i, 1i);
+            phi_197_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_194_ = vec2(1i);
+            phi_197_ = vec2(1i);
             break;
         }
     }
-    let _e50 = phi_194_;
-    return vec2<i32>(_e50.x, _e50.y);
+    let _e52 = phi_197_;
+    return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_213_: vec2<i32>;
+    var phi_216_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e44 = lt_mask_pattern_plus(param_5);
-        phi_213_ = vec2<i32>(_e44.x, _e44.y);
+        let _e46 = lt_mask_pattern_plus(param_5);
+        phi_216_ = vec2<i32>(_e46.x, _e46.y);
     } else {
-        let _e48 = lt_mask_pattern_cross(param_5);
-        phi_213_ = vec2<i32>(_e48.x, _e48.y);
+        let _e50 = lt_mask_pattern_cross(param_5);
+        phi_216_ = vec2<i32>(_e50.x, _e50.y);
     }
-    let _e53 = phi_213_;
-    return vec2<i32>(_e53.x, _e53.y);
+    let _e55 = phi_216_;
+    return vec2<i32>(_e55.x, _e55.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_234_: u32;
-    var phi_235_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_241_: vec2<i32>;
 
-    let _e45 = (bitcast<i32>(param_7) + param_8);
-    if (_e45 < 0i) {
-        phi_235_ = 0u;
-    } else {
-        if (_e45 >= bitcast<i32>(param_9)) {
-            phi_234_ = (param_9 - 1u);
-        } else {
-            phi_234_ = bitcast<u32>(_e45);
+    let _e44 = (param_7 % 13u);
+    switch bitcast<i32>(_e44) {
+        case 9: {
+            phi_241_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e52 = phi_234_;
-        phi_235_ = _e52;
+        case 10: {
+            phi_241_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_241_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_241_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_241_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e54 = phi_235_;
-    return _e54;
+    let _e59 = phi_241_;
+    return vec2<i32>(_e59.x, _e59.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_262_: u32;
+    var phi_263_: u32;
+
+    let _e47 = (bitcast<i32>(param_8) + param_9);
+    if (_e47 < 0i) {
+        phi_263_ = 0u;
+    } else {
+        if (_e47 >= bitcast<i32>(param_10)) {
+            phi_262_ = (param_10 - 1u);
+        } else {
+            phi_262_ = bitcast<u32>(_e47);
+        }
+        let _e54 = phi_262_;
+        phi_263_ = _e54;
+    }
+    let _e56 = phi_263_;
+    return _e56;
 }
 
 fn function_() {
-    var phi_301_: bool;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_304_: bool;
-    var phi_308_: bool;
-    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_356_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_369_: bool;
-    var phi_425_: bool;
-    var phi_429_: f32;
-    var phi_440_: bool;
+    var phi_329_: bool;
+    var phi_330_: bool;
+    var phi_331_: bool;
+    var phi_332_: bool;
+    var phi_336_: bool;
+    var phi_380_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_384_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_397_: bool;
     var phi_453_: bool;
-    var phi_464_: bool;
-    var phi_465_: bool;
-    var phi_466_: bool;
-    var phi_467_: bool;
+    var phi_457_: f32;
     var phi_468_: bool;
-    var phi_469_: bool;
-    var phi_473_: bool;
-    var phi_478_: bool;
-    var phi_492_: u32;
-    var phi_494_: u32;
-    var phi_497_: lt_mask_Neighbourhood;
-    var phi_509_: bool;
-    var phi_510_: bool;
-    var phi_518_: u32;
-    var phi_519_: u32;
-    var phi_578_: vec2<i32>;
-    var phi_594_: vec2<i32>;
-    var phi_617_: u32;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_642_: bool;
-    var phi_643_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
-    var phi_495_: u32;
-    var phi_498_: lt_mask_Neighbourhood;
-    var phi_666_: lt_mask_Neighbourhood;
-    var phi_667_: lt_mask_Neighbourhood;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_708_: bool;
-    var phi_715_: u32;
-    var phi_716_: u32;
-    var phi_717_: u32;
-    var phi_718_: u32;
-    var phi_719_: u32;
+    var phi_481_: bool;
+    var phi_492_: bool;
+    var phi_493_: bool;
+    var phi_494_: bool;
+    var phi_495_: bool;
+    var phi_496_: bool;
+    var phi_497_: bool;
+    var phi_501_: bool;
+    var phi_506_: bool;
+    var phi_520_: u32;
+    var phi_522_: u32;
+    var phi_525_: lt_mask_Neighbourhood;
+    var phi_537_: bool;
+    var phi_538_: bool;
+    var phi_547_: u32;
+    var phi_548_: u32;
+    var phi_608_: vec2<i32>;
+    var phi_628_: vec2<i32>;
+    var phi_651_: u32;
+    var phi_668_: bool;
+    var phi_669_: bool;
+    var phi_676_: bool;
+    var phi_677_: bool;
+    var phi_695_: bool;
+    var phi_696_: bool;
+    var phi_697_: bool;
+    var phi_523_: u32;
+    var phi_526_: lt_mask_Neighbourhood;
+    var phi_700_: lt_mask_Neighbourhood;
+    var phi_701_: lt_mask_Neighbourhood;
+    var phi_726_: bool;
     var phi_727_: bool;
-    var phi_735_: u32;
-    var phi_740_: u32;
-    var phi_744_: u32;
-    var phi_745_: u32;
-    var phi_749_: f32;
-    var phi_751_: mask_Masked;
-    var phi_779_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_786_: bool;
-    var phi_814_: f32;
-    var phi_817_: bool;
-    var phi_818_: u32;
-    var phi_829_: u32;
+    var phi_740_: bool;
+    var phi_741_: bool;
+    var phi_742_: bool;
+    var phi_749_: u32;
+    var phi_750_: u32;
+    var phi_751_: u32;
+    var phi_752_: u32;
+    var phi_753_: u32;
+    var phi_761_: bool;
+    var phi_769_: u32;
+    var phi_774_: u32;
+    var phi_778_: u32;
+    var phi_779_: u32;
+    var phi_783_: f32;
+    var phi_785_: mask_Masked;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_820_: bool;
+    var phi_848_: f32;
+    var phi_851_: bool;
+    var phi_852_: u32;
+    var phi_863_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e41 = id_1;
-    let _e42 = local_2;
-    let _e58 = p.member.current.size[0u];
-    let _e60 = p.member.current.size[1u];
-    let _e61 = lt_shaders_entry_pixel_index(_e41, _e58, _e60);
-    if (bitcast<i32>(_e61.root) != 0i) {
-        let _e69 = p.member.current.size[0u];
-        let _e72 = samples.member[_e61.first_primitive].position;
-        let _e74 = visibility.member[_e61.first_primitive];
-        let _e78 = p.member.light;
-        let _e81 = samples.member[_e61.first_primitive].normal[0u];
-        let _e83 = global[0u];
-        if (_e81 == _e83) {
-            let _e86 = samples.member[_e61.first_primitive].normal[1u];
-            let _e88 = global[1u];
-            if (_e86 == _e88) {
-                let _e91 = samples.member[_e61.first_primitive].normal[2u];
-                let _e93 = global[2u];
-                phi_301_ = (_e91 == _e93);
-                phi_302_ = false;
+    let _e43 = id_1;
+    let _e44 = local_2;
+    let _e60 = p.member.current.size[0u];
+    let _e62 = p.member.current.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e43, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        let _e71 = p.member.current.size[0u];
+        let _e74 = samples.member[_e63.first_primitive].position;
+        let _e76 = visibility.member[_e63.first_primitive];
+        let _e80 = p.member.light;
+        let _e83 = samples.member[_e63.first_primitive].normal[0u];
+        let _e85 = global[0u];
+        if (_e83 == _e85) {
+            let _e88 = samples.member[_e63.first_primitive].normal[1u];
+            let _e90 = global[1u];
+            if (_e88 == _e90) {
+                let _e93 = samples.member[_e63.first_primitive].normal[2u];
+                let _e95 = global[2u];
+                phi_329_ = (_e93 == _e95);
+                phi_330_ = false;
             } else {
-                phi_301_ = bool();
-                phi_302_ = true;
+                phi_329_ = bool();
+                phi_330_ = true;
             }
-            let _e96 = phi_301_;
-            let _e98 = phi_302_;
-            phi_303_ = _e96;
-            phi_304_ = _e98;
+            let _e98 = phi_329_;
+            let _e100 = phi_330_;
+            phi_331_ = _e98;
+            phi_332_ = _e100;
         } else {
-            phi_303_ = bool();
-            phi_304_ = true;
+            phi_331_ = bool();
+            phi_332_ = true;
         }
-        let _e100 = phi_303_;
-        let _e102 = phi_304_;
-        if _e102 {
-            phi_308_ = false;
+        let _e102 = phi_331_;
+        let _e104 = phi_332_;
+        if _e104 {
+            phi_336_ = false;
         } else {
-            phi_308_ = _e100;
+            phi_336_ = _e102;
         }
-        let _e104 = phi_308_;
-        if !(_e104) {
-            let _e107 = samples.member[_e61.first_primitive].normal;
-            let _e109 = samples.member[_e61.first_primitive].position;
-            if ((((_e107.x * (_e78.x - (_e109.x * _e78.w))) + (_e107.y * (_e78.y - (_e109.y * _e78.w)))) + (_e107.z * (_e78.z - (_e109.z * _e78.w)))) > 0f) {
-                let _e133 = samples.member[_e61.first_primitive].flags;
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
-                phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, ((_e133 & 1u) == 0u));
+        let _e106 = phi_336_;
+        if !(_e106) {
+            let _e109 = samples.member[_e63.first_primitive].normal;
+            let _e111 = samples.member[_e63.first_primitive].position;
+            if ((((_e109.x * (_e80.x - (_e111.x * _e80.w))) + (_e109.y * (_e80.y - (_e111.y * _e80.w)))) + (_e109.z * (_e80.z - (_e111.z * _e80.w)))) > 0f) {
+                let _e135 = samples.member[_e63.first_primitive].flags;
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
+                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, ((_e135 & 1u) == 0u));
             } else {
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-                phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
+                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
             }
-            let _e167 = phi_352_;
-            phi_356_ = _e167;
+            let _e169 = phi_380_;
+            phi_384_ = _e169;
         } else {
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-            phi_356_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, true);
+            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
+            phi_384_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, true);
         }
-        let _e184 = phi_356_;
-        if _e184.unnamed_1 {
-            phi_751_ = mask_Masked(_e184.unnamed.visibility, 0u, false);
+        let _e186 = phi_384_;
+        if _e186.unnamed_1 {
+            phi_785_ = mask_Masked(_e186.unnamed.visibility, 0u, false);
         } else {
-            let _e189 = (_e74 < 0.5f);
-            if (_e74 > 0f) {
-                phi_369_ = (_e74 < 1f);
+            let _e191 = (_e76 < 0.5f);
+            if (_e76 > 0f) {
+                phi_397_ = (_e76 < 1f);
             } else {
-                phi_369_ = false;
+                phi_397_ = false;
             }
-            let _e193 = phi_369_;
-            let _e196 = p.member.previous.eye;
-            let _e207 = p.member.previous.forward;
-            let _e215 = ((((_e72.x - _e196.x) * _e207.x) + ((_e72.y - _e196.y) * _e207.y)) + ((_e72.z - _e196.z) * _e207.z));
-            let _e217 = ((_e41.y * _e69) + _e41.x);
-            if (_e217 < arrayLength((&last_depths.member))) {
+            let _e195 = phi_397_;
+            let _e198 = p.member.previous.eye;
+            let _e209 = p.member.previous.forward;
+            let _e217 = ((((_e74.x - _e198.x) * _e209.x) + ((_e74.y - _e198.y) * _e209.y)) + ((_e74.z - _e198.z) * _e209.z));
+            let _e219 = ((_e43.y * _e71) + _e43.x);
+            if (_e219 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e221 = last_depths.member[(0u + _e217)];
-            let _e223 = p.member.depth_tolerance;
-            let _e226 = abs(_e215);
-            let _e227 = abs(_e221);
-            if ((bitcast<u32>(_e227) & 2147483647u) > 2139095040u) {
-                phi_425_ = true;
+            let _e223 = last_depths.member[(0u + _e219)];
+            let _e225 = p.member.depth_tolerance;
+            let _e228 = abs(_e217);
+            let _e229 = abs(_e223);
+            if ((bitcast<u32>(_e229) & 2147483647u) > 2139095040u) {
+                phi_453_ = true;
             } else {
-                let _e231 = (_e227 > _e226);
-                if _e231 {
+                let _e233 = (_e229 > _e228);
+                if _e233 {
                 }
-                phi_425_ = _e231;
+                phi_453_ = _e233;
             }
-            let _e233 = phi_425_;
-            if _e233 {
-                phi_429_ = _e227;
+            let _e235 = phi_453_;
+            if _e235 {
+                phi_457_ = _e229;
             } else {
-                phi_429_ = _e226;
+                phi_457_ = _e228;
             }
-            let _e235 = phi_429_;
-            if (abs((_e215 - _e221)) <= (_e223 * _e235)) {
-                let _e239 = p.member.flags;
-                phi_440_ = ((_e239 & 1u) != 0u);
+            let _e237 = phi_457_;
+            if (abs((_e217 - _e223)) <= (_e225 * _e237)) {
+                let _e241 = p.member.flags;
+                phi_468_ = ((_e241 & 1u) != 0u);
             } else {
-                phi_440_ = false;
+                phi_468_ = false;
             }
-            let _e243 = phi_440_;
-            let _e245 = p.member.flags;
+            let _e245 = phi_468_;
+            let _e247 = p.member.flags;
             if false {
-                let _e249 = p.member.flags;
-                phi_453_ = ((_e249 & 4u) == 0u);
+                let _e251 = p.member.flags;
+                phi_481_ = ((_e251 & 4u) == 0u);
             } else {
-                phi_453_ = false;
+                phi_481_ = false;
             }
-            let _e253 = phi_453_;
-            if ((_e245 & 2u) != 0u) {
+            let _e255 = phi_481_;
+            if ((_e247 & 2u) != 0u) {
                 if false {
-                    phi_466_ = bool();
-                    phi_467_ = true;
+                    phi_494_ = bool();
+                    phi_495_ = true;
                 } else {
                     if true {
-                        phi_464_ = !(_e253);
-                        phi_465_ = false;
+                        phi_492_ = !(_e255);
+                        phi_493_ = false;
                     } else {
-                        phi_464_ = bool();
-                        phi_465_ = true;
+                        phi_492_ = bool();
+                        phi_493_ = true;
                     }
-                    let _e256 = phi_464_;
-                    let _e258 = phi_465_;
-                    phi_466_ = _e256;
-                    phi_467_ = _e258;
+                    let _e258 = phi_492_;
+                    let _e260 = phi_493_;
+                    phi_494_ = _e258;
+                    phi_495_ = _e260;
                 }
-                let _e260 = phi_466_;
-                let _e262 = phi_467_;
-                phi_468_ = _e260;
-                phi_469_ = _e262;
+                let _e262 = phi_494_;
+                let _e264 = phi_495_;
+                phi_496_ = _e262;
+                phi_497_ = _e264;
             } else {
-                phi_468_ = bool();
-                phi_469_ = true;
+                phi_496_ = bool();
+                phi_497_ = true;
             }
-            let _e264 = phi_468_;
-            let _e266 = phi_469_;
-            if _e266 {
-                phi_473_ = false;
+            let _e266 = phi_496_;
+            let _e268 = phi_497_;
+            if _e268 {
+                phi_501_ = false;
             } else {
-                phi_473_ = _e264;
+                phi_501_ = _e266;
             }
-            let _e268 = phi_473_;
-            let _e269 = lt_mask_Neighbourhood(false, true);
-            if _e193 {
-                phi_478_ = _e268;
+            let _e270 = phi_501_;
+            let _e271 = lt_mask_Neighbourhood(false, true);
+            if _e195 {
+                phi_506_ = _e270;
             } else {
-                phi_478_ = true;
+                phi_506_ = true;
             }
-            let _e271 = phi_478_;
-            if _e271 {
-                if _e243 {
+            let _e273 = phi_506_;
+            if _e273 {
+                if _e245 {
                     if false {
-                        let _e273 = p.member.moving_pattern;
-                        phi_492_ = _e273;
+                        let _e275 = p.member.moving_pattern;
+                        phi_520_ = _e275;
                     } else {
-                        let _e275 = p.member.still_pattern;
-                        phi_492_ = _e275;
+                        let _e277 = p.member.still_pattern;
+                        phi_520_ = _e277;
                     }
-                    let _e277 = phi_492_;
-                    phi_494_ = 0u;
-                    phi_497_ = _e269;
+                    let _e279 = phi_520_;
+                    phi_522_ = 0u;
+                    phi_525_ = _e271;
                     loop {
-                        let _e279 = phi_494_;
-                        let _e281 = phi_497_;
-                        local_1 = _e281;
-                        if (1u <= _e277) {
-                            if (_e277 <= 4u) {
-                                phi_509_ = false;
+                        let _e281 = phi_522_;
+                        let _e283 = phi_525_;
+                        local_1 = _e283;
+                        if (1u <= _e279) {
+                            if (_e279 <= 4u) {
+                                phi_537_ = false;
                             } else {
-                                phi_509_ = true;
+                                phi_537_ = true;
                             }
-                            let _e285 = phi_509_;
-                            phi_510_ = _e285;
+                            let _e287 = phi_537_;
+                            phi_538_ = _e287;
                         } else {
-                            phi_510_ = true;
+                            phi_538_ = true;
                         }
-                        let _e287 = phi_510_;
-                        if _e287 {
-                            switch bitcast<i32>(_e277) {
+                        let _e289 = phi_538_;
+                        if _e289 {
+                            switch bitcast<i32>(_e279) {
                                 case 5: {
-                                    phi_518_ = 4u;
+                                    phi_547_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_518_ = 25u;
+                                    phi_547_ = 25u;
+                                    break;
+                                }
+                                case 7: {
+                                    phi_547_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_518_ = 9u;
+                                    phi_547_ = 9u;
                                     break;
                                 }
                             }
-                            let _e290 = phi_518_;
-                            phi_519_ = _e290;
+                            let _e292 = phi_547_;
+                            phi_548_ = _e292;
                         } else {
-                            phi_519_ = 5u;
+                            phi_548_ = 5u;
                         }
-                        let _e292 = phi_519_;
-                        let _e293 = (_e279 < _e292);
-                        if _e293 {
-                            let _e295 = p.member.frame;
-                            let _e299 = p.member.current.size[0u];
-                            let _e301 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e277) {
+                        let _e294 = phi_548_;
+                        let _e295 = (_e281 < _e294);
+                        if _e295 {
+                            let _e297 = p.member.frame;
+                            let _e301 = p.member.current.size[0u];
+                            let _e303 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e279) {
                                 case 1: {
-                                    let _e311 = lt_mask_pattern_plus(_e279);
-                                    phi_594_ = vec2<i32>(_e311.x, _e311.y);
+                                    let _e313 = lt_mask_pattern_plus(_e281);
+                                    phi_628_ = vec2<i32>(_e313.x, _e313.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e315 = lt_mask_pattern_cross(_e279);
-                                    phi_594_ = vec2<i32>(_e315.x, _e315.y);
+                                    let _e317 = lt_mask_pattern_cross(_e281);
+                                    phi_628_ = vec2<i32>(_e317.x, _e317.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e321 = lt_mask_pattern_plus_or_cross(_e279, ((_e41.x + _e41.y) & 1u));
-                                    phi_594_ = vec2<i32>(_e321.x, _e321.y);
+                                    let _e323 = lt_mask_pattern_plus_or_cross(_e281, ((_e43.x + _e43.y) & 1u));
+                                    phi_628_ = vec2<i32>(_e323.x, _e323.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e326 = lt_mask_pattern_plus_or_cross(_e279, (_e295 & 1u));
-                                    phi_594_ = vec2<i32>(_e326.x, _e326.y);
+                                    let _e328 = lt_mask_pattern_plus_or_cross(_e281, (_e297 & 1u));
+                                    phi_628_ = vec2<i32>(_e328.x, _e328.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e295 & 3u)) {
+                                    switch bitcast<i32>((_e297 & 3u)) {
                                         case 0: {
-                                            phi_578_ = vec2(-1i);
+                                            phi_608_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_578_ = vec2(0i);
+                                            phi_608_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_578_ = vec2<i32>(0i, -1i);
+                                            phi_608_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_578_ = vec2<i32>(-1i, 0i);
+                                            phi_608_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e337 = phi_578_;
-                                    phi_594_ = (_e337 + vec2<i32>(bitcast<i32>((_e279 & 1u)), bitcast<i32>(((_e279 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e339 = phi_608_;
+                                    phi_628_ = (_e339 + vec2<i32>(bitcast<i32>((_e281 & 1u)), bitcast<i32>(((_e281 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_594_ = vec2<i32>((bitcast<i32>((_e279 % 5u)) - 2i), (bitcast<i32>(((_e279 / 5u) % 5u)) - 2i));
+                                    phi_628_ = vec2<i32>((bitcast<i32>((_e281 % 5u)) - 2i), (bitcast<i32>(((_e281 / 5u) % 5u)) - 2i));
+                                    break;
+                                }
+                                case 7: {
+                                    let _e356 = lt_mask_pattern_diamond(_e281);
+                                    phi_628_ = vec2<i32>(_e356.x, _e356.y);
                                     break;
                                 }
                                 default: {
-                                    phi_594_ = vec2<i32>((bitcast<i32>((_e279 % 3u)) - 1i), (bitcast<i32>(((_e279 / 3u) % 3u)) - 1i));
+                                    phi_628_ = vec2<i32>((bitcast<i32>((_e281 % 3u)) - 1i), (bitcast<i32>(((_e281 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e355 = phi_594_;
-                            let _e358 = lt_mask_pattern_step_clamped(_e41.x, _e355.x, _e299);
-                            let _e359 = lt_mask_pattern_step_clamped(_e41.y, _e355.y, _e301);
-                            let _e361 = ((_e359 * _e69) + _e358);
-                            if (_e361 < arrayLength((&last_bits.member))) {
+                            let _e361 = phi_628_;
+                            let _e364 = lt_mask_pattern_step_clamped(_e43.x, _e361.x, _e301);
+                            let _e365 = lt_mask_pattern_step_clamped(_e43.y, _e361.y, _e303);
+                            let _e367 = ((_e365 * _e71) + _e364);
+                            if (_e367 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e365 = last_bits.member[(0u + _e361)];
-                            if ((_e365 & 2u) == 0u) {
-                                phi_617_ = (_e365 & 1u);
+                            let _e371 = last_bits.member[(0u + _e367)];
+                            if ((_e371 & 2u) == 0u) {
+                                phi_651_ = (_e371 & 1u);
                             } else {
-                                phi_617_ = (_e365 & 7u);
+                                phi_651_ = (_e371 & 7u);
                             }
-                            let _e371 = phi_617_;
-                            if _e281.any_expands {
-                                phi_643_ = true;
+                            let _e377 = phi_651_;
+                            if _e283.any_expands {
+                                phi_677_ = true;
                             } else {
-                                if ((_e371 & 2u) != 0u) {
-                                    if (((_e371 & 4u) != 0u) != _e189) {
-                                        phi_634_ = false;
+                                if ((_e377 & 2u) != 0u) {
+                                    if (((_e377 & 4u) != 0u) != _e191) {
+                                        phi_668_ = false;
                                     } else {
-                                        phi_634_ = true;
+                                        phi_668_ = true;
                                     }
-                                    let _e380 = phi_634_;
-                                    phi_635_ = _e380;
+                                    let _e386 = phi_668_;
+                                    phi_669_ = _e386;
                                 } else {
-                                    phi_635_ = true;
+                                    phi_669_ = true;
                                 }
-                                let _e382 = phi_635_;
-                                if _e382 {
-                                    phi_642_ = (((_e371 & 1u) != 0u) != _e189);
+                                let _e388 = phi_669_;
+                                if _e388 {
+                                    phi_676_ = (((_e377 & 1u) != 0u) != _e191);
                                 } else {
-                                    phi_642_ = true;
+                                    phi_676_ = true;
                                 }
-                                let _e387 = phi_642_;
-                                phi_643_ = _e387;
+                                let _e393 = phi_676_;
+                                phi_677_ = _e393;
                             }
-                            let _e389 = phi_643_;
-                            if _e281.all_remove {
-                                if (((_e371 & 1u) != 0u) == _e189) {
-                                    if ((_e371 & 2u) != 0u) {
-                                        phi_661_ = (((_e371 & 4u) != 0u) == _e189);
+                            let _e395 = phi_677_;
+                            if _e283.all_remove {
+                                if (((_e377 & 1u) != 0u) == _e191) {
+                                    if ((_e377 & 2u) != 0u) {
+                                        phi_695_ = (((_e377 & 4u) != 0u) == _e191);
                                     } else {
-                                        phi_661_ = true;
+                                        phi_695_ = true;
                                     }
-                                    let _e399 = phi_661_;
-                                    phi_662_ = _e399;
+                                    let _e405 = phi_695_;
+                                    phi_696_ = _e405;
                                 } else {
-                                    phi_662_ = false;
+                                    phi_696_ = false;
                                 }
-                                let _e401 = phi_662_;
-                                phi_663_ = _e401;
+                                let _e407 = phi_696_;
+                                phi_697_ = _e407;
                             } else {
-                                phi_663_ = false;
+                                phi_697_ = false;
                             }
-                            let _e403 = phi_663_;
-                            phi_495_ = (_e279 + 1u);
-                            phi_498_ = lt_mask_Neighbourhood(_e389, _e403);
+                            let _e409 = phi_697_;
+                            phi_523_ = (_e281 + 1u);
+                            phi_526_ = lt_mask_Neighbourhood(_e395, _e409);
                         } else {
-                            phi_495_ = u32();
-                            phi_498_ = lt_mask_Neighbourhood();
+                            phi_523_ = u32();
+                            phi_526_ = lt_mask_Neighbourhood();
                         }
-                        let _e407 = phi_495_;
-                        let _e409 = phi_498_;
+                        let _e413 = phi_523_;
+                        let _e415 = phi_526_;
                         continue;
                         continuing {
-                            phi_494_ = _e407;
-                            phi_497_ = _e409;
-                            break if !(_e293);
+                            phi_522_ = _e413;
+                            phi_525_ = _e415;
+                            break if !(_e295);
                         }
                     }
-                    let _e580 = local_1;
-                    phi_666_ = _e580;
+                    let _e586 = local_1;
+                    phi_700_ = _e586;
                 } else {
-                    phi_666_ = _e269;
+                    phi_700_ = _e271;
                 }
-                let _e412 = phi_666_;
-                phi_667_ = _e412;
+                let _e418 = phi_700_;
+                phi_701_ = _e418;
             } else {
-                phi_667_ = _e269;
+                phi_701_ = _e271;
             }
-            let _e414 = phi_667_;
-            if (_e74 != 0.5f) {
-                if _e243 {
-                    if _e193 {
-                        phi_693_ = true;
+            let _e420 = phi_701_;
+            if (_e76 != 0.5f) {
+                if _e245 {
+                    if _e195 {
+                        phi_727_ = true;
                     } else {
-                        if _e414.any_expands {
-                            phi_692_ = false;
+                        if _e420.any_expands {
+                            phi_726_ = false;
                         } else {
-                            phi_692_ = true;
+                            phi_726_ = true;
                         }
-                        let _e419 = phi_692_;
-                        phi_693_ = _e419;
+                        let _e425 = phi_726_;
+                        phi_727_ = _e425;
                     }
-                    let _e421 = phi_693_;
-                    if _e421 {
-                        if _e193 {
-                            if _e268 {
-                                if _e414.all_remove {
-                                    phi_706_ = false;
+                    let _e427 = phi_727_;
+                    if _e427 {
+                        if _e195 {
+                            if _e270 {
+                                if _e420.all_remove {
+                                    phi_740_ = false;
                                 } else {
-                                    phi_706_ = true;
+                                    phi_740_ = true;
                                 }
-                                let _e423 = phi_706_;
-                                phi_707_ = _e423;
+                                let _e429 = phi_740_;
+                                phi_741_ = _e429;
                             } else {
-                                phi_707_ = true;
+                                phi_741_ = true;
                             }
-                            let _e425 = phi_707_;
-                            phi_708_ = _e425;
+                            let _e431 = phi_741_;
+                            phi_742_ = _e431;
                         } else {
-                            phi_708_ = true;
+                            phi_742_ = true;
                         }
-                        let _e427 = phi_708_;
-                        if _e427 {
-                            if _e193 {
-                                phi_715_ = 1u;
+                        let _e433 = phi_742_;
+                        if _e433 {
+                            if _e195 {
+                                phi_749_ = 1u;
                             } else {
-                                phi_715_ = 0u;
+                                phi_749_ = 0u;
                             }
-                            let _e429 = phi_715_;
-                            phi_716_ = _e429;
+                            let _e435 = phi_749_;
+                            phi_750_ = _e435;
                         } else {
-                            phi_716_ = 5u;
+                            phi_750_ = 5u;
                         }
-                        let _e431 = phi_716_;
-                        phi_717_ = _e431;
+                        let _e437 = phi_750_;
+                        phi_751_ = _e437;
                     } else {
-                        phi_717_ = 4u;
+                        phi_751_ = 4u;
                     }
-                    let _e433 = phi_717_;
-                    phi_718_ = _e433;
+                    let _e439 = phi_751_;
+                    phi_752_ = _e439;
                 } else {
-                    phi_718_ = 3u;
+                    phi_752_ = 3u;
                 }
-                let _e435 = phi_718_;
-                phi_719_ = _e435;
+                let _e441 = phi_752_;
+                phi_753_ = _e441;
             } else {
-                phi_719_ = 2u;
+                phi_753_ = 2u;
             }
-            let _e437 = phi_719_;
-            if !((_e437 == 0u)) {
-                phi_727_ = !((_e437 == 5u));
+            let _e443 = phi_753_;
+            if !((_e443 == 0u)) {
+                phi_761_ = !((_e443 == 5u));
             } else {
-                phi_727_ = false;
+                phi_761_ = false;
             }
-            let _e443 = phi_727_;
-            if _e443 {
-                if _e189 {
-                    phi_735_ = (2u | 1u);
+            let _e449 = phi_761_;
+            if _e449 {
+                if _e191 {
+                    phi_769_ = (2u | 1u);
                 } else {
-                    phi_735_ = 2u;
+                    phi_769_ = 2u;
                 }
-                let _e446 = phi_735_;
+                let _e452 = phi_769_;
                 if false {
-                    phi_740_ = (_e446 | 4u);
+                    phi_774_ = (_e452 | 4u);
                 } else {
-                    phi_740_ = _e446;
+                    phi_774_ = _e452;
                 }
-                let _e449 = phi_740_;
-                phi_745_ = _e449;
+                let _e455 = phi_774_;
+                phi_779_ = _e455;
             } else {
-                if _e189 {
-                    phi_744_ = 1u;
+                if _e191 {
+                    phi_778_ = 1u;
                 } else {
-                    phi_744_ = 0u;
+                    phi_778_ = 0u;
                 }
-                let _e451 = phi_744_;
-                phi_745_ = _e451;
+                let _e457 = phi_778_;
+                phi_779_ = _e457;
             }
-            let _e453 = phi_745_;
-            if _e189 {
-                phi_749_ = 0f;
+            let _e459 = phi_779_;
+            if _e191 {
+                phi_783_ = 0f;
             } else {
-                phi_749_ = 1f;
+                phi_783_ = 1f;
             }
-            let _e455 = phi_749_;
-            phi_751_ = mask_Masked(_e455, _e453, _e443);
+            let _e461 = phi_783_;
+            phi_785_ = mask_Masked(_e461, _e459, _e449);
         }
-        let _e458 = phi_751_;
-        visibility.member[_e61.first_primitive] = _e458.visibility;
-        bits.member[_e61.first_primitive] = _e458.bits;
-        let _e466 = samples.member[_e61.first_primitive].normal[0u];
-        let _e468 = global[0u];
-        if (_e466 == _e468) {
-            let _e471 = samples.member[_e61.first_primitive].normal[1u];
-            let _e473 = global[1u];
-            if (_e471 == _e473) {
-                let _e476 = samples.member[_e61.first_primitive].normal[2u];
-                let _e478 = global[2u];
-                phi_779_ = (_e476 == _e478);
-                phi_780_ = false;
+        let _e464 = phi_785_;
+        visibility.member[_e63.first_primitive] = _e464.visibility;
+        bits.member[_e63.first_primitive] = _e464.bits;
+        let _e472 = samples.member[_e63.first_primitive].normal[0u];
+        let _e474 = global[0u];
+        if (_e472 == _e474) {
+            let _e477 = samples.member[_e63.first_primitive].normal[1u];
+            let _e479 = global[1u];
+            if (_e477 == _e479) {
+                let _e482 = samples.member[_e63.first_primitive].normal[2u];
+                let _e484 = global[2u];
+                phi_813_ = (_e482 == _e484);
+                phi_814_ = false;
             } else {
-                phi_779_ = bool();
-                phi_780_ = true;
+                phi_813_ = bool();
+                phi_814_ = true;
             }
-            let _e481 = phi_779_;
-            let _e483 = phi_780_;
-            phi_781_ = _e481;
-            phi_782_ = _e483;
+            let _e487 = phi_813_;
+            let _e489 = phi_814_;
+            phi_815_ = _e487;
+            phi_816_ = _e489;
         } else {
-            phi_781_ = bool();
-            phi_782_ = true;
+            phi_815_ = bool();
+            phi_816_ = true;
         }
-        let _e485 = phi_781_;
-        let _e487 = phi_782_;
-        if _e487 {
-            phi_786_ = false;
+        let _e491 = phi_815_;
+        let _e493 = phi_816_;
+        if _e493 {
+            phi_820_ = false;
         } else {
-            phi_786_ = _e485;
+            phi_820_ = _e491;
         }
-        let _e489 = phi_786_;
-        if !(_e489) {
-            let _e492 = samples.member[_e61.first_primitive].position;
-            let _e494 = p.member.current.eye;
-            let _e505 = p.member.current.forward;
-            phi_814_ = ((((_e492.x - _e494.x) * _e505.x) + ((_e492.y - _e494.y) * _e505.y)) + ((_e492.z - _e494.z) * _e505.z));
+        let _e495 = phi_820_;
+        if !(_e495) {
+            let _e498 = samples.member[_e63.first_primitive].position;
+            let _e500 = p.member.current.eye;
+            let _e511 = p.member.current.forward;
+            phi_848_ = ((((_e498.x - _e500.x) * _e511.x) + ((_e498.y - _e500.y) * _e511.y)) + ((_e498.z - _e500.z) * _e511.z));
         } else {
-            phi_814_ = 0f;
+            phi_848_ = 0f;
         }
-        let _e515 = phi_814_;
-        depths.member[_e61.first_primitive] = _e515;
-        phi_817_ = _e458.needs_ray;
-        phi_818_ = _e61.first_primitive;
+        let _e521 = phi_848_;
+        depths.member[_e63.first_primitive] = _e521;
+        phi_851_ = _e464.needs_ray;
+        phi_852_ = _e63.first_primitive;
     } else {
-        phi_817_ = false;
-        phi_818_ = 0u;
+        phi_851_ = false;
+        phi_852_ = 0u;
     }
-    let _e519 = phi_817_;
-    let _e521 = phi_818_;
-    if (_e42 == 0u) {
+    let _e525 = phi_851_;
+    let _e527 = phi_852_;
+    if (_e44 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e519 {
-        let _e525 = atomicAdd((&shared_[0u]), 1u);
-        phi_829_ = _e525;
+    if _e525 {
+        let _e531 = atomicAdd((&shared_[0u]), 1u);
+        phi_863_ = _e531;
     } else {
-        phi_829_ = 0u;
+        phi_863_ = 0u;
     }
-    let _e527 = phi_829_;
+    let _e533 = phi_863_;
     workgroupBarrier();
-    if (_e42 == 0u) {
-        let _e531 = atomicLoad((&shared_[0u]));
-        let _e532 = atomicAdd((&list.member[3u]), _e531);
-        atomicStore((&shared_[1u]), _e532);
+    if (_e44 == 0u) {
+        let _e537 = atomicLoad((&shared_[0u]));
+        let _e538 = atomicAdd((&list.member[3u]), _e537);
+        atomicStore((&shared_[1u]), _e538);
     }
     workgroupBarrier();
-    if _e519 {
-        let _e535 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e535) + _e527)]), _e521);
+    if _e525 {
+        let _e541 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e541) + _e533)]), _e527);
     }
     return;
 }

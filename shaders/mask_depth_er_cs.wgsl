@@ -102,667 +102,706 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
-    var phi_153_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_153_: lt_bvh_traverse_Tree;
+    var phi_154_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_156_: bool;
+    var phi_161_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_151_ = false;
+            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_154_ = false;
         } else {
-            phi_150_ = lt_bvh_traverse_Tree();
-            phi_151_ = true;
+            phi_153_ = lt_bvh_traverse_Tree();
+            phi_154_ = true;
         }
-        let _e54 = phi_150_;
-        let _e56 = phi_151_;
-        phi_152_ = _e54;
-        phi_153_ = _e56;
+        let _e56 = phi_153_;
+        let _e58 = phi_154_;
+        phi_155_ = _e56;
+        phi_156_ = _e58;
     } else {
-        phi_152_ = lt_bvh_traverse_Tree();
-        phi_153_ = true;
+        phi_155_ = lt_bvh_traverse_Tree();
+        phi_156_ = true;
     }
-    let _e58 = phi_152_;
-    let _e60 = phi_153_;
-    if _e60 {
-        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e60 = phi_155_;
+    let _e62 = phi_156_;
+    if _e62 {
+        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_158_ = _e58;
+        phi_161_ = _e60;
     }
-    let _e65 = phi_158_;
-    return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
+    let _e67 = phi_161_;
+    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_176_: vec2<i32>;
+    var phi_179_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_176_ = vec2(0i);
+            phi_179_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_176_ = vec2<i32>(0i, -1i);
+            phi_179_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_176_ = vec2<i32>(-1i, 0i);
+            phi_179_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_176_ = vec2<i32>(1i, 0i);
+            phi_179_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_176_ = vec2<i32>(0i, 1i);
+            phi_179_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e50 = phi_176_;
-    return vec2<i32>(_e50.x, _e50.y);
+    let _e52 = phi_179_;
+    return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_194_: vec2<i32>;
+    var phi_197_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_194_ = vec2(0i);
+            phi_197_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_194_ = vec2(-1i);
+            phi_197_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_194_ = vec2<i32>(1i, -1i);
+            phi_197_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_194_ = vec2<i32>(-1i, 1i);
+            phi_197_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_194_ = vec2(1i);
+            phi_197_ = vec2(1i);
             break;
         }
     }
-    let _e50 = phi_194_;
-    return vec2<i32>(_e50.x, _e50.y);
+    let _e52 = phi_197_;
+    return vec2<i32>(_e52.x, _e52.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_213_: vec2<i32>;
+    var phi_216_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e44 = lt_mask_pattern_plus(param_5);
-        phi_213_ = vec2<i32>(_e44.x, _e44.y);
+        let _e46 = lt_mask_pattern_plus(param_5);
+        phi_216_ = vec2<i32>(_e46.x, _e46.y);
     } else {
-        let _e48 = lt_mask_pattern_cross(param_5);
-        phi_213_ = vec2<i32>(_e48.x, _e48.y);
+        let _e50 = lt_mask_pattern_cross(param_5);
+        phi_216_ = vec2<i32>(_e50.x, _e50.y);
     }
-    let _e53 = phi_213_;
-    return vec2<i32>(_e53.x, _e53.y);
+    let _e55 = phi_216_;
+    return vec2<i32>(_e55.x, _e55.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_234_: u32;
-    var phi_235_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_241_: vec2<i32>;
 
-    let _e45 = (bitcast<i32>(param_7) + param_8);
-    if (_e45 < 0i) {
-        phi_235_ = 0u;
-    } else {
-        if (_e45 >= bitcast<i32>(param_9)) {
-            phi_234_ = (param_9 - 1u);
-        } else {
-            phi_234_ = bitcast<u32>(_e45);
+    let _e44 = (param_7 % 13u);
+    switch bitcast<i32>(_e44) {
+        case 9: {
+            phi_241_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e52 = phi_234_;
-        phi_235_ = _e52;
+        case 10: {
+            phi_241_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_241_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_241_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_241_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e54 = phi_235_;
-    return _e54;
+    let _e59 = phi_241_;
+    return vec2<i32>(_e59.x, _e59.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_262_: u32;
+    var phi_263_: u32;
+
+    let _e47 = (bitcast<i32>(param_8) + param_9);
+    if (_e47 < 0i) {
+        phi_263_ = 0u;
+    } else {
+        if (_e47 >= bitcast<i32>(param_10)) {
+            phi_262_ = (param_10 - 1u);
+        } else {
+            phi_262_ = bitcast<u32>(_e47);
+        }
+        let _e54 = phi_262_;
+        phi_263_ = _e54;
+    }
+    let _e56 = phi_263_;
+    return _e56;
 }
 
 fn function_() {
-    var phi_301_: bool;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_304_: bool;
-    var phi_308_: bool;
-    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_356_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_369_: bool;
-    var phi_425_: bool;
-    var phi_429_: f32;
-    var phi_440_: bool;
-    var phi_466_: u32;
-    var phi_468_: u32;
-    var phi_471_: lt_mask_Neighbourhood;
-    var phi_483_: bool;
-    var phi_484_: bool;
-    var phi_492_: u32;
-    var phi_493_: u32;
-    var phi_552_: vec2<i32>;
-    var phi_568_: vec2<i32>;
-    var phi_591_: u32;
-    var phi_608_: bool;
-    var phi_609_: bool;
-    var phi_616_: bool;
-    var phi_617_: bool;
-    var phi_635_: bool;
-    var phi_636_: bool;
-    var phi_637_: bool;
-    var phi_469_: u32;
-    var phi_472_: lt_mask_Neighbourhood;
-    var phi_640_: lt_mask_Neighbourhood;
-    var phi_641_: lt_mask_Neighbourhood;
-    var phi_642_: lt_mask_Neighbourhood;
-    var phi_667_: bool;
-    var phi_668_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: bool;
-    var phi_690_: u32;
-    var phi_691_: u32;
-    var phi_692_: u32;
-    var phi_693_: u32;
-    var phi_694_: u32;
+    var phi_329_: bool;
+    var phi_330_: bool;
+    var phi_331_: bool;
+    var phi_332_: bool;
+    var phi_336_: bool;
+    var phi_380_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_384_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_397_: bool;
+    var phi_453_: bool;
+    var phi_457_: f32;
+    var phi_468_: bool;
+    var phi_494_: u32;
+    var phi_496_: u32;
+    var phi_499_: lt_mask_Neighbourhood;
+    var phi_511_: bool;
+    var phi_512_: bool;
+    var phi_521_: u32;
+    var phi_522_: u32;
+    var phi_582_: vec2<i32>;
+    var phi_602_: vec2<i32>;
+    var phi_625_: u32;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_497_: u32;
+    var phi_500_: lt_mask_Neighbourhood;
+    var phi_674_: lt_mask_Neighbourhood;
+    var phi_675_: lt_mask_Neighbourhood;
+    var phi_676_: lt_mask_Neighbourhood;
+    var phi_701_: bool;
     var phi_702_: bool;
-    var phi_710_: u32;
-    var phi_715_: u32;
-    var phi_719_: u32;
-    var phi_720_: u32;
-    var phi_724_: f32;
-    var phi_726_: mask_Masked;
-    var phi_754_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_761_: bool;
-    var phi_789_: f32;
-    var phi_792_: bool;
-    var phi_793_: u32;
-    var phi_804_: u32;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_724_: u32;
+    var phi_725_: u32;
+    var phi_726_: u32;
+    var phi_727_: u32;
+    var phi_728_: u32;
+    var phi_736_: bool;
+    var phi_744_: u32;
+    var phi_749_: u32;
+    var phi_753_: u32;
+    var phi_754_: u32;
+    var phi_758_: f32;
+    var phi_760_: mask_Masked;
+    var phi_788_: bool;
+    var phi_789_: bool;
+    var phi_790_: bool;
+    var phi_791_: bool;
+    var phi_795_: bool;
+    var phi_823_: f32;
+    var phi_826_: bool;
+    var phi_827_: u32;
+    var phi_838_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e41 = id_1;
-    let _e42 = local_2;
-    let _e58 = p.member.current.size[0u];
-    let _e60 = p.member.current.size[1u];
-    let _e61 = lt_shaders_entry_pixel_index(_e41, _e58, _e60);
-    if (bitcast<i32>(_e61.root) != 0i) {
-        let _e69 = p.member.current.size[0u];
-        let _e72 = samples.member[_e61.first_primitive].position;
-        let _e74 = visibility.member[_e61.first_primitive];
-        let _e78 = p.member.light;
-        let _e81 = samples.member[_e61.first_primitive].normal[0u];
-        let _e83 = global[0u];
-        if (_e81 == _e83) {
-            let _e86 = samples.member[_e61.first_primitive].normal[1u];
-            let _e88 = global[1u];
-            if (_e86 == _e88) {
-                let _e91 = samples.member[_e61.first_primitive].normal[2u];
-                let _e93 = global[2u];
-                phi_301_ = (_e91 == _e93);
-                phi_302_ = false;
+    let _e43 = id_1;
+    let _e44 = local_2;
+    let _e60 = p.member.current.size[0u];
+    let _e62 = p.member.current.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e43, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        let _e71 = p.member.current.size[0u];
+        let _e74 = samples.member[_e63.first_primitive].position;
+        let _e76 = visibility.member[_e63.first_primitive];
+        let _e80 = p.member.light;
+        let _e83 = samples.member[_e63.first_primitive].normal[0u];
+        let _e85 = global[0u];
+        if (_e83 == _e85) {
+            let _e88 = samples.member[_e63.first_primitive].normal[1u];
+            let _e90 = global[1u];
+            if (_e88 == _e90) {
+                let _e93 = samples.member[_e63.first_primitive].normal[2u];
+                let _e95 = global[2u];
+                phi_329_ = (_e93 == _e95);
+                phi_330_ = false;
             } else {
-                phi_301_ = bool();
-                phi_302_ = true;
+                phi_329_ = bool();
+                phi_330_ = true;
             }
-            let _e96 = phi_301_;
-            let _e98 = phi_302_;
-            phi_303_ = _e96;
-            phi_304_ = _e98;
+            let _e98 = phi_329_;
+            let _e100 = phi_330_;
+            phi_331_ = _e98;
+            phi_332_ = _e100;
         } else {
-            phi_303_ = bool();
-            phi_304_ = true;
+            phi_331_ = bool();
+            phi_332_ = true;
         }
-        let _e100 = phi_303_;
-        let _e102 = phi_304_;
-        if _e102 {
-            phi_308_ = false;
+        let _e102 = phi_331_;
+        let _e104 = phi_332_;
+        if _e104 {
+            phi_336_ = false;
         } else {
-            phi_308_ = _e100;
+            phi_336_ = _e102;
         }
-        let _e104 = phi_308_;
-        if !(_e104) {
-            let _e107 = samples.member[_e61.first_primitive].normal;
-            let _e109 = samples.member[_e61.first_primitive].position;
-            if ((((_e107.x * (_e78.x - (_e109.x * _e78.w))) + (_e107.y * (_e78.y - (_e109.y * _e78.w)))) + (_e107.z * (_e78.z - (_e109.z * _e78.w)))) > 0f) {
-                let _e133 = samples.member[_e61.first_primitive].flags;
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e141.unnamed.visibility, false), _e141.unnamed_1);
-                phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e147.unnamed, ((_e133 & 1u) == 0u));
+        let _e106 = phi_336_;
+        if !(_e106) {
+            let _e109 = samples.member[_e63.first_primitive].normal;
+            let _e111 = samples.member[_e63.first_primitive].position;
+            if ((((_e109.x * (_e80.x - (_e111.x * _e80.w))) + (_e109.y * (_e80.y - (_e111.y * _e80.w)))) + (_e109.z * (_e80.z - (_e111.z * _e80.w)))) > 0f) {
+                let _e135 = samples.member[_e63.first_primitive].flags;
+                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e149 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e143.unnamed.visibility, false), _e143.unnamed_1);
+                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e149.unnamed, ((_e135 & 1u) == 0u));
             } else {
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e156.unnamed.visibility, false), _e156.unnamed_1);
-                phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e162.unnamed, true);
+                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
+                phi_380_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, true);
             }
-            let _e167 = phi_352_;
-            phi_356_ = _e167;
+            let _e169 = phi_380_;
+            phi_384_ = _e169;
         } else {
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-            phi_356_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, true);
+            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
+            phi_384_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, true);
         }
-        let _e184 = phi_356_;
-        if _e184.unnamed_1 {
-            phi_726_ = mask_Masked(_e184.unnamed.visibility, 0u, false);
+        let _e186 = phi_384_;
+        if _e186.unnamed_1 {
+            phi_760_ = mask_Masked(_e186.unnamed.visibility, 0u, false);
         } else {
-            let _e189 = (_e74 < 0.5f);
-            if (_e74 > 0f) {
-                phi_369_ = (_e74 < 1f);
+            let _e191 = (_e76 < 0.5f);
+            if (_e76 > 0f) {
+                phi_397_ = (_e76 < 1f);
             } else {
-                phi_369_ = false;
+                phi_397_ = false;
             }
-            let _e193 = phi_369_;
-            let _e196 = p.member.previous.eye;
-            let _e207 = p.member.previous.forward;
-            let _e215 = ((((_e72.x - _e196.x) * _e207.x) + ((_e72.y - _e196.y) * _e207.y)) + ((_e72.z - _e196.z) * _e207.z));
-            let _e217 = ((_e41.y * _e69) + _e41.x);
-            if (_e217 < arrayLength((&last_depths.member))) {
+            let _e195 = phi_397_;
+            let _e198 = p.member.previous.eye;
+            let _e209 = p.member.previous.forward;
+            let _e217 = ((((_e74.x - _e198.x) * _e209.x) + ((_e74.y - _e198.y) * _e209.y)) + ((_e74.z - _e198.z) * _e209.z));
+            let _e219 = ((_e43.y * _e71) + _e43.x);
+            if (_e219 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e221 = last_depths.member[(0u + _e217)];
-            let _e223 = p.member.depth_tolerance;
-            let _e226 = abs(_e215);
-            let _e227 = abs(_e221);
-            if ((bitcast<u32>(_e227) & 2147483647u) > 2139095040u) {
-                phi_425_ = true;
+            let _e223 = last_depths.member[(0u + _e219)];
+            let _e225 = p.member.depth_tolerance;
+            let _e228 = abs(_e217);
+            let _e229 = abs(_e223);
+            if ((bitcast<u32>(_e229) & 2147483647u) > 2139095040u) {
+                phi_453_ = true;
             } else {
-                let _e231 = (_e227 > _e226);
-                if _e231 {
+                let _e233 = (_e229 > _e228);
+                if _e233 {
                 }
-                phi_425_ = _e231;
+                phi_453_ = _e233;
             }
-            let _e233 = phi_425_;
-            if _e233 {
-                phi_429_ = _e227;
+            let _e235 = phi_453_;
+            if _e235 {
+                phi_457_ = _e229;
             } else {
-                phi_429_ = _e226;
+                phi_457_ = _e228;
             }
-            let _e235 = phi_429_;
-            if (abs((_e215 - _e221)) <= (_e223 * _e235)) {
-                let _e239 = p.member.flags;
-                phi_440_ = ((_e239 & 1u) != 0u);
+            let _e237 = phi_457_;
+            if (abs((_e217 - _e223)) <= (_e225 * _e237)) {
+                let _e241 = p.member.flags;
+                phi_468_ = ((_e241 & 1u) != 0u);
             } else {
-                phi_440_ = false;
+                phi_468_ = false;
             }
-            let _e243 = phi_440_;
+            let _e245 = phi_468_;
             if false {
             }
-            let _e248 = lt_mask_Neighbourhood(false, true);
-            if _e193 {
-                phi_642_ = _e248;
+            let _e250 = lt_mask_Neighbourhood(false, true);
+            if _e195 {
+                phi_676_ = _e250;
             } else {
                 if true {
-                    if _e243 {
+                    if _e245 {
                         if false {
-                            let _e250 = p.member.moving_pattern;
-                            phi_466_ = _e250;
+                            let _e252 = p.member.moving_pattern;
+                            phi_494_ = _e252;
                         } else {
-                            let _e252 = p.member.still_pattern;
-                            phi_466_ = _e252;
+                            let _e254 = p.member.still_pattern;
+                            phi_494_ = _e254;
                         }
-                        let _e254 = phi_466_;
-                        phi_468_ = 0u;
-                        phi_471_ = _e248;
+                        let _e256 = phi_494_;
+                        phi_496_ = 0u;
+                        phi_499_ = _e250;
                         loop {
-                            let _e256 = phi_468_;
-                            let _e258 = phi_471_;
-                            local_1 = _e258;
-                            if (1u <= _e254) {
-                                if (_e254 <= 4u) {
-                                    phi_483_ = false;
+                            let _e258 = phi_496_;
+                            let _e260 = phi_499_;
+                            local_1 = _e260;
+                            if (1u <= _e256) {
+                                if (_e256 <= 4u) {
+                                    phi_511_ = false;
                                 } else {
-                                    phi_483_ = true;
+                                    phi_511_ = true;
                                 }
-                                let _e262 = phi_483_;
-                                phi_484_ = _e262;
+                                let _e264 = phi_511_;
+                                phi_512_ = _e264;
                             } else {
-                                phi_484_ = true;
+                                phi_512_ = true;
                             }
-                            let _e264 = phi_484_;
-                            if _e264 {
-                                switch bitcast<i32>(_e254) {
+                            let _e266 = phi_512_;
+                            if _e266 {
+                                switch bitcast<i32>(_e256) {
                                     case 5: {
-                                        phi_492_ = 4u;
+                                        phi_521_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_492_ = 25u;
+                                        phi_521_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_521_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_492_ = 9u;
+                                        phi_521_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e267 = phi_492_;
-                                phi_493_ = _e267;
+                                let _e269 = phi_521_;
+                                phi_522_ = _e269;
                             } else {
-                                phi_493_ = 5u;
+                                phi_522_ = 5u;
                             }
-                            let _e269 = phi_493_;
-                            let _e270 = (_e256 < _e269);
-                            if _e270 {
-                                let _e272 = p.member.frame;
-                                let _e276 = p.member.current.size[0u];
-                                let _e278 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e254) {
+                            let _e271 = phi_522_;
+                            let _e272 = (_e258 < _e271);
+                            if _e272 {
+                                let _e274 = p.member.frame;
+                                let _e278 = p.member.current.size[0u];
+                                let _e280 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e256) {
                                     case 1: {
-                                        let _e288 = lt_mask_pattern_plus(_e256);
-                                        phi_568_ = vec2<i32>(_e288.x, _e288.y);
+                                        let _e290 = lt_mask_pattern_plus(_e258);
+                                        phi_602_ = vec2<i32>(_e290.x, _e290.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e292 = lt_mask_pattern_cross(_e256);
-                                        phi_568_ = vec2<i32>(_e292.x, _e292.y);
+                                        let _e294 = lt_mask_pattern_cross(_e258);
+                                        phi_602_ = vec2<i32>(_e294.x, _e294.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e298 = lt_mask_pattern_plus_or_cross(_e256, ((_e41.x + _e41.y) & 1u));
-                                        phi_568_ = vec2<i32>(_e298.x, _e298.y);
+                                        let _e300 = lt_mask_pattern_plus_or_cross(_e258, ((_e43.x + _e43.y) & 1u));
+                                        phi_602_ = vec2<i32>(_e300.x, _e300.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e303 = lt_mask_pattern_plus_or_cross(_e256, (_e272 & 1u));
-                                        phi_568_ = vec2<i32>(_e303.x, _e303.y);
+                                        let _e305 = lt_mask_pattern_plus_or_cross(_e258, (_e274 & 1u));
+                                        phi_602_ = vec2<i32>(_e305.x, _e305.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e272 & 3u)) {
+                                        switch bitcast<i32>((_e274 & 3u)) {
                                             case 0: {
-                                                phi_552_ = vec2(-1i);
+                                                phi_582_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_552_ = vec2(0i);
+                                                phi_582_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_552_ = vec2<i32>(0i, -1i);
+                                                phi_582_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_552_ = vec2<i32>(-1i, 0i);
+                                                phi_582_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e314 = phi_552_;
-                                        phi_568_ = (_e314 + vec2<i32>(bitcast<i32>((_e256 & 1u)), bitcast<i32>(((_e256 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e316 = phi_582_;
+                                        phi_602_ = (_e316 + vec2<i32>(bitcast<i32>((_e258 & 1u)), bitcast<i32>(((_e258 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_568_ = vec2<i32>((bitcast<i32>((_e256 % 5u)) - 2i), (bitcast<i32>(((_e256 / 5u) % 5u)) - 2i));
+                                        phi_602_ = vec2<i32>((bitcast<i32>((_e258 % 5u)) - 2i), (bitcast<i32>(((_e258 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e333 = lt_mask_pattern_diamond(_e258);
+                                        phi_602_ = vec2<i32>(_e333.x, _e333.y);
                                         break;
                                     }
                                     default: {
-                                        phi_568_ = vec2<i32>((bitcast<i32>((_e256 % 3u)) - 1i), (bitcast<i32>(((_e256 / 3u) % 3u)) - 1i));
+                                        phi_602_ = vec2<i32>((bitcast<i32>((_e258 % 3u)) - 1i), (bitcast<i32>(((_e258 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e332 = phi_568_;
-                                let _e335 = lt_mask_pattern_step_clamped(_e41.x, _e332.x, _e276);
-                                let _e336 = lt_mask_pattern_step_clamped(_e41.y, _e332.y, _e278);
-                                let _e338 = ((_e336 * _e69) + _e335);
-                                if (_e338 < arrayLength((&last_bits.member))) {
+                                let _e338 = phi_602_;
+                                let _e341 = lt_mask_pattern_step_clamped(_e43.x, _e338.x, _e278);
+                                let _e342 = lt_mask_pattern_step_clamped(_e43.y, _e338.y, _e280);
+                                let _e344 = ((_e342 * _e71) + _e341);
+                                if (_e344 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e342 = last_bits.member[(0u + _e338)];
-                                if ((_e342 & 2u) == 0u) {
-                                    phi_591_ = (_e342 & 1u);
+                                let _e348 = last_bits.member[(0u + _e344)];
+                                if ((_e348 & 2u) == 0u) {
+                                    phi_625_ = (_e348 & 1u);
                                 } else {
-                                    phi_591_ = (_e342 & 7u);
+                                    phi_625_ = (_e348 & 7u);
                                 }
-                                let _e348 = phi_591_;
-                                if _e258.any_expands {
-                                    phi_617_ = true;
+                                let _e354 = phi_625_;
+                                if _e260.any_expands {
+                                    phi_651_ = true;
                                 } else {
-                                    if ((_e348 & 2u) != 0u) {
-                                        if (((_e348 & 4u) != 0u) != _e189) {
-                                            phi_608_ = false;
+                                    if ((_e354 & 2u) != 0u) {
+                                        if (((_e354 & 4u) != 0u) != _e191) {
+                                            phi_642_ = false;
                                         } else {
-                                            phi_608_ = true;
+                                            phi_642_ = true;
                                         }
-                                        let _e357 = phi_608_;
-                                        phi_609_ = _e357;
+                                        let _e363 = phi_642_;
+                                        phi_643_ = _e363;
                                     } else {
-                                        phi_609_ = true;
+                                        phi_643_ = true;
                                     }
-                                    let _e359 = phi_609_;
-                                    if _e359 {
-                                        phi_616_ = (((_e348 & 1u) != 0u) != _e189);
+                                    let _e365 = phi_643_;
+                                    if _e365 {
+                                        phi_650_ = (((_e354 & 1u) != 0u) != _e191);
                                     } else {
-                                        phi_616_ = true;
+                                        phi_650_ = true;
                                     }
-                                    let _e364 = phi_616_;
-                                    phi_617_ = _e364;
+                                    let _e370 = phi_650_;
+                                    phi_651_ = _e370;
                                 }
-                                let _e366 = phi_617_;
-                                if _e258.all_remove {
-                                    if (((_e348 & 1u) != 0u) == _e189) {
-                                        if ((_e348 & 2u) != 0u) {
-                                            phi_635_ = (((_e348 & 4u) != 0u) == _e189);
+                                let _e372 = phi_651_;
+                                if _e260.all_remove {
+                                    if (((_e354 & 1u) != 0u) == _e191) {
+                                        if ((_e354 & 2u) != 0u) {
+                                            phi_669_ = (((_e354 & 4u) != 0u) == _e191);
                                         } else {
-                                            phi_635_ = true;
+                                            phi_669_ = true;
                                         }
-                                        let _e376 = phi_635_;
-                                        phi_636_ = _e376;
+                                        let _e382 = phi_669_;
+                                        phi_670_ = _e382;
                                     } else {
-                                        phi_636_ = false;
+                                        phi_670_ = false;
                                     }
-                                    let _e378 = phi_636_;
-                                    phi_637_ = _e378;
+                                    let _e384 = phi_670_;
+                                    phi_671_ = _e384;
                                 } else {
-                                    phi_637_ = false;
+                                    phi_671_ = false;
                                 }
-                                let _e380 = phi_637_;
-                                phi_469_ = (_e256 + 1u);
-                                phi_472_ = lt_mask_Neighbourhood(_e366, _e380);
+                                let _e386 = phi_671_;
+                                phi_497_ = (_e258 + 1u);
+                                phi_500_ = lt_mask_Neighbourhood(_e372, _e386);
                             } else {
-                                phi_469_ = u32();
-                                phi_472_ = lt_mask_Neighbourhood();
+                                phi_497_ = u32();
+                                phi_500_ = lt_mask_Neighbourhood();
                             }
-                            let _e384 = phi_469_;
-                            let _e386 = phi_472_;
+                            let _e390 = phi_497_;
+                            let _e392 = phi_500_;
                             continue;
                             continuing {
-                                phi_468_ = _e384;
-                                phi_471_ = _e386;
-                                break if !(_e270);
+                                phi_496_ = _e390;
+                                phi_499_ = _e392;
+                                break if !(_e272);
                             }
                         }
-                        let _e550 = local_1;
-                        phi_640_ = _e550;
+                        let _e556 = local_1;
+                        phi_674_ = _e556;
                     } else {
-                        phi_640_ = _e248;
+                        phi_674_ = _e250;
                     }
-                    let _e389 = phi_640_;
-                    phi_641_ = _e389;
+                    let _e395 = phi_674_;
+                    phi_675_ = _e395;
                 } else {
-                    phi_641_ = _e248;
+                    phi_675_ = _e250;
                 }
-                let _e391 = phi_641_;
-                phi_642_ = _e391;
+                let _e397 = phi_675_;
+                phi_676_ = _e397;
             }
-            let _e393 = phi_642_;
-            if (_e74 != 0.5f) {
-                if _e243 {
-                    if _e193 {
-                        phi_668_ = true;
+            let _e399 = phi_676_;
+            if (_e76 != 0.5f) {
+                if _e245 {
+                    if _e195 {
+                        phi_702_ = true;
                     } else {
-                        if _e393.any_expands {
-                            phi_667_ = false;
+                        if _e399.any_expands {
+                            phi_701_ = false;
                         } else {
-                            phi_667_ = true;
+                            phi_701_ = true;
                         }
-                        let _e398 = phi_667_;
-                        phi_668_ = _e398;
+                        let _e404 = phi_701_;
+                        phi_702_ = _e404;
                     }
-                    let _e400 = phi_668_;
-                    if _e400 {
-                        if _e193 {
+                    let _e406 = phi_702_;
+                    if _e406 {
+                        if _e195 {
                             if false {
-                                if _e393.all_remove {
-                                    phi_681_ = false;
+                                if _e399.all_remove {
+                                    phi_715_ = false;
                                 } else {
-                                    phi_681_ = true;
+                                    phi_715_ = true;
                                 }
-                                let _e402 = phi_681_;
-                                phi_682_ = _e402;
+                                let _e408 = phi_715_;
+                                phi_716_ = _e408;
                             } else {
-                                phi_682_ = true;
+                                phi_716_ = true;
                             }
-                            let _e404 = phi_682_;
-                            phi_683_ = _e404;
+                            let _e410 = phi_716_;
+                            phi_717_ = _e410;
                         } else {
-                            phi_683_ = true;
+                            phi_717_ = true;
                         }
-                        let _e406 = phi_683_;
-                        if _e406 {
-                            if _e193 {
-                                phi_690_ = 1u;
+                        let _e412 = phi_717_;
+                        if _e412 {
+                            if _e195 {
+                                phi_724_ = 1u;
                             } else {
-                                phi_690_ = 0u;
+                                phi_724_ = 0u;
                             }
-                            let _e408 = phi_690_;
-                            phi_691_ = _e408;
+                            let _e414 = phi_724_;
+                            phi_725_ = _e414;
                         } else {
-                            phi_691_ = 5u;
+                            phi_725_ = 5u;
                         }
-                        let _e410 = phi_691_;
-                        phi_692_ = _e410;
+                        let _e416 = phi_725_;
+                        phi_726_ = _e416;
                     } else {
-                        phi_692_ = 4u;
+                        phi_726_ = 4u;
                     }
-                    let _e412 = phi_692_;
-                    phi_693_ = _e412;
+                    let _e418 = phi_726_;
+                    phi_727_ = _e418;
                 } else {
-                    phi_693_ = 3u;
+                    phi_727_ = 3u;
                 }
-                let _e414 = phi_693_;
-                phi_694_ = _e414;
+                let _e420 = phi_727_;
+                phi_728_ = _e420;
             } else {
-                phi_694_ = 2u;
+                phi_728_ = 2u;
             }
-            let _e416 = phi_694_;
-            if !((_e416 == 0u)) {
-                phi_702_ = !((_e416 == 5u));
+            let _e422 = phi_728_;
+            if !((_e422 == 0u)) {
+                phi_736_ = !((_e422 == 5u));
             } else {
-                phi_702_ = false;
+                phi_736_ = false;
             }
-            let _e422 = phi_702_;
-            if _e422 {
-                if _e189 {
-                    phi_710_ = (2u | 1u);
+            let _e428 = phi_736_;
+            if _e428 {
+                if _e191 {
+                    phi_744_ = (2u | 1u);
                 } else {
-                    phi_710_ = 2u;
+                    phi_744_ = 2u;
                 }
-                let _e425 = phi_710_;
+                let _e431 = phi_744_;
                 if false {
-                    phi_715_ = (_e425 | 4u);
+                    phi_749_ = (_e431 | 4u);
                 } else {
-                    phi_715_ = _e425;
+                    phi_749_ = _e431;
                 }
-                let _e428 = phi_715_;
-                phi_720_ = _e428;
+                let _e434 = phi_749_;
+                phi_754_ = _e434;
             } else {
-                if _e189 {
-                    phi_719_ = 1u;
+                if _e191 {
+                    phi_753_ = 1u;
                 } else {
-                    phi_719_ = 0u;
+                    phi_753_ = 0u;
                 }
-                let _e430 = phi_719_;
-                phi_720_ = _e430;
+                let _e436 = phi_753_;
+                phi_754_ = _e436;
             }
-            let _e432 = phi_720_;
-            if _e189 {
-                phi_724_ = 0f;
+            let _e438 = phi_754_;
+            if _e191 {
+                phi_758_ = 0f;
             } else {
-                phi_724_ = 1f;
+                phi_758_ = 1f;
             }
-            let _e434 = phi_724_;
-            phi_726_ = mask_Masked(_e434, _e432, _e422);
+            let _e440 = phi_758_;
+            phi_760_ = mask_Masked(_e440, _e438, _e428);
         }
-        let _e437 = phi_726_;
-        visibility.member[_e61.first_primitive] = _e437.visibility;
-        bits.member[_e61.first_primitive] = _e437.bits;
-        let _e445 = samples.member[_e61.first_primitive].normal[0u];
-        let _e447 = global[0u];
-        if (_e445 == _e447) {
-            let _e450 = samples.member[_e61.first_primitive].normal[1u];
-            let _e452 = global[1u];
-            if (_e450 == _e452) {
-                let _e455 = samples.member[_e61.first_primitive].normal[2u];
-                let _e457 = global[2u];
-                phi_754_ = (_e455 == _e457);
-                phi_755_ = false;
+        let _e443 = phi_760_;
+        visibility.member[_e63.first_primitive] = _e443.visibility;
+        bits.member[_e63.first_primitive] = _e443.bits;
+        let _e451 = samples.member[_e63.first_primitive].normal[0u];
+        let _e453 = global[0u];
+        if (_e451 == _e453) {
+            let _e456 = samples.member[_e63.first_primitive].normal[1u];
+            let _e458 = global[1u];
+            if (_e456 == _e458) {
+                let _e461 = samples.member[_e63.first_primitive].normal[2u];
+                let _e463 = global[2u];
+                phi_788_ = (_e461 == _e463);
+                phi_789_ = false;
             } else {
-                phi_754_ = bool();
-                phi_755_ = true;
+                phi_788_ = bool();
+                phi_789_ = true;
             }
-            let _e460 = phi_754_;
-            let _e462 = phi_755_;
-            phi_756_ = _e460;
-            phi_757_ = _e462;
+            let _e466 = phi_788_;
+            let _e468 = phi_789_;
+            phi_790_ = _e466;
+            phi_791_ = _e468;
         } else {
-            phi_756_ = bool();
-            phi_757_ = true;
+            phi_790_ = bool();
+            phi_791_ = true;
         }
-        let _e464 = phi_756_;
-        let _e466 = phi_757_;
-        if _e466 {
-            phi_761_ = false;
+        let _e470 = phi_790_;
+        let _e472 = phi_791_;
+        if _e472 {
+            phi_795_ = false;
         } else {
-            phi_761_ = _e464;
+            phi_795_ = _e470;
         }
-        let _e468 = phi_761_;
-        if !(_e468) {
-            let _e471 = samples.member[_e61.first_primitive].position;
-            let _e473 = p.member.current.eye;
-            let _e484 = p.member.current.forward;
-            phi_789_ = ((((_e471.x - _e473.x) * _e484.x) + ((_e471.y - _e473.y) * _e484.y)) + ((_e471.z - _e473.z) * _e484.z));
+        let _e474 = phi_795_;
+        if !(_e474) {
+            let _e477 = samples.member[_e63.first_primitive].position;
+            let _e479 = p.member.current.eye;
+            let _e490 = p.member.current.forward;
+            phi_823_ = ((((_e477.x - _e479.x) * _e490.x) + ((_e477.y - _e479.y) * _e490.y)) + ((_e477.z - _e479.z) * _e490.z));
         } else {
-            phi_789_ = 0f;
+            phi_823_ = 0f;
         }
-        let _e494 = phi_789_;
-        depths.member[_e61.first_primitive] = _e494;
-        phi_792_ = _e437.needs_ray;
-        phi_793_ = _e61.first_primitive;
+        let _e500 = phi_823_;
+        depths.member[_e63.first_primitive] = _e500;
+        phi_826_ = _e443.needs_ray;
+        phi_827_ = _e63.first_primitive;
     } else {
-        phi_792_ = false;
-        phi_793_ = 0u;
+        phi_826_ = false;
+        phi_827_ = 0u;
     }
-    let _e498 = phi_792_;
-    let _e500 = phi_793_;
-    if (_e42 == 0u) {
+    let _e504 = phi_826_;
+    let _e506 = phi_827_;
+    if (_e44 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e498 {
-        let _e504 = atomicAdd((&shared_[0u]), 1u);
-        phi_804_ = _e504;
+    if _e504 {
+        let _e510 = atomicAdd((&shared_[0u]), 1u);
+        phi_838_ = _e510;
     } else {
-        phi_804_ = 0u;
+        phi_838_ = 0u;
     }
-    let _e506 = phi_804_;
+    let _e512 = phi_838_;
     workgroupBarrier();
-    if (_e42 == 0u) {
-        let _e510 = atomicLoad((&shared_[0u]));
-        let _e511 = atomicAdd((&list.member[3u]), _e510);
-        atomicStore((&shared_[1u]), _e511);
+    if (_e44 == 0u) {
+        let _e516 = atomicLoad((&shared_[0u]));
+        let _e517 = atomicAdd((&list.member[3u]), _e516);
+        atomicStore((&shared_[1u]), _e517);
     }
     workgroupBarrier();
-    if _e498 {
-        let _e514 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e514) + _e506)]), _e500);
+    if _e504 {
+        let _e520 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e520) + _e512)]), _e506);
     }
     return;
 }

@@ -98,585 +98,624 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_mask_pattern_step_clamped(param: u32, param_1: i32, param_2: u32) -> u32 {
-    var phi_681_: u32;
-    var phi_682_: u32;
+    var phi_715_: u32;
+    var phi_716_: u32;
 
-    let _e41 = (bitcast<i32>(param) + param_1);
-    if (_e41 < 0i) {
-        phi_682_ = 0u;
+    let _e43 = (bitcast<i32>(param) + param_1);
+    if (_e43 < 0i) {
+        phi_716_ = 0u;
     } else {
-        if (_e41 >= bitcast<i32>(param_2)) {
-            phi_681_ = (param_2 - 1u);
+        if (_e43 >= bitcast<i32>(param_2)) {
+            phi_715_ = (param_2 - 1u);
         } else {
-            phi_681_ = bitcast<u32>(_e41);
+            phi_715_ = bitcast<u32>(_e43);
         }
-        let _e48 = phi_681_;
-        phi_682_ = _e48;
+        let _e50 = phi_715_;
+        phi_716_ = _e50;
     }
-    let _e50 = phi_682_;
-    return _e50;
+    let _e52 = phi_716_;
+    return _e52;
 }
 
-fn lt_mask_pattern_cross(param_3: u32) -> vec2<i32> {
-    var phi_641_: vec2<i32>;
+fn lt_mask_pattern_diamond(param_3: u32) -> vec2<i32> {
+    var phi_694_: vec2<i32>;
 
-    switch bitcast<i32>((param_3 % 5u)) {
-        case 0: {
-            phi_641_ = vec2(0i);
+    let _e40 = (param_3 % 13u);
+    switch bitcast<i32>(_e40) {
+        case 9: {
+            phi_694_ = vec2<i32>(0i, -2i);
             break;
         }
-        case 1: {
-            phi_641_ = vec2(-1i);
+        case 10: {
+            phi_694_ = vec2<i32>(-2i, 0i);
             break;
         }
-        case 2: {
-            phi_641_ = vec2<i32>(1i, -1i);
+        case 11: {
+            phi_694_ = vec2<i32>(2i, 0i);
             break;
         }
-        case 3: {
-            phi_641_ = vec2<i32>(-1i, 1i);
+        case 12: {
+            phi_694_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_641_ = vec2(1i);
+            phi_694_ = vec2<i32>((bitcast<i32>((_e40 % 3u)) - 1i), (bitcast<i32>(((_e40 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e46 = phi_641_;
-    return vec2<i32>(_e46.x, _e46.y);
+    let _e55 = phi_694_;
+    return vec2<i32>(_e55.x, _e55.y);
 }
 
-fn lt_mask_pattern_plus(param_4: u32) -> vec2<i32> {
-    var phi_623_: vec2<i32>;
+fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
+    var phi_650_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_623_ = vec2(0i);
+            phi_650_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_623_ = vec2<i32>(0i, -1i);
+            phi_650_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_623_ = vec2<i32>(-1i, 0i);
+            phi_650_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_623_ = vec2<i32>(1i, 0i);
+            phi_650_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_623_ = vec2<i32>(0i, 1i);
+            phi_650_ = vec2(1i);
             break;
         }
     }
-    let _e46 = phi_623_;
-    return vec2<i32>(_e46.x, _e46.y);
+    let _e48 = phi_650_;
+    return vec2<i32>(_e48.x, _e48.y);
 }
 
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_660_: vec2<i32>;
+fn lt_mask_pattern_plus(param_5: u32) -> vec2<i32> {
+    var phi_632_: vec2<i32>;
 
-    if (param_6 == 0u) {
-        let _e40 = lt_mask_pattern_plus(param_5);
-        phi_660_ = vec2<i32>(_e40.x, _e40.y);
-    } else {
-        let _e44 = lt_mask_pattern_cross(param_5);
-        phi_660_ = vec2<i32>(_e44.x, _e44.y);
-    }
-    let _e49 = phi_660_;
-    return vec2<i32>(_e49.x, _e49.y);
-}
-
-fn lt_shaders_entry_pixel_index(param_7: vec3<u32>, param_8: u32, param_9: u32) -> lt_bvh_traverse_Tree {
-    var phi_597_: lt_bvh_traverse_Tree;
-    var phi_598_: bool;
-    var phi_599_: lt_bvh_traverse_Tree;
-    var phi_600_: bool;
-    var phi_605_: lt_bvh_traverse_Tree;
-
-    if (param_7.x < param_8) {
-        if (param_7.y < param_9) {
-            phi_597_ = lt_bvh_traverse_Tree(1u, ((param_7.y * param_8) + param_7.x));
-            phi_598_ = false;
-        } else {
-            phi_597_ = lt_bvh_traverse_Tree();
-            phi_598_ = true;
+    switch bitcast<i32>((param_5 % 5u)) {
+        case 0: {
+            phi_632_ = vec2(0i);
+            break;
         }
-        let _e50 = phi_597_;
-        let _e52 = phi_598_;
-        phi_599_ = _e50;
-        phi_600_ = _e52;
-    } else {
-        phi_599_ = lt_bvh_traverse_Tree();
-        phi_600_ = true;
+        case 1: {
+            phi_632_ = vec2<i32>(0i, -1i);
+            break;
+        }
+        case 2: {
+            phi_632_ = vec2<i32>(-1i, 0i);
+            break;
+        }
+        case 3: {
+            phi_632_ = vec2<i32>(1i, 0i);
+            break;
+        }
+        default: {
+            phi_632_ = vec2<i32>(0i, 1i);
+            break;
+        }
     }
-    let _e54 = phi_599_;
-    let _e56 = phi_600_;
-    if _e56 {
-        phi_605_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e48 = phi_632_;
+    return vec2<i32>(_e48.x, _e48.y);
+}
+
+fn lt_mask_pattern_plus_or_cross(param_6: u32, param_7: u32) -> vec2<i32> {
+    var phi_669_: vec2<i32>;
+
+    if (param_7 == 0u) {
+        let _e42 = lt_mask_pattern_plus(param_6);
+        phi_669_ = vec2<i32>(_e42.x, _e42.y);
     } else {
-        phi_605_ = _e54;
+        let _e46 = lt_mask_pattern_cross(param_6);
+        phi_669_ = vec2<i32>(_e46.x, _e46.y);
     }
-    let _e61 = phi_605_;
-    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
+    let _e51 = phi_669_;
+    return vec2<i32>(_e51.x, _e51.y);
+}
+
+fn lt_shaders_entry_pixel_index(param_8: vec3<u32>, param_9: u32, param_10: u32) -> lt_bvh_traverse_Tree {
+    var phi_606_: lt_bvh_traverse_Tree;
+    var phi_607_: bool;
+    var phi_608_: lt_bvh_traverse_Tree;
+    var phi_609_: bool;
+    var phi_614_: lt_bvh_traverse_Tree;
+
+    if (param_8.x < param_9) {
+        if (param_8.y < param_10) {
+            phi_606_ = lt_bvh_traverse_Tree(1u, ((param_8.y * param_9) + param_8.x));
+            phi_607_ = false;
+        } else {
+            phi_606_ = lt_bvh_traverse_Tree();
+            phi_607_ = true;
+        }
+        let _e52 = phi_606_;
+        let _e54 = phi_607_;
+        phi_608_ = _e52;
+        phi_609_ = _e54;
+    } else {
+        phi_608_ = lt_bvh_traverse_Tree();
+        phi_609_ = true;
+    }
+    let _e56 = phi_608_;
+    let _e58 = phi_609_;
+    if _e58 {
+        phi_614_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_614_ = _e56;
+    }
+    let _e63 = phi_614_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn function_() {
-    var phi_180_: bool;
-    var phi_181_: bool;
-    var phi_182_: bool;
     var phi_183_: bool;
-    var phi_187_: bool;
-    var phi_231_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_235_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_248_: bool;
-    var phi_282_: u32;
-    var phi_284_: u32;
-    var phi_287_: lt_mask_Neighbourhood;
-    var phi_299_: bool;
-    var phi_300_: bool;
-    var phi_308_: u32;
-    var phi_309_: u32;
-    var phi_368_: vec2<i32>;
-    var phi_384_: vec2<i32>;
-    var phi_407_: u32;
-    var phi_424_: bool;
-    var phi_425_: bool;
-    var phi_432_: bool;
-    var phi_433_: bool;
-    var phi_451_: bool;
-    var phi_452_: bool;
-    var phi_453_: bool;
+    var phi_184_: bool;
+    var phi_185_: bool;
+    var phi_186_: bool;
+    var phi_190_: bool;
+    var phi_234_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_238_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_251_: bool;
     var phi_285_: u32;
-    var phi_288_: lt_mask_Neighbourhood;
-    var phi_456_: lt_mask_Neighbourhood;
-    var phi_457_: lt_mask_Neighbourhood;
-    var phi_458_: lt_mask_Neighbourhood;
-    var phi_483_: bool;
-    var phi_484_: bool;
-    var phi_497_: bool;
-    var phi_498_: bool;
-    var phi_499_: bool;
-    var phi_506_: u32;
-    var phi_507_: u32;
-    var phi_508_: u32;
-    var phi_509_: u32;
-    var phi_510_: u32;
-    var phi_518_: bool;
-    var phi_526_: u32;
-    var phi_531_: u32;
+    var phi_287_: u32;
+    var phi_290_: lt_mask_Neighbourhood;
+    var phi_302_: bool;
+    var phi_303_: bool;
+    var phi_312_: u32;
+    var phi_313_: u32;
+    var phi_373_: vec2<i32>;
+    var phi_393_: vec2<i32>;
+    var phi_416_: u32;
+    var phi_433_: bool;
+    var phi_434_: bool;
+    var phi_441_: bool;
+    var phi_442_: bool;
+    var phi_460_: bool;
+    var phi_461_: bool;
+    var phi_462_: bool;
+    var phi_288_: u32;
+    var phi_291_: lt_mask_Neighbourhood;
+    var phi_465_: lt_mask_Neighbourhood;
+    var phi_466_: lt_mask_Neighbourhood;
+    var phi_467_: lt_mask_Neighbourhood;
+    var phi_492_: bool;
+    var phi_493_: bool;
+    var phi_506_: bool;
+    var phi_507_: bool;
+    var phi_508_: bool;
+    var phi_515_: u32;
+    var phi_516_: u32;
+    var phi_517_: u32;
+    var phi_518_: u32;
+    var phi_519_: u32;
+    var phi_527_: bool;
     var phi_535_: u32;
-    var phi_536_: u32;
-    var phi_540_: f32;
-    var phi_542_: mask_Masked;
-    var phi_548_: bool;
-    var phi_549_: u32;
-    var phi_560_: u32;
+    var phi_540_: u32;
+    var phi_544_: u32;
+    var phi_545_: u32;
+    var phi_549_: f32;
+    var phi_551_: mask_Masked;
+    var phi_557_: bool;
+    var phi_558_: u32;
+    var phi_569_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e37 = id_1;
-    let _e38 = local_2;
-    let _e50 = p.member.current.size[0u];
-    let _e52 = p.member.current.size[1u];
-    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
-    if (bitcast<i32>(_e53.root) != 0i) {
-        let _e61 = p.member.current.size[0u];
-        let _e66 = visibility.member[_e53.first_primitive];
-        let _e70 = p.member.light;
-        let _e73 = samples.member[_e53.first_primitive].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[_e53.first_primitive].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[_e53.first_primitive].normal[2u];
-                let _e85 = global[2u];
-                phi_180_ = (_e83 == _e85);
-                phi_181_ = false;
+    let _e39 = id_1;
+    let _e40 = local_2;
+    let _e52 = p.member.current.size[0u];
+    let _e54 = p.member.current.size[1u];
+    let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
+    if (bitcast<i32>(_e55.root) != 0i) {
+        let _e63 = p.member.current.size[0u];
+        let _e68 = visibility.member[_e55.first_primitive];
+        let _e72 = p.member.light;
+        let _e75 = samples.member[_e55.first_primitive].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[_e55.first_primitive].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[_e55.first_primitive].normal[2u];
+                let _e87 = global[2u];
+                phi_183_ = (_e85 == _e87);
+                phi_184_ = false;
             } else {
-                phi_180_ = bool();
-                phi_181_ = true;
+                phi_183_ = bool();
+                phi_184_ = true;
             }
-            let _e88 = phi_180_;
-            let _e90 = phi_181_;
-            phi_182_ = _e88;
-            phi_183_ = _e90;
+            let _e90 = phi_183_;
+            let _e92 = phi_184_;
+            phi_185_ = _e90;
+            phi_186_ = _e92;
         } else {
-            phi_182_ = bool();
-            phi_183_ = true;
+            phi_185_ = bool();
+            phi_186_ = true;
         }
-        let _e92 = phi_182_;
-        let _e94 = phi_183_;
-        if _e94 {
-            phi_187_ = false;
+        let _e94 = phi_185_;
+        let _e96 = phi_186_;
+        if _e96 {
+            phi_190_ = false;
         } else {
-            phi_187_ = _e92;
+            phi_190_ = _e94;
         }
-        let _e96 = phi_187_;
-        if !(_e96) {
-            let _e99 = samples.member[_e53.first_primitive].normal;
-            let _e101 = samples.member[_e53.first_primitive].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[_e53.first_primitive].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_231_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
+        let _e98 = phi_190_;
+        if !(_e98) {
+            let _e101 = samples.member[_e55.first_primitive].normal;
+            let _e103 = samples.member[_e55.first_primitive].position;
+            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
+                let _e127 = samples.member[_e55.first_primitive].flags;
+                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
+                phi_234_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
             } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_231_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
+                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
+                phi_234_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
             }
-            let _e159 = phi_231_;
-            phi_235_ = _e159;
+            let _e161 = phi_234_;
+            phi_238_ = _e161;
         } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_235_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
+            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+            phi_238_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
         }
-        let _e176 = phi_235_;
-        if _e176.unnamed_1 {
-            phi_542_ = mask_Masked(_e176.unnamed.visibility, 0u, false);
+        let _e178 = phi_238_;
+        if _e178.unnamed_1 {
+            phi_551_ = mask_Masked(_e178.unnamed.visibility, 0u, false);
         } else {
-            let _e181 = (_e66 < 0.5f);
-            if (_e66 > 0f) {
-                phi_248_ = (_e66 < 1f);
+            let _e183 = (_e68 < 0.5f);
+            if (_e68 > 0f) {
+                phi_251_ = (_e68 < 1f);
             } else {
-                phi_248_ = false;
+                phi_251_ = false;
             }
-            let _e185 = phi_248_;
-            let _e187 = p.member.flags;
-            let _e189 = ((_e187 & 1u) != 0u);
+            let _e187 = phi_251_;
+            let _e189 = p.member.flags;
+            let _e191 = ((_e189 & 1u) != 0u);
             if false {
             }
-            let _e194 = lt_mask_Neighbourhood(false, true);
-            if _e185 {
-                phi_458_ = _e194;
+            let _e196 = lt_mask_Neighbourhood(false, true);
+            if _e187 {
+                phi_467_ = _e196;
             } else {
                 if true {
-                    if _e189 {
+                    if _e191 {
                         if false {
-                            let _e196 = p.member.moving_pattern;
-                            phi_282_ = _e196;
+                            let _e198 = p.member.moving_pattern;
+                            phi_285_ = _e198;
                         } else {
-                            let _e198 = p.member.still_pattern;
-                            phi_282_ = _e198;
+                            let _e200 = p.member.still_pattern;
+                            phi_285_ = _e200;
                         }
-                        let _e200 = phi_282_;
-                        phi_284_ = 0u;
-                        phi_287_ = _e194;
+                        let _e202 = phi_285_;
+                        phi_287_ = 0u;
+                        phi_290_ = _e196;
                         loop {
-                            let _e202 = phi_284_;
                             let _e204 = phi_287_;
-                            local_1 = _e204;
-                            if (1u <= _e200) {
-                                if (_e200 <= 4u) {
-                                    phi_299_ = false;
+                            let _e206 = phi_290_;
+                            local_1 = _e206;
+                            if (1u <= _e202) {
+                                if (_e202 <= 4u) {
+                                    phi_302_ = false;
                                 } else {
-                                    phi_299_ = true;
+                                    phi_302_ = true;
                                 }
-                                let _e208 = phi_299_;
-                                phi_300_ = _e208;
+                                let _e210 = phi_302_;
+                                phi_303_ = _e210;
                             } else {
-                                phi_300_ = true;
+                                phi_303_ = true;
                             }
-                            let _e210 = phi_300_;
-                            if _e210 {
-                                switch bitcast<i32>(_e200) {
+                            let _e212 = phi_303_;
+                            if _e212 {
+                                switch bitcast<i32>(_e202) {
                                     case 5: {
-                                        phi_308_ = 4u;
+                                        phi_312_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_308_ = 25u;
+                                        phi_312_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_312_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_308_ = 9u;
+                                        phi_312_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e213 = phi_308_;
-                                phi_309_ = _e213;
+                                let _e215 = phi_312_;
+                                phi_313_ = _e215;
                             } else {
-                                phi_309_ = 5u;
+                                phi_313_ = 5u;
                             }
-                            let _e215 = phi_309_;
-                            let _e216 = (_e202 < _e215);
-                            if _e216 {
-                                let _e218 = p.member.frame;
-                                let _e222 = p.member.current.size[0u];
-                                let _e224 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e200) {
+                            let _e217 = phi_313_;
+                            let _e218 = (_e204 < _e217);
+                            if _e218 {
+                                let _e220 = p.member.frame;
+                                let _e224 = p.member.current.size[0u];
+                                let _e226 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e202) {
                                     case 1: {
-                                        let _e234 = lt_mask_pattern_plus(_e202);
-                                        phi_384_ = vec2<i32>(_e234.x, _e234.y);
+                                        let _e236 = lt_mask_pattern_plus(_e204);
+                                        phi_393_ = vec2<i32>(_e236.x, _e236.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e238 = lt_mask_pattern_cross(_e202);
-                                        phi_384_ = vec2<i32>(_e238.x, _e238.y);
+                                        let _e240 = lt_mask_pattern_cross(_e204);
+                                        phi_393_ = vec2<i32>(_e240.x, _e240.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e244 = lt_mask_pattern_plus_or_cross(_e202, ((_e37.x + _e37.y) & 1u));
-                                        phi_384_ = vec2<i32>(_e244.x, _e244.y);
+                                        let _e246 = lt_mask_pattern_plus_or_cross(_e204, ((_e39.x + _e39.y) & 1u));
+                                        phi_393_ = vec2<i32>(_e246.x, _e246.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e249 = lt_mask_pattern_plus_or_cross(_e202, (_e218 & 1u));
-                                        phi_384_ = vec2<i32>(_e249.x, _e249.y);
+                                        let _e251 = lt_mask_pattern_plus_or_cross(_e204, (_e220 & 1u));
+                                        phi_393_ = vec2<i32>(_e251.x, _e251.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e218 & 3u)) {
+                                        switch bitcast<i32>((_e220 & 3u)) {
                                             case 0: {
-                                                phi_368_ = vec2(-1i);
+                                                phi_373_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_368_ = vec2(0i);
+                                                phi_373_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_368_ = vec2<i32>(0i, -1i);
+                                                phi_373_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_368_ = vec2<i32>(-1i, 0i);
+                                                phi_373_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e260 = phi_368_;
-                                        phi_384_ = (_e260 + vec2<i32>(bitcast<i32>((_e202 & 1u)), bitcast<i32>(((_e202 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e262 = phi_373_;
+                                        phi_393_ = (_e262 + vec2<i32>(bitcast<i32>((_e204 & 1u)), bitcast<i32>(((_e204 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_384_ = vec2<i32>((bitcast<i32>((_e202 % 5u)) - 2i), (bitcast<i32>(((_e202 / 5u) % 5u)) - 2i));
+                                        phi_393_ = vec2<i32>((bitcast<i32>((_e204 % 5u)) - 2i), (bitcast<i32>(((_e204 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e279 = lt_mask_pattern_diamond(_e204);
+                                        phi_393_ = vec2<i32>(_e279.x, _e279.y);
                                         break;
                                     }
                                     default: {
-                                        phi_384_ = vec2<i32>((bitcast<i32>((_e202 % 3u)) - 1i), (bitcast<i32>(((_e202 / 3u) % 3u)) - 1i));
+                                        phi_393_ = vec2<i32>((bitcast<i32>((_e204 % 3u)) - 1i), (bitcast<i32>(((_e204 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e278 = phi_384_;
-                                let _e281 = lt_mask_pattern_step_clamped(_e37.x, _e278.x, _e222);
-                                let _e282 = lt_mask_pattern_step_clamped(_e37.y, _e278.y, _e224);
-                                let _e284 = ((_e282 * _e61) + _e281);
-                                if (_e284 < arrayLength((&last_bits.member))) {
+                                let _e284 = phi_393_;
+                                let _e287 = lt_mask_pattern_step_clamped(_e39.x, _e284.x, _e224);
+                                let _e288 = lt_mask_pattern_step_clamped(_e39.y, _e284.y, _e226);
+                                let _e290 = ((_e288 * _e63) + _e287);
+                                if (_e290 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e288 = last_bits.member[(0u + _e284)];
-                                if ((_e288 & 2u) == 0u) {
-                                    phi_407_ = (_e288 & 1u);
+                                let _e294 = last_bits.member[(0u + _e290)];
+                                if ((_e294 & 2u) == 0u) {
+                                    phi_416_ = (_e294 & 1u);
                                 } else {
-                                    phi_407_ = (_e288 & 7u);
+                                    phi_416_ = (_e294 & 7u);
                                 }
-                                let _e294 = phi_407_;
-                                if _e204.any_expands {
-                                    phi_433_ = true;
+                                let _e300 = phi_416_;
+                                if _e206.any_expands {
+                                    phi_442_ = true;
                                 } else {
-                                    if ((_e294 & 2u) != 0u) {
-                                        if (((_e294 & 4u) != 0u) != _e181) {
-                                            phi_424_ = false;
+                                    if ((_e300 & 2u) != 0u) {
+                                        if (((_e300 & 4u) != 0u) != _e183) {
+                                            phi_433_ = false;
                                         } else {
-                                            phi_424_ = true;
+                                            phi_433_ = true;
                                         }
-                                        let _e303 = phi_424_;
-                                        phi_425_ = _e303;
+                                        let _e309 = phi_433_;
+                                        phi_434_ = _e309;
                                     } else {
-                                        phi_425_ = true;
+                                        phi_434_ = true;
                                     }
-                                    let _e305 = phi_425_;
-                                    if _e305 {
-                                        phi_432_ = (((_e294 & 1u) != 0u) != _e181);
+                                    let _e311 = phi_434_;
+                                    if _e311 {
+                                        phi_441_ = (((_e300 & 1u) != 0u) != _e183);
                                     } else {
-                                        phi_432_ = true;
+                                        phi_441_ = true;
                                     }
-                                    let _e310 = phi_432_;
-                                    phi_433_ = _e310;
+                                    let _e316 = phi_441_;
+                                    phi_442_ = _e316;
                                 }
-                                let _e312 = phi_433_;
-                                if _e204.all_remove {
-                                    if (((_e294 & 1u) != 0u) == _e181) {
-                                        if ((_e294 & 2u) != 0u) {
-                                            phi_451_ = (((_e294 & 4u) != 0u) == _e181);
+                                let _e318 = phi_442_;
+                                if _e206.all_remove {
+                                    if (((_e300 & 1u) != 0u) == _e183) {
+                                        if ((_e300 & 2u) != 0u) {
+                                            phi_460_ = (((_e300 & 4u) != 0u) == _e183);
                                         } else {
-                                            phi_451_ = true;
+                                            phi_460_ = true;
                                         }
-                                        let _e322 = phi_451_;
-                                        phi_452_ = _e322;
+                                        let _e328 = phi_460_;
+                                        phi_461_ = _e328;
                                     } else {
-                                        phi_452_ = false;
+                                        phi_461_ = false;
                                     }
-                                    let _e324 = phi_452_;
-                                    phi_453_ = _e324;
+                                    let _e330 = phi_461_;
+                                    phi_462_ = _e330;
                                 } else {
-                                    phi_453_ = false;
+                                    phi_462_ = false;
                                 }
-                                let _e326 = phi_453_;
-                                phi_285_ = (_e202 + 1u);
-                                phi_288_ = lt_mask_Neighbourhood(_e312, _e326);
+                                let _e332 = phi_462_;
+                                phi_288_ = (_e204 + 1u);
+                                phi_291_ = lt_mask_Neighbourhood(_e318, _e332);
                             } else {
-                                phi_285_ = u32();
-                                phi_288_ = lt_mask_Neighbourhood();
+                                phi_288_ = u32();
+                                phi_291_ = lt_mask_Neighbourhood();
                             }
-                            let _e330 = phi_285_;
-                            let _e332 = phi_288_;
+                            let _e336 = phi_288_;
+                            let _e338 = phi_291_;
                             continue;
                             continuing {
-                                phi_284_ = _e330;
-                                phi_287_ = _e332;
-                                break if !(_e216);
+                                phi_287_ = _e336;
+                                phi_290_ = _e338;
+                                break if !(_e218);
                             }
                         }
-                        let _e439 = local_1;
-                        phi_456_ = _e439;
+                        let _e445 = local_1;
+                        phi_465_ = _e445;
                     } else {
-                        phi_456_ = _e194;
+                        phi_465_ = _e196;
                     }
-                    let _e335 = phi_456_;
-                    phi_457_ = _e335;
+                    let _e341 = phi_465_;
+                    phi_466_ = _e341;
                 } else {
-                    phi_457_ = _e194;
+                    phi_466_ = _e196;
                 }
-                let _e337 = phi_457_;
-                phi_458_ = _e337;
+                let _e343 = phi_466_;
+                phi_467_ = _e343;
             }
-            let _e339 = phi_458_;
-            if (_e66 != 0.5f) {
-                if _e189 {
-                    if _e185 {
-                        phi_484_ = true;
+            let _e345 = phi_467_;
+            if (_e68 != 0.5f) {
+                if _e191 {
+                    if _e187 {
+                        phi_493_ = true;
                     } else {
-                        if _e339.any_expands {
-                            phi_483_ = false;
+                        if _e345.any_expands {
+                            phi_492_ = false;
                         } else {
-                            phi_483_ = true;
+                            phi_492_ = true;
                         }
-                        let _e344 = phi_483_;
-                        phi_484_ = _e344;
+                        let _e350 = phi_492_;
+                        phi_493_ = _e350;
                     }
-                    let _e346 = phi_484_;
-                    if _e346 {
-                        if _e185 {
+                    let _e352 = phi_493_;
+                    if _e352 {
+                        if _e187 {
                             if false {
-                                if _e339.all_remove {
-                                    phi_497_ = false;
+                                if _e345.all_remove {
+                                    phi_506_ = false;
                                 } else {
-                                    phi_497_ = true;
+                                    phi_506_ = true;
                                 }
-                                let _e348 = phi_497_;
-                                phi_498_ = _e348;
+                                let _e354 = phi_506_;
+                                phi_507_ = _e354;
                             } else {
-                                phi_498_ = true;
+                                phi_507_ = true;
                             }
-                            let _e350 = phi_498_;
-                            phi_499_ = _e350;
+                            let _e356 = phi_507_;
+                            phi_508_ = _e356;
                         } else {
-                            phi_499_ = true;
+                            phi_508_ = true;
                         }
-                        let _e352 = phi_499_;
-                        if _e352 {
-                            if _e185 {
-                                phi_506_ = 1u;
+                        let _e358 = phi_508_;
+                        if _e358 {
+                            if _e187 {
+                                phi_515_ = 1u;
                             } else {
-                                phi_506_ = 0u;
+                                phi_515_ = 0u;
                             }
-                            let _e354 = phi_506_;
-                            phi_507_ = _e354;
+                            let _e360 = phi_515_;
+                            phi_516_ = _e360;
                         } else {
-                            phi_507_ = 5u;
+                            phi_516_ = 5u;
                         }
-                        let _e356 = phi_507_;
-                        phi_508_ = _e356;
+                        let _e362 = phi_516_;
+                        phi_517_ = _e362;
                     } else {
-                        phi_508_ = 4u;
+                        phi_517_ = 4u;
                     }
-                    let _e358 = phi_508_;
-                    phi_509_ = _e358;
+                    let _e364 = phi_517_;
+                    phi_518_ = _e364;
                 } else {
-                    phi_509_ = 3u;
+                    phi_518_ = 3u;
                 }
-                let _e360 = phi_509_;
-                phi_510_ = _e360;
+                let _e366 = phi_518_;
+                phi_519_ = _e366;
             } else {
-                phi_510_ = 2u;
+                phi_519_ = 2u;
             }
-            let _e362 = phi_510_;
-            if !((_e362 == 0u)) {
-                phi_518_ = !((_e362 == 5u));
+            let _e368 = phi_519_;
+            if !((_e368 == 0u)) {
+                phi_527_ = !((_e368 == 5u));
             } else {
-                phi_518_ = false;
+                phi_527_ = false;
             }
-            let _e368 = phi_518_;
-            if _e368 {
-                if _e181 {
-                    phi_526_ = (2u | 1u);
+            let _e374 = phi_527_;
+            if _e374 {
+                if _e183 {
+                    phi_535_ = (2u | 1u);
                 } else {
-                    phi_526_ = 2u;
+                    phi_535_ = 2u;
                 }
-                let _e371 = phi_526_;
+                let _e377 = phi_535_;
                 if false {
-                    phi_531_ = (_e371 | 4u);
+                    phi_540_ = (_e377 | 4u);
                 } else {
-                    phi_531_ = _e371;
+                    phi_540_ = _e377;
                 }
-                let _e374 = phi_531_;
-                phi_536_ = _e374;
+                let _e380 = phi_540_;
+                phi_545_ = _e380;
             } else {
-                if _e181 {
-                    phi_535_ = 1u;
+                if _e183 {
+                    phi_544_ = 1u;
                 } else {
-                    phi_535_ = 0u;
+                    phi_544_ = 0u;
                 }
-                let _e376 = phi_535_;
-                phi_536_ = _e376;
+                let _e382 = phi_544_;
+                phi_545_ = _e382;
             }
-            let _e378 = phi_536_;
-            if _e181 {
-                phi_540_ = 0f;
+            let _e384 = phi_545_;
+            if _e183 {
+                phi_549_ = 0f;
             } else {
-                phi_540_ = 1f;
+                phi_549_ = 1f;
             }
-            let _e380 = phi_540_;
-            phi_542_ = mask_Masked(_e380, _e378, _e368);
+            let _e386 = phi_549_;
+            phi_551_ = mask_Masked(_e386, _e384, _e374);
         }
-        let _e383 = phi_542_;
-        visibility.member[_e53.first_primitive] = _e383.visibility;
-        bits.member[_e53.first_primitive] = _e383.bits;
-        phi_548_ = _e383.needs_ray;
-        phi_549_ = _e53.first_primitive;
+        let _e389 = phi_551_;
+        visibility.member[_e55.first_primitive] = _e389.visibility;
+        bits.member[_e55.first_primitive] = _e389.bits;
+        phi_557_ = _e389.needs_ray;
+        phi_558_ = _e55.first_primitive;
     } else {
-        phi_548_ = false;
-        phi_549_ = 0u;
+        phi_557_ = false;
+        phi_558_ = 0u;
     }
-    let _e390 = phi_548_;
-    let _e392 = phi_549_;
-    if (_e38 == 0u) {
+    let _e396 = phi_557_;
+    let _e398 = phi_558_;
+    if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e390 {
-        let _e396 = atomicAdd((&shared_[0u]), 1u);
-        phi_560_ = _e396;
+    if _e396 {
+        let _e402 = atomicAdd((&shared_[0u]), 1u);
+        phi_569_ = _e402;
     } else {
-        phi_560_ = 0u;
+        phi_569_ = 0u;
     }
-    let _e398 = phi_560_;
+    let _e404 = phi_569_;
     workgroupBarrier();
-    if (_e38 == 0u) {
-        let _e402 = atomicLoad((&shared_[0u]));
-        let _e403 = atomicAdd((&list.member[3u]), _e402);
-        atomicStore((&shared_[1u]), _e403);
+    if (_e40 == 0u) {
+        let _e408 = atomicLoad((&shared_[0u]));
+        let _e409 = atomicAdd((&list.member[3u]), _e408);
+        atomicStore((&shared_[1u]), _e409);
     }
     workgroupBarrier();
-    if _e390 {
-        let _e406 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e406) + _e398)]), _e392);
+    if _e396 {
+        let _e412 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e412) + _e404)]), _e398);
     }
     return;
 }

@@ -108,1016 +108,1055 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_168_: bool;
+    var phi_173_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_163_ = false;
+            phi_165_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_166_ = false;
         } else {
-            phi_162_ = lt_bvh_traverse_Tree();
-            phi_163_ = true;
+            phi_165_ = lt_bvh_traverse_Tree();
+            phi_166_ = true;
         }
-        let _e66 = phi_162_;
-        let _e68 = phi_163_;
-        phi_164_ = _e66;
-        phi_165_ = _e68;
+        let _e68 = phi_165_;
+        let _e70 = phi_166_;
+        phi_167_ = _e68;
+        phi_168_ = _e70;
     } else {
-        phi_164_ = lt_bvh_traverse_Tree();
-        phi_165_ = true;
+        phi_167_ = lt_bvh_traverse_Tree();
+        phi_168_ = true;
     }
-    let _e70 = phi_164_;
-    let _e72 = phi_165_;
-    if _e72 {
-        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e72 = phi_167_;
+    let _e74 = phi_168_;
+    if _e74 {
+        phi_173_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_170_ = _e70;
+        phi_173_ = _e72;
     }
-    let _e77 = phi_170_;
-    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
+    let _e79 = phi_173_;
+    return lt_bvh_traverse_Tree(_e79.root, _e79.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_188_: vec2<i32>;
+    var phi_191_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_188_ = vec2(0i);
+            phi_191_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_188_ = vec2<i32>(0i, -1i);
+            phi_191_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_188_ = vec2<i32>(-1i, 0i);
+            phi_191_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_188_ = vec2<i32>(1i, 0i);
+            phi_191_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_188_ = vec2<i32>(0i, 1i);
+            phi_191_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e62 = phi_188_;
-    return vec2<i32>(_e62.x, _e62.y);
+    let _e64 = phi_191_;
+    return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_206_: vec2<i32>;
+    var phi_209_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_206_ = vec2(0i);
+            phi_209_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_206_ = vec2(-1i);
+            phi_209_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_206_ = vec2<i32>(1i, -1i);
+            phi_209_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_206_ = vec2<i32>(-1i, 1i);
+            phi_209_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_206_ = vec2(1i);
+            phi_209_ = vec2(1i);
             break;
         }
     }
-    let _e62 = phi_206_;
-    return vec2<i32>(_e62.x, _e62.y);
+    let _e64 = phi_209_;
+    return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_225_: vec2<i32>;
+    var phi_228_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e56 = lt_mask_pattern_plus(param_5);
-        phi_225_ = vec2<i32>(_e56.x, _e56.y);
+        let _e58 = lt_mask_pattern_plus(param_5);
+        phi_228_ = vec2<i32>(_e58.x, _e58.y);
     } else {
-        let _e60 = lt_mask_pattern_cross(param_5);
-        phi_225_ = vec2<i32>(_e60.x, _e60.y);
+        let _e62 = lt_mask_pattern_cross(param_5);
+        phi_228_ = vec2<i32>(_e62.x, _e62.y);
     }
-    let _e65 = phi_225_;
-    return vec2<i32>(_e65.x, _e65.y);
+    let _e67 = phi_228_;
+    return vec2<i32>(_e67.x, _e67.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_246_: u32;
-    var phi_247_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_253_: vec2<i32>;
 
-    let _e57 = (bitcast<i32>(param_7) + param_8);
-    if (_e57 < 0i) {
-        phi_247_ = 0u;
-    } else {
-        if (_e57 >= bitcast<i32>(param_9)) {
-            phi_246_ = (param_9 - 1u);
-        } else {
-            phi_246_ = bitcast<u32>(_e57);
+    let _e56 = (param_7 % 13u);
+    switch bitcast<i32>(_e56) {
+        case 9: {
+            phi_253_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e64 = phi_246_;
-        phi_247_ = _e64;
+        case 10: {
+            phi_253_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_253_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_253_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_253_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e66 = phi_247_;
-    return _e66;
+    let _e71 = phi_253_;
+    return vec2<i32>(_e71.x, _e71.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_274_: u32;
+    var phi_275_: u32;
+
+    let _e59 = (bitcast<i32>(param_8) + param_9);
+    if (_e59 < 0i) {
+        phi_275_ = 0u;
+    } else {
+        if (_e59 >= bitcast<i32>(param_10)) {
+            phi_274_ = (param_10 - 1u);
+        } else {
+            phi_274_ = bitcast<u32>(_e59);
+        }
+        let _e66 = phi_274_;
+        phi_275_ = _e66;
+    }
+    let _e68 = phi_275_;
+    return _e68;
 }
 
 fn function_() {
-    var phi_313_: bool;
-    var phi_314_: bool;
-    var phi_315_: bool;
-    var phi_316_: bool;
-    var phi_320_: bool;
-    var phi_364_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_368_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_381_: bool;
-    var phi_570_: f32;
-    var phi_575_: f32;
-    var phi_576_: bool;
-    var phi_577_: f32;
-    var phi_578_: bool;
-    var phi_582_: f32;
+    var phi_341_: bool;
+    var phi_342_: bool;
+    var phi_343_: bool;
+    var phi_344_: bool;
+    var phi_348_: bool;
+    var phi_392_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_396_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_409_: bool;
+    var phi_598_: f32;
+    var phi_603_: f32;
+    var phi_604_: bool;
     var phi_605_: f32;
+    var phi_606_: bool;
     var phi_610_: f32;
-    var phi_611_: bool;
-    var phi_612_: f32;
-    var phi_613_: bool;
-    var phi_617_: f32;
-    var phi_638_: bool;
-    var phi_657_: vec2<u32>;
-    var phi_658_: bool;
-    var phi_659_: bool;
-    var phi_660_: bool;
-    var phi_661_: vec2<u32>;
-    var phi_662_: bool;
-    var phi_663_: bool;
-    var phi_664_: bool;
-    var phi_665_: bool;
+    var phi_633_: f32;
+    var phi_638_: f32;
+    var phi_639_: bool;
+    var phi_640_: f32;
+    var phi_641_: bool;
+    var phi_645_: f32;
     var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: vec2<u32>;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_672_: bool;
-    var phi_673_: bool;
-    var phi_674_: bool;
-    var phi_675_: vec2<u32>;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_678_: bool;
-    var phi_679_: bool;
+    var phi_685_: vec2<u32>;
+    var phi_686_: bool;
+    var phi_687_: bool;
     var phi_688_: bool;
-    var phi_689_: bool;
+    var phi_689_: vec2<u32>;
     var phi_690_: bool;
     var phi_691_: bool;
+    var phi_692_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
     var phi_695_: bool;
-    var phi_696_: bool;
-    var phi_697_: vec2<u32>;
-    var phi_786_: bool;
-    var phi_790_: f32;
-    var phi_794_: lt_mask_Reprojection;
-    var phi_803_: bool;
-    var phi_804_: bool;
-    var phi_806_: bool;
-    var phi_807_: lt_mask_Reprojection;
-    var phi_808_: lt_mask_Reprojection;
-    var phi_809_: bool;
-    var phi_813_: bool;
-    var phi_814_: lt_mask_Reprojection;
-    var phi_828_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
+    var phi_696_: vec2<u32>;
+    var phi_697_: bool;
+    var phi_698_: bool;
+    var phi_699_: bool;
+    var phi_700_: bool;
+    var phi_701_: bool;
+    var phi_702_: bool;
+    var phi_703_: vec2<u32>;
+    var phi_704_: bool;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_719_: bool;
+    var phi_723_: bool;
+    var phi_724_: bool;
+    var phi_725_: vec2<u32>;
+    var phi_814_: bool;
+    var phi_818_: f32;
+    var phi_822_: lt_mask_Reprojection;
+    var phi_831_: bool;
+    var phi_832_: bool;
+    var phi_834_: bool;
+    var phi_835_: lt_mask_Reprojection;
+    var phi_836_: lt_mask_Reprojection;
+    var phi_837_: bool;
     var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_848_: bool;
-    var phi_853_: bool;
-    var phi_868_: u32;
-    var phi_870_: u32;
-    var phi_873_: lt_mask_Neighbourhood;
-    var phi_885_: bool;
-    var phi_886_: bool;
-    var phi_894_: u32;
-    var phi_895_: u32;
-    var phi_954_: vec2<i32>;
-    var phi_970_: vec2<i32>;
-    var phi_993_: u32;
-    var phi_1010_: bool;
-    var phi_1011_: bool;
-    var phi_1018_: bool;
-    var phi_1019_: bool;
-    var phi_1037_: bool;
-    var phi_1038_: bool;
-    var phi_1039_: bool;
-    var phi_871_: u32;
-    var phi_874_: lt_mask_Neighbourhood;
-    var phi_1042_: lt_mask_Neighbourhood;
-    var phi_1043_: lt_mask_Neighbourhood;
-    var phi_1068_: bool;
-    var phi_1069_: bool;
-    var phi_1082_: bool;
-    var phi_1083_: bool;
-    var phi_1084_: bool;
-    var phi_1091_: u32;
-    var phi_1092_: u32;
-    var phi_1093_: u32;
-    var phi_1094_: u32;
-    var phi_1095_: u32;
+    var phi_842_: lt_mask_Reprojection;
+    var phi_856_: bool;
+    var phi_867_: bool;
+    var phi_868_: bool;
+    var phi_869_: bool;
+    var phi_870_: bool;
+    var phi_871_: bool;
+    var phi_872_: bool;
+    var phi_876_: bool;
+    var phi_881_: bool;
+    var phi_896_: u32;
+    var phi_898_: u32;
+    var phi_901_: lt_mask_Neighbourhood;
+    var phi_913_: bool;
+    var phi_914_: bool;
+    var phi_923_: u32;
+    var phi_924_: u32;
+    var phi_984_: vec2<i32>;
+    var phi_1004_: vec2<i32>;
+    var phi_1027_: u32;
+    var phi_1044_: bool;
+    var phi_1045_: bool;
+    var phi_1052_: bool;
+    var phi_1053_: bool;
+    var phi_1071_: bool;
+    var phi_1072_: bool;
+    var phi_1073_: bool;
+    var phi_899_: u32;
+    var phi_902_: lt_mask_Neighbourhood;
+    var phi_1076_: lt_mask_Neighbourhood;
+    var phi_1077_: lt_mask_Neighbourhood;
+    var phi_1102_: bool;
     var phi_1103_: bool;
-    var phi_1111_: u32;
-    var phi_1116_: u32;
-    var phi_1120_: u32;
-    var phi_1121_: u32;
-    var phi_1125_: f32;
-    var phi_1127_: mask_Masked;
-    var phi_1155_: bool;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1162_: bool;
-    var phi_1190_: f32;
-    var phi_1193_: bool;
-    var phi_1194_: u32;
-    var phi_1205_: u32;
+    var phi_1116_: bool;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1125_: u32;
+    var phi_1126_: u32;
+    var phi_1127_: u32;
+    var phi_1128_: u32;
+    var phi_1129_: u32;
+    var phi_1137_: bool;
+    var phi_1145_: u32;
+    var phi_1150_: u32;
+    var phi_1154_: u32;
+    var phi_1155_: u32;
+    var phi_1159_: f32;
+    var phi_1161_: mask_Masked;
+    var phi_1189_: bool;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1196_: bool;
+    var phi_1224_: f32;
+    var phi_1227_: bool;
+    var phi_1228_: u32;
+    var phi_1239_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e53 = id_1;
-    let _e54 = local_2;
-    let _e70 = p.member.current.size[0u];
-    let _e72 = p.member.current.size[1u];
-    let _e73 = lt_shaders_entry_pixel_index(_e53, _e70, _e72);
-    if (bitcast<i32>(_e73.root) != 0i) {
-        let _e81 = p.member.current.size[0u];
-        let _e84 = samples.member[_e73.first_primitive].position;
-        let _e86 = visibility.member[_e73.first_primitive];
-        let _e90 = p.member.light;
-        let _e93 = samples.member[_e73.first_primitive].normal[0u];
-        let _e95 = global[0u];
-        if (_e93 == _e95) {
-            let _e98 = samples.member[_e73.first_primitive].normal[1u];
-            let _e100 = global[1u];
-            if (_e98 == _e100) {
-                let _e103 = samples.member[_e73.first_primitive].normal[2u];
-                let _e105 = global[2u];
-                phi_313_ = (_e103 == _e105);
-                phi_314_ = false;
+    let _e55 = id_1;
+    let _e56 = local_2;
+    let _e72 = p.member.current.size[0u];
+    let _e74 = p.member.current.size[1u];
+    let _e75 = lt_shaders_entry_pixel_index(_e55, _e72, _e74);
+    if (bitcast<i32>(_e75.root) != 0i) {
+        let _e83 = p.member.current.size[0u];
+        let _e86 = samples.member[_e75.first_primitive].position;
+        let _e88 = visibility.member[_e75.first_primitive];
+        let _e92 = p.member.light;
+        let _e95 = samples.member[_e75.first_primitive].normal[0u];
+        let _e97 = global[0u];
+        if (_e95 == _e97) {
+            let _e100 = samples.member[_e75.first_primitive].normal[1u];
+            let _e102 = global[1u];
+            if (_e100 == _e102) {
+                let _e105 = samples.member[_e75.first_primitive].normal[2u];
+                let _e107 = global[2u];
+                phi_341_ = (_e105 == _e107);
+                phi_342_ = false;
             } else {
-                phi_313_ = bool();
-                phi_314_ = true;
+                phi_341_ = bool();
+                phi_342_ = true;
             }
-            let _e108 = phi_313_;
-            let _e110 = phi_314_;
-            phi_315_ = _e108;
-            phi_316_ = _e110;
+            let _e110 = phi_341_;
+            let _e112 = phi_342_;
+            phi_343_ = _e110;
+            phi_344_ = _e112;
         } else {
-            phi_315_ = bool();
-            phi_316_ = true;
+            phi_343_ = bool();
+            phi_344_ = true;
         }
-        let _e112 = phi_315_;
-        let _e114 = phi_316_;
-        if _e114 {
-            phi_320_ = false;
+        let _e114 = phi_343_;
+        let _e116 = phi_344_;
+        if _e116 {
+            phi_348_ = false;
         } else {
-            phi_320_ = _e112;
+            phi_348_ = _e114;
         }
-        let _e116 = phi_320_;
-        if !(_e116) {
-            let _e119 = samples.member[_e73.first_primitive].normal;
-            let _e121 = samples.member[_e73.first_primitive].position;
-            if ((((_e119.x * (_e90.x - (_e121.x * _e90.w))) + (_e119.y * (_e90.y - (_e121.y * _e90.w)))) + (_e119.z * (_e90.z - (_e121.z * _e90.w)))) > 0f) {
-                let _e145 = samples.member[_e73.first_primitive].flags;
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e159 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e153.unnamed.visibility, false), _e153.unnamed_1);
-                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e159.unnamed, ((_e145 & 1u) == 0u));
+        let _e118 = phi_348_;
+        if !(_e118) {
+            let _e121 = samples.member[_e75.first_primitive].normal;
+            let _e123 = samples.member[_e75.first_primitive].position;
+            if ((((_e121.x * (_e92.x - (_e123.x * _e92.w))) + (_e121.y * (_e92.y - (_e123.y * _e92.w)))) + (_e121.z * (_e92.z - (_e123.z * _e92.w)))) > 0f) {
+                let _e147 = samples.member[_e75.first_primitive].flags;
+                let _e155 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e155.unnamed.visibility, false), _e155.unnamed_1);
+                phi_392_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e161.unnamed, ((_e147 & 1u) == 0u));
             } else {
-                let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-                phi_364_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
+                let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+                phi_392_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, true);
             }
-            let _e179 = phi_364_;
-            phi_368_ = _e179;
+            let _e181 = phi_392_;
+            phi_396_ = _e181;
         } else {
-            let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e185.unnamed.visibility, false), _e185.unnamed_1);
-            phi_368_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e191.unnamed, true);
+            let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
+            phi_396_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, true);
         }
-        let _e196 = phi_368_;
-        if _e196.unnamed_1 {
-            phi_1127_ = mask_Masked(_e196.unnamed.visibility, 0u, false);
+        let _e198 = phi_396_;
+        if _e198.unnamed_1 {
+            phi_1161_ = mask_Masked(_e198.unnamed.visibility, 0u, false);
         } else {
-            let _e201 = (_e86 < 0.5f);
-            if (_e86 > 0f) {
-                phi_381_ = (_e86 < 1f);
+            let _e203 = (_e88 < 0.5f);
+            if (_e88 > 0f) {
+                phi_409_ = (_e88 < 1f);
             } else {
-                phi_381_ = false;
+                phi_409_ = false;
             }
-            let _e205 = phi_381_;
-            let _e207 = samples.member[_e73.first_primitive].position;
-            let _e211 = p.member.previous.eye;
-            let _e214 = (_e84.x - _e211.x);
-            let _e217 = (_e84.y - _e211.y);
-            let _e220 = (_e84.z - _e211.z);
-            let _e222 = p.member.previous.forward;
-            let _e230 = (((_e214 * _e222.x) + (_e217 * _e222.y)) + (_e220 * _e222.z));
-            let _e232 = p.member.previous.right;
-            let _e242 = p.member.previous.right;
-            let _e257 = p.member.previous.up;
-            let _e267 = p.member.previous.up;
-            let _e282 = p.member.current.eye;
-            let _e285 = (_e207.x - _e282.x);
-            let _e288 = (_e207.y - _e282.y);
-            let _e291 = (_e207.z - _e282.z);
-            let _e293 = p.member.current.forward;
-            let _e301 = (((_e285 * _e293.x) + (_e288 * _e293.y)) + (_e291 * _e293.z));
-            let _e303 = p.member.current.right;
-            let _e313 = p.member.current.right;
-            let _e328 = p.member.current.up;
-            let _e338 = p.member.current.up;
-            let _e357 = p.member.current.size[0u];
-            let _e359 = (((((((_e214 * _e232.x) + (_e217 * _e232.y)) + (_e220 * _e232.z)) / ((((_e242.x * _e242.x) + (_e242.y * _e242.y)) + (_e242.z * _e242.z)) * _e230)) - ((((_e285 * _e303.x) + (_e288 * _e303.y)) + (_e291 * _e303.z)) / ((((_e313.x * _e313.x) + (_e313.y * _e313.y)) + (_e313.z * _e313.z)) * _e301))) * 0.5f) * f32(_e357));
-            let _e363 = p.member.current.size[1u];
-            let _e365 = (((((((_e214 * _e257.x) + (_e217 * _e257.y)) + (_e220 * _e257.z)) / ((((_e267.x * _e267.x) + (_e267.y * _e267.y)) + (_e267.z * _e267.z)) * _e230)) - ((((_e285 * _e328.x) + (_e288 * _e328.y)) + (_e291 * _e328.z)) / ((((_e338.x * _e338.x) + (_e338.y * _e338.y)) + (_e338.z * _e338.z)) * _e301))) * -0.5f) * f32(_e363));
-            let _e369 = p.member.current.size[0u];
-            let _e371 = p.member.current.size[1u];
-            let _e375 = ((f32(_e53.x) + 0.5f) + _e359);
-            if (_e375 > -8388608f) {
-                let _e387 = f32(select(0i, select(select(i32(_e375), i32(-2147483648), (_e375 < bitcast<f32>(3472883712u))), 2147483647i, (_e375 > bitcast<f32>(1325400063u))), (_e375 == _e375)));
-                if (_e387 > _e375) {
-                    phi_570_ = 1f;
+            let _e207 = phi_409_;
+            let _e209 = samples.member[_e75.first_primitive].position;
+            let _e213 = p.member.previous.eye;
+            let _e216 = (_e86.x - _e213.x);
+            let _e219 = (_e86.y - _e213.y);
+            let _e222 = (_e86.z - _e213.z);
+            let _e224 = p.member.previous.forward;
+            let _e232 = (((_e216 * _e224.x) + (_e219 * _e224.y)) + (_e222 * _e224.z));
+            let _e234 = p.member.previous.right;
+            let _e244 = p.member.previous.right;
+            let _e259 = p.member.previous.up;
+            let _e269 = p.member.previous.up;
+            let _e284 = p.member.current.eye;
+            let _e287 = (_e209.x - _e284.x);
+            let _e290 = (_e209.y - _e284.y);
+            let _e293 = (_e209.z - _e284.z);
+            let _e295 = p.member.current.forward;
+            let _e303 = (((_e287 * _e295.x) + (_e290 * _e295.y)) + (_e293 * _e295.z));
+            let _e305 = p.member.current.right;
+            let _e315 = p.member.current.right;
+            let _e330 = p.member.current.up;
+            let _e340 = p.member.current.up;
+            let _e359 = p.member.current.size[0u];
+            let _e361 = (((((((_e216 * _e234.x) + (_e219 * _e234.y)) + (_e222 * _e234.z)) / ((((_e244.x * _e244.x) + (_e244.y * _e244.y)) + (_e244.z * _e244.z)) * _e232)) - ((((_e287 * _e305.x) + (_e290 * _e305.y)) + (_e293 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e303))) * 0.5f) * f32(_e359));
+            let _e365 = p.member.current.size[1u];
+            let _e367 = (((((((_e216 * _e259.x) + (_e219 * _e259.y)) + (_e222 * _e259.z)) / ((((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)) * _e232)) - ((((_e287 * _e330.x) + (_e290 * _e330.y)) + (_e293 * _e330.z)) / ((((_e340.x * _e340.x) + (_e340.y * _e340.y)) + (_e340.z * _e340.z)) * _e303))) * -0.5f) * f32(_e365));
+            let _e371 = p.member.current.size[0u];
+            let _e373 = p.member.current.size[1u];
+            let _e377 = ((f32(_e55.x) + 0.5f) + _e361);
+            if (_e377 > -8388608f) {
+                let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
+                if (_e389 > _e377) {
+                    phi_598_ = 1f;
                 } else {
-                    phi_570_ = 0f;
+                    phi_598_ = 0f;
                 }
-                let _e390 = phi_570_;
-                if (_e375 < 8388608f) {
-                    phi_575_ = (_e387 - _e390);
-                    phi_576_ = false;
+                let _e392 = phi_598_;
+                if (_e377 < 8388608f) {
+                    phi_603_ = (_e389 - _e392);
+                    phi_604_ = false;
                 } else {
-                    phi_575_ = f32();
-                    phi_576_ = true;
+                    phi_603_ = f32();
+                    phi_604_ = true;
                 }
-                let _e393 = phi_575_;
-                let _e395 = phi_576_;
-                phi_577_ = _e393;
-                phi_578_ = _e395;
+                let _e395 = phi_603_;
+                let _e397 = phi_604_;
+                phi_605_ = _e395;
+                phi_606_ = _e397;
             } else {
-                phi_577_ = f32();
-                phi_578_ = true;
+                phi_605_ = f32();
+                phi_606_ = true;
             }
-            let _e397 = phi_577_;
-            let _e399 = phi_578_;
-            if _e399 {
-                phi_582_ = _e375;
+            let _e399 = phi_605_;
+            let _e401 = phi_606_;
+            if _e401 {
+                phi_610_ = _e377;
             } else {
-                phi_582_ = _e397;
+                phi_610_ = _e399;
             }
-            let _e401 = phi_582_;
-            let _e404 = ((f32(_e53.y) + 0.5f) + _e365);
-            if (_e404 > -8388608f) {
-                let _e416 = f32(select(0i, select(select(i32(_e404), i32(-2147483648), (_e404 < bitcast<f32>(3472883712u))), 2147483647i, (_e404 > bitcast<f32>(1325400063u))), (_e404 == _e404)));
-                if (_e416 > _e404) {
-                    phi_605_ = 1f;
+            let _e403 = phi_610_;
+            let _e406 = ((f32(_e55.y) + 0.5f) + _e367);
+            if (_e406 > -8388608f) {
+                let _e418 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
+                if (_e418 > _e406) {
+                    phi_633_ = 1f;
                 } else {
-                    phi_605_ = 0f;
+                    phi_633_ = 0f;
                 }
-                let _e419 = phi_605_;
-                if (_e404 < 8388608f) {
-                    phi_610_ = (_e416 - _e419);
-                    phi_611_ = false;
+                let _e421 = phi_633_;
+                if (_e406 < 8388608f) {
+                    phi_638_ = (_e418 - _e421);
+                    phi_639_ = false;
                 } else {
-                    phi_610_ = f32();
-                    phi_611_ = true;
+                    phi_638_ = f32();
+                    phi_639_ = true;
                 }
-                let _e422 = phi_610_;
-                let _e424 = phi_611_;
-                phi_612_ = _e422;
-                phi_613_ = _e424;
+                let _e424 = phi_638_;
+                let _e426 = phi_639_;
+                phi_640_ = _e424;
+                phi_641_ = _e426;
             } else {
-                phi_612_ = f32();
-                phi_613_ = true;
+                phi_640_ = f32();
+                phi_641_ = true;
             }
-            let _e426 = phi_612_;
-            let _e428 = phi_613_;
-            if _e428 {
-                phi_617_ = _e404;
+            let _e428 = phi_640_;
+            let _e430 = phi_641_;
+            if _e430 {
+                phi_645_ = _e406;
             } else {
-                phi_617_ = _e426;
+                phi_645_ = _e428;
             }
-            let _e430 = phi_617_;
-            if (_e401 >= 0f) {
-                if (_e430 >= 0f) {
-                    if (_e401 < f32(_e369)) {
-                        let _e436 = (_e430 < f32(_e371));
-                        if (_e359 == 0f) {
-                            phi_638_ = (_e365 == 0f);
+            let _e432 = phi_645_;
+            if (_e403 >= 0f) {
+                if (_e432 >= 0f) {
+                    if (_e403 < f32(_e371)) {
+                        let _e438 = (_e432 < f32(_e373));
+                        if (_e361 == 0f) {
+                            phi_666_ = (_e367 == 0f);
                         } else {
-                            phi_638_ = false;
+                            phi_666_ = false;
                         }
-                        let _e440 = phi_638_;
-                        if _e436 {
-                            phi_657_ = vec2<u32>(select(select(u32(_e401), 0u, (_e401 < bitcast<f32>(0u))), 4294967295u, (_e401 > bitcast<f32>(1333788671u))), select(select(u32(_e430), 0u, (_e430 < bitcast<f32>(0u))), 4294967295u, (_e430 > bitcast<f32>(1333788671u))));
-                            phi_658_ = false;
+                        let _e442 = phi_666_;
+                        if _e438 {
+                            phi_685_ = vec2<u32>(select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))), select(select(u32(_e432), 0u, (_e432 < bitcast<f32>(0u))), 4294967295u, (_e432 > bitcast<f32>(1333788671u))));
+                            phi_686_ = false;
                         } else {
-                            phi_657_ = vec2<u32>();
-                            phi_658_ = true;
+                            phi_685_ = vec2<u32>();
+                            phi_686_ = true;
                         }
-                        let _e457 = phi_657_;
-                        let _e459 = phi_658_;
-                        phi_659_ = _e440;
-                        phi_660_ = _e436;
-                        phi_661_ = _e457;
-                        phi_662_ = _e440;
-                        phi_663_ = _e436;
-                        phi_664_ = false;
-                        phi_665_ = _e459;
+                        let _e459 = phi_685_;
+                        let _e461 = phi_686_;
+                        phi_687_ = _e442;
+                        phi_688_ = _e438;
+                        phi_689_ = _e459;
+                        phi_690_ = _e442;
+                        phi_691_ = _e438;
+                        phi_692_ = false;
+                        phi_693_ = _e461;
                     } else {
-                        phi_659_ = bool();
-                        phi_660_ = bool();
-                        phi_661_ = vec2<u32>();
-                        phi_662_ = bool();
-                        phi_663_ = bool();
-                        phi_664_ = true;
-                        phi_665_ = false;
+                        phi_687_ = bool();
+                        phi_688_ = bool();
+                        phi_689_ = vec2<u32>();
+                        phi_690_ = bool();
+                        phi_691_ = bool();
+                        phi_692_ = true;
+                        phi_693_ = false;
                     }
-                    let _e461 = phi_659_;
-                    let _e463 = phi_660_;
-                    let _e465 = phi_661_;
-                    let _e467 = phi_662_;
-                    let _e469 = phi_663_;
-                    let _e471 = phi_664_;
-                    let _e473 = phi_665_;
-                    phi_666_ = _e461;
-                    phi_667_ = _e463;
-                    phi_668_ = _e465;
-                    phi_669_ = _e467;
-                    phi_670_ = _e469;
-                    phi_671_ = _e471;
-                    phi_672_ = _e473;
+                    let _e463 = phi_687_;
+                    let _e465 = phi_688_;
+                    let _e467 = phi_689_;
+                    let _e469 = phi_690_;
+                    let _e471 = phi_691_;
+                    let _e473 = phi_692_;
+                    let _e475 = phi_693_;
+                    phi_694_ = _e463;
+                    phi_695_ = _e465;
+                    phi_696_ = _e467;
+                    phi_697_ = _e469;
+                    phi_698_ = _e471;
+                    phi_699_ = _e473;
+                    phi_700_ = _e475;
                 } else {
-                    phi_666_ = bool();
-                    phi_667_ = bool();
-                    phi_668_ = vec2<u32>();
-                    phi_669_ = bool();
-                    phi_670_ = bool();
-                    phi_671_ = true;
-                    phi_672_ = false;
+                    phi_694_ = bool();
+                    phi_695_ = bool();
+                    phi_696_ = vec2<u32>();
+                    phi_697_ = bool();
+                    phi_698_ = bool();
+                    phi_699_ = true;
+                    phi_700_ = false;
                 }
-                let _e475 = phi_666_;
-                let _e477 = phi_667_;
-                let _e479 = phi_668_;
-                let _e481 = phi_669_;
-                let _e483 = phi_670_;
-                let _e485 = phi_671_;
-                let _e487 = phi_672_;
-                phi_673_ = _e475;
-                phi_674_ = _e477;
-                phi_675_ = _e479;
-                phi_676_ = _e481;
-                phi_677_ = _e483;
-                phi_678_ = _e485;
-                phi_679_ = _e487;
+                let _e477 = phi_694_;
+                let _e479 = phi_695_;
+                let _e481 = phi_696_;
+                let _e483 = phi_697_;
+                let _e485 = phi_698_;
+                let _e487 = phi_699_;
+                let _e489 = phi_700_;
+                phi_701_ = _e477;
+                phi_702_ = _e479;
+                phi_703_ = _e481;
+                phi_704_ = _e483;
+                phi_705_ = _e485;
+                phi_706_ = _e487;
+                phi_707_ = _e489;
             } else {
-                phi_673_ = bool();
-                phi_674_ = bool();
-                phi_675_ = vec2<u32>();
-                phi_676_ = bool();
-                phi_677_ = bool();
-                phi_678_ = true;
-                phi_679_ = false;
+                phi_701_ = bool();
+                phi_702_ = bool();
+                phi_703_ = vec2<u32>();
+                phi_704_ = bool();
+                phi_705_ = bool();
+                phi_706_ = true;
+                phi_707_ = false;
             }
-            let _e489 = phi_673_;
-            let _e491 = phi_674_;
-            let _e493 = phi_675_;
-            let _e495 = phi_676_;
-            let _e497 = phi_677_;
-            let _e499 = phi_678_;
-            let _e501 = phi_679_;
-            if _e499 {
-                if (_e359 == 0f) {
-                    phi_688_ = (_e365 == 0f);
+            let _e491 = phi_701_;
+            let _e493 = phi_702_;
+            let _e495 = phi_703_;
+            let _e497 = phi_704_;
+            let _e499 = phi_705_;
+            let _e501 = phi_706_;
+            let _e503 = phi_707_;
+            if _e501 {
+                if (_e361 == 0f) {
+                    phi_716_ = (_e367 == 0f);
                 } else {
-                    phi_688_ = false;
+                    phi_716_ = false;
                 }
-                let _e505 = phi_688_;
-                phi_689_ = _e505;
-                phi_690_ = false;
-                phi_691_ = true;
+                let _e507 = phi_716_;
+                phi_717_ = _e507;
+                phi_718_ = false;
+                phi_719_ = true;
             } else {
-                phi_689_ = _e495;
-                phi_690_ = _e497;
-                phi_691_ = _e501;
+                phi_717_ = _e497;
+                phi_718_ = _e499;
+                phi_719_ = _e503;
             }
-            let _e507 = phi_689_;
-            let _e509 = phi_690_;
-            let _e511 = phi_691_;
-            if _e511 {
-                phi_695_ = _e507;
-                phi_696_ = _e509;
-                phi_697_ = vec2<u32>(_e53.x, _e53.y);
+            let _e509 = phi_717_;
+            let _e511 = phi_718_;
+            let _e513 = phi_719_;
+            if _e513 {
+                phi_723_ = _e509;
+                phi_724_ = _e511;
+                phi_725_ = vec2<u32>(_e55.x, _e55.y);
             } else {
-                phi_695_ = _e489;
-                phi_696_ = _e491;
-                phi_697_ = _e493;
+                phi_723_ = _e491;
+                phi_724_ = _e493;
+                phi_725_ = _e495;
             }
-            let _e513 = phi_695_;
-            let _e515 = phi_696_;
-            let _e517 = phi_697_;
-            let _e527 = lt_mask_Reprojection(vec2<u32>(_e517.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e534 = lt_mask_Reprojection(vec2<u32>(_e527.pixel.x, _e517.y), _e527.is_valid, _e527.has_moved);
-            let _e538 = lt_mask_Reprojection(_e534.pixel, _e515, _e534.has_moved);
-            let _e542 = lt_mask_Reprojection(_e538.pixel, _e538.is_valid, !(_e513));
-            if _e515 {
-                let _e545 = p.member.previous.eye;
-                let _e556 = p.member.previous.forward;
-                let _e565 = (((((_e84.x - _e545.x) * _e556.x) + ((_e84.y - _e545.y) * _e556.y)) + ((_e84.z - _e545.z) * _e556.z)) > 0f);
-                let _e569 = lt_mask_Reprojection(_e542.pixel, _e565, _e542.has_moved);
-                if _e565 {
-                    let _e572 = p.member.previous.eye;
-                    let _e583 = p.member.previous.forward;
-                    let _e591 = ((((_e84.x - _e572.x) * _e583.x) + ((_e84.y - _e572.y) * _e583.y)) + ((_e84.z - _e572.z) * _e583.z));
-                    let _e593 = ((_e517.y * _e81) + _e517.x);
-                    if (_e593 < arrayLength((&last_depths.member))) {
+            let _e515 = phi_723_;
+            let _e517 = phi_724_;
+            let _e519 = phi_725_;
+            let _e529 = lt_mask_Reprojection(vec2<u32>(_e519.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e536 = lt_mask_Reprojection(vec2<u32>(_e529.pixel.x, _e519.y), _e529.is_valid, _e529.has_moved);
+            let _e540 = lt_mask_Reprojection(_e536.pixel, _e517, _e536.has_moved);
+            let _e544 = lt_mask_Reprojection(_e540.pixel, _e540.is_valid, !(_e515));
+            if _e517 {
+                let _e547 = p.member.previous.eye;
+                let _e558 = p.member.previous.forward;
+                let _e567 = (((((_e86.x - _e547.x) * _e558.x) + ((_e86.y - _e547.y) * _e558.y)) + ((_e86.z - _e547.z) * _e558.z)) > 0f);
+                let _e571 = lt_mask_Reprojection(_e544.pixel, _e567, _e544.has_moved);
+                if _e567 {
+                    let _e574 = p.member.previous.eye;
+                    let _e585 = p.member.previous.forward;
+                    let _e593 = ((((_e86.x - _e574.x) * _e585.x) + ((_e86.y - _e574.y) * _e585.y)) + ((_e86.z - _e574.z) * _e585.z));
+                    let _e595 = ((_e519.y * _e83) + _e519.x);
+                    if (_e595 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e597 = last_depths.member[(0u + _e593)];
-                    let _e599 = p.member.depth_tolerance;
-                    let _e602 = abs(_e591);
-                    let _e603 = abs(_e597);
-                    if ((bitcast<u32>(_e603) & 2147483647u) > 2139095040u) {
-                        phi_786_ = true;
+                    let _e599 = last_depths.member[(0u + _e595)];
+                    let _e601 = p.member.depth_tolerance;
+                    let _e604 = abs(_e593);
+                    let _e605 = abs(_e599);
+                    if ((bitcast<u32>(_e605) & 2147483647u) > 2139095040u) {
+                        phi_814_ = true;
                     } else {
-                        let _e607 = (_e603 > _e602);
-                        if _e607 {
+                        let _e609 = (_e605 > _e604);
+                        if _e609 {
                         }
-                        phi_786_ = _e607;
+                        phi_814_ = _e609;
                     }
-                    let _e609 = phi_786_;
-                    if _e609 {
-                        phi_790_ = _e603;
+                    let _e611 = phi_814_;
+                    if _e611 {
+                        phi_818_ = _e605;
                     } else {
-                        phi_790_ = _e602;
+                        phi_818_ = _e604;
                     }
-                    let _e611 = phi_790_;
-                    phi_794_ = lt_mask_Reprojection(_e569.pixel, (abs((_e591 - _e597)) <= (_e599 * _e611)), _e569.has_moved);
+                    let _e613 = phi_818_;
+                    phi_822_ = lt_mask_Reprojection(_e571.pixel, (abs((_e593 - _e599)) <= (_e601 * _e613)), _e571.has_moved);
                 } else {
-                    phi_794_ = _e569;
+                    phi_822_ = _e571;
                 }
-                let _e619 = phi_794_;
-                if _e619.is_valid {
-                    let _e622 = p.member.flags;
-                    phi_803_ = ((_e622 & 1u) != 0u);
-                    phi_804_ = false;
+                let _e621 = phi_822_;
+                if _e621.is_valid {
+                    let _e624 = p.member.flags;
+                    phi_831_ = ((_e624 & 1u) != 0u);
+                    phi_832_ = false;
                 } else {
-                    phi_803_ = bool();
-                    phi_804_ = true;
+                    phi_831_ = bool();
+                    phi_832_ = true;
                 }
-                let _e626 = phi_803_;
-                let _e628 = phi_804_;
-                phi_806_ = _e626;
-                phi_807_ = _e619;
-                phi_808_ = _e619;
-                phi_809_ = _e628;
+                let _e628 = phi_831_;
+                let _e630 = phi_832_;
+                phi_834_ = _e628;
+                phi_835_ = _e621;
+                phi_836_ = _e621;
+                phi_837_ = _e630;
             } else {
-                phi_806_ = bool();
-                phi_807_ = lt_mask_Reprojection();
-                phi_808_ = lt_mask_Reprojection(_e542.pixel, false, _e542.has_moved);
-                phi_809_ = true;
+                phi_834_ = bool();
+                phi_835_ = lt_mask_Reprojection();
+                phi_836_ = lt_mask_Reprojection(_e544.pixel, false, _e544.has_moved);
+                phi_837_ = true;
             }
-            let _e634 = phi_806_;
-            let _e636 = phi_807_;
-            let _e638 = phi_808_;
-            let _e640 = phi_809_;
-            if _e640 {
-                phi_813_ = false;
-                phi_814_ = _e638;
+            let _e636 = phi_834_;
+            let _e638 = phi_835_;
+            let _e640 = phi_836_;
+            let _e642 = phi_837_;
+            if _e642 {
+                phi_841_ = false;
+                phi_842_ = _e640;
             } else {
-                phi_813_ = _e634;
-                phi_814_ = _e636;
+                phi_841_ = _e636;
+                phi_842_ = _e638;
             }
-            let _e642 = phi_813_;
-            let _e644 = phi_814_;
-            let _e648 = lt_mask_Reprojection(_e644.pixel, _e642, _e644.has_moved);
-            let _e650 = p.member.flags;
-            if _e648.has_moved {
-                let _e655 = p.member.flags;
-                phi_828_ = ((_e655 & 4u) == 0u);
+            let _e644 = phi_841_;
+            let _e646 = phi_842_;
+            let _e650 = lt_mask_Reprojection(_e646.pixel, _e644, _e646.has_moved);
+            let _e652 = p.member.flags;
+            if _e650.has_moved {
+                let _e657 = p.member.flags;
+                phi_856_ = ((_e657 & 4u) == 0u);
             } else {
-                phi_828_ = false;
+                phi_856_ = false;
             }
-            let _e659 = phi_828_;
-            if ((_e650 & 2u) != 0u) {
+            let _e661 = phi_856_;
+            if ((_e652 & 2u) != 0u) {
                 if false {
-                    phi_841_ = bool();
-                    phi_842_ = true;
+                    phi_869_ = bool();
+                    phi_870_ = true;
                 } else {
                     if true {
-                        phi_839_ = !(_e659);
-                        phi_840_ = false;
+                        phi_867_ = !(_e661);
+                        phi_868_ = false;
                     } else {
-                        phi_839_ = bool();
-                        phi_840_ = true;
+                        phi_867_ = bool();
+                        phi_868_ = true;
                     }
-                    let _e662 = phi_839_;
-                    let _e664 = phi_840_;
-                    phi_841_ = _e662;
-                    phi_842_ = _e664;
+                    let _e664 = phi_867_;
+                    let _e666 = phi_868_;
+                    phi_869_ = _e664;
+                    phi_870_ = _e666;
                 }
-                let _e666 = phi_841_;
-                let _e668 = phi_842_;
-                phi_843_ = _e666;
-                phi_844_ = _e668;
+                let _e668 = phi_869_;
+                let _e670 = phi_870_;
+                phi_871_ = _e668;
+                phi_872_ = _e670;
             } else {
-                phi_843_ = bool();
-                phi_844_ = true;
+                phi_871_ = bool();
+                phi_872_ = true;
             }
-            let _e670 = phi_843_;
-            let _e672 = phi_844_;
-            if _e672 {
-                phi_848_ = false;
+            let _e672 = phi_871_;
+            let _e674 = phi_872_;
+            if _e674 {
+                phi_876_ = false;
             } else {
-                phi_848_ = _e670;
+                phi_876_ = _e672;
             }
-            let _e674 = phi_848_;
-            let _e675 = lt_mask_Neighbourhood(false, true);
-            if _e205 {
-                phi_853_ = _e674;
+            let _e676 = phi_876_;
+            let _e677 = lt_mask_Neighbourhood(false, true);
+            if _e207 {
+                phi_881_ = _e676;
             } else {
-                phi_853_ = true;
+                phi_881_ = true;
             }
-            let _e677 = phi_853_;
-            if _e677 {
-                if _e642 {
-                    if _e648.has_moved {
-                        let _e680 = p.member.moving_pattern;
-                        phi_868_ = _e680;
+            let _e679 = phi_881_;
+            if _e679 {
+                if _e644 {
+                    if _e650.has_moved {
+                        let _e682 = p.member.moving_pattern;
+                        phi_896_ = _e682;
                     } else {
-                        let _e682 = p.member.still_pattern;
-                        phi_868_ = _e682;
+                        let _e684 = p.member.still_pattern;
+                        phi_896_ = _e684;
                     }
-                    let _e684 = phi_868_;
-                    phi_870_ = 0u;
-                    phi_873_ = _e675;
+                    let _e686 = phi_896_;
+                    phi_898_ = 0u;
+                    phi_901_ = _e677;
                     loop {
-                        let _e686 = phi_870_;
-                        let _e688 = phi_873_;
-                        local_1 = _e688;
-                        if (1u <= _e684) {
-                            if (_e684 <= 4u) {
-                                phi_885_ = false;
+                        let _e688 = phi_898_;
+                        let _e690 = phi_901_;
+                        local_1 = _e690;
+                        if (1u <= _e686) {
+                            if (_e686 <= 4u) {
+                                phi_913_ = false;
                             } else {
-                                phi_885_ = true;
+                                phi_913_ = true;
                             }
-                            let _e692 = phi_885_;
-                            phi_886_ = _e692;
+                            let _e694 = phi_913_;
+                            phi_914_ = _e694;
                         } else {
-                            phi_886_ = true;
+                            phi_914_ = true;
                         }
-                        let _e694 = phi_886_;
-                        if _e694 {
-                            switch bitcast<i32>(_e684) {
+                        let _e696 = phi_914_;
+                        if _e696 {
+                            switch bitcast<i32>(_e686) {
                                 case 5: {
-                                    phi_894_ = 4u;
+                                    phi_923_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_894_ = 25u;
+                                    phi_923_ = 25u;
+                                    break;
+                                }
+                                case 7: {
+                                    phi_923_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_894_ = 9u;
+                                    phi_923_ = 9u;
                                     break;
                                 }
                             }
-                            let _e697 = phi_894_;
-                            phi_895_ = _e697;
+                            let _e699 = phi_923_;
+                            phi_924_ = _e699;
                         } else {
-                            phi_895_ = 5u;
+                            phi_924_ = 5u;
                         }
-                        let _e699 = phi_895_;
-                        let _e700 = (_e686 < _e699);
-                        if _e700 {
-                            let _e706 = p.member.frame;
-                            let _e710 = p.member.current.size[0u];
-                            let _e712 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e684) {
+                        let _e701 = phi_924_;
+                        let _e702 = (_e688 < _e701);
+                        if _e702 {
+                            let _e708 = p.member.frame;
+                            let _e712 = p.member.current.size[0u];
+                            let _e714 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e686) {
                                 case 1: {
-                                    let _e722 = lt_mask_pattern_plus(_e686);
-                                    phi_970_ = vec2<i32>(_e722.x, _e722.y);
+                                    let _e724 = lt_mask_pattern_plus(_e688);
+                                    phi_1004_ = vec2<i32>(_e724.x, _e724.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e726 = lt_mask_pattern_cross(_e686);
-                                    phi_970_ = vec2<i32>(_e726.x, _e726.y);
+                                    let _e728 = lt_mask_pattern_cross(_e688);
+                                    phi_1004_ = vec2<i32>(_e728.x, _e728.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e732 = lt_mask_pattern_plus_or_cross(_e686, ((_e648.pixel.x + _e648.pixel.y) & 1u));
-                                    phi_970_ = vec2<i32>(_e732.x, _e732.y);
+                                    let _e734 = lt_mask_pattern_plus_or_cross(_e688, ((_e650.pixel.x + _e650.pixel.y) & 1u));
+                                    phi_1004_ = vec2<i32>(_e734.x, _e734.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e737 = lt_mask_pattern_plus_or_cross(_e686, (_e706 & 1u));
-                                    phi_970_ = vec2<i32>(_e737.x, _e737.y);
+                                    let _e739 = lt_mask_pattern_plus_or_cross(_e688, (_e708 & 1u));
+                                    phi_1004_ = vec2<i32>(_e739.x, _e739.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e706 & 3u)) {
+                                    switch bitcast<i32>((_e708 & 3u)) {
                                         case 0: {
-                                            phi_954_ = vec2(-1i);
+                                            phi_984_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_954_ = vec2(0i);
+                                            phi_984_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_954_ = vec2<i32>(0i, -1i);
+                                            phi_984_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_954_ = vec2<i32>(-1i, 0i);
+                                            phi_984_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e748 = phi_954_;
-                                    phi_970_ = (_e748 + vec2<i32>(bitcast<i32>((_e686 & 1u)), bitcast<i32>(((_e686 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e750 = phi_984_;
+                                    phi_1004_ = (_e750 + vec2<i32>(bitcast<i32>((_e688 & 1u)), bitcast<i32>(((_e688 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_970_ = vec2<i32>((bitcast<i32>((_e686 % 5u)) - 2i), (bitcast<i32>(((_e686 / 5u) % 5u)) - 2i));
+                                    phi_1004_ = vec2<i32>((bitcast<i32>((_e688 % 5u)) - 2i), (bitcast<i32>(((_e688 / 5u) % 5u)) - 2i));
+                                    break;
+                                }
+                                case 7: {
+                                    let _e767 = lt_mask_pattern_diamond(_e688);
+                                    phi_1004_ = vec2<i32>(_e767.x, _e767.y);
                                     break;
                                 }
                                 default: {
-                                    phi_970_ = vec2<i32>((bitcast<i32>((_e686 % 3u)) - 1i), (bitcast<i32>(((_e686 / 3u) % 3u)) - 1i));
+                                    phi_1004_ = vec2<i32>((bitcast<i32>((_e688 % 3u)) - 1i), (bitcast<i32>(((_e688 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e766 = phi_970_;
-                            let _e769 = lt_mask_pattern_step_clamped(_e648.pixel.x, _e766.x, _e710);
-                            let _e770 = lt_mask_pattern_step_clamped(_e648.pixel.y, _e766.y, _e712);
-                            let _e772 = ((_e770 * _e81) + _e769);
-                            if (_e772 < arrayLength((&last_bits.member))) {
+                            let _e772 = phi_1004_;
+                            let _e775 = lt_mask_pattern_step_clamped(_e650.pixel.x, _e772.x, _e712);
+                            let _e776 = lt_mask_pattern_step_clamped(_e650.pixel.y, _e772.y, _e714);
+                            let _e778 = ((_e776 * _e83) + _e775);
+                            if (_e778 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e776 = last_bits.member[(0u + _e772)];
-                            if ((_e776 & 2u) == 0u) {
-                                phi_993_ = (_e776 & 1u);
+                            let _e782 = last_bits.member[(0u + _e778)];
+                            if ((_e782 & 2u) == 0u) {
+                                phi_1027_ = (_e782 & 1u);
                             } else {
-                                phi_993_ = (_e776 & 7u);
+                                phi_1027_ = (_e782 & 7u);
                             }
-                            let _e782 = phi_993_;
-                            if _e688.any_expands {
-                                phi_1019_ = true;
+                            let _e788 = phi_1027_;
+                            if _e690.any_expands {
+                                phi_1053_ = true;
                             } else {
-                                if ((_e782 & 2u) != 0u) {
-                                    if (((_e782 & 4u) != 0u) != _e201) {
-                                        phi_1010_ = false;
+                                if ((_e788 & 2u) != 0u) {
+                                    if (((_e788 & 4u) != 0u) != _e203) {
+                                        phi_1044_ = false;
                                     } else {
-                                        phi_1010_ = true;
+                                        phi_1044_ = true;
                                     }
-                                    let _e791 = phi_1010_;
-                                    phi_1011_ = _e791;
+                                    let _e797 = phi_1044_;
+                                    phi_1045_ = _e797;
                                 } else {
-                                    phi_1011_ = true;
+                                    phi_1045_ = true;
                                 }
-                                let _e793 = phi_1011_;
-                                if _e793 {
-                                    phi_1018_ = (((_e782 & 1u) != 0u) != _e201);
+                                let _e799 = phi_1045_;
+                                if _e799 {
+                                    phi_1052_ = (((_e788 & 1u) != 0u) != _e203);
                                 } else {
-                                    phi_1018_ = true;
+                                    phi_1052_ = true;
                                 }
-                                let _e798 = phi_1018_;
-                                phi_1019_ = _e798;
+                                let _e804 = phi_1052_;
+                                phi_1053_ = _e804;
                             }
-                            let _e800 = phi_1019_;
-                            if _e688.all_remove {
-                                if (((_e782 & 1u) != 0u) == _e201) {
-                                    if ((_e782 & 2u) != 0u) {
-                                        phi_1037_ = (((_e782 & 4u) != 0u) == _e201);
+                            let _e806 = phi_1053_;
+                            if _e690.all_remove {
+                                if (((_e788 & 1u) != 0u) == _e203) {
+                                    if ((_e788 & 2u) != 0u) {
+                                        phi_1071_ = (((_e788 & 4u) != 0u) == _e203);
                                     } else {
-                                        phi_1037_ = true;
+                                        phi_1071_ = true;
                                     }
-                                    let _e810 = phi_1037_;
-                                    phi_1038_ = _e810;
+                                    let _e816 = phi_1071_;
+                                    phi_1072_ = _e816;
                                 } else {
-                                    phi_1038_ = false;
+                                    phi_1072_ = false;
                                 }
-                                let _e812 = phi_1038_;
-                                phi_1039_ = _e812;
+                                let _e818 = phi_1072_;
+                                phi_1073_ = _e818;
                             } else {
-                                phi_1039_ = false;
+                                phi_1073_ = false;
                             }
-                            let _e814 = phi_1039_;
-                            phi_871_ = (_e686 + 1u);
-                            phi_874_ = lt_mask_Neighbourhood(_e800, _e814);
+                            let _e820 = phi_1073_;
+                            phi_899_ = (_e688 + 1u);
+                            phi_902_ = lt_mask_Neighbourhood(_e806, _e820);
                         } else {
-                            phi_871_ = u32();
-                            phi_874_ = lt_mask_Neighbourhood();
+                            phi_899_ = u32();
+                            phi_902_ = lt_mask_Neighbourhood();
                         }
-                        let _e818 = phi_871_;
-                        let _e820 = phi_874_;
+                        let _e824 = phi_899_;
+                        let _e826 = phi_902_;
                         continue;
                         continuing {
-                            phi_870_ = _e818;
-                            phi_873_ = _e820;
-                            break if !(_e700);
+                            phi_898_ = _e824;
+                            phi_901_ = _e826;
+                            break if !(_e702);
                         }
                     }
-                    let _e1042 = local_1;
-                    phi_1042_ = _e1042;
+                    let _e1048 = local_1;
+                    phi_1076_ = _e1048;
                 } else {
-                    phi_1042_ = _e675;
+                    phi_1076_ = _e677;
                 }
-                let _e823 = phi_1042_;
-                phi_1043_ = _e823;
+                let _e829 = phi_1076_;
+                phi_1077_ = _e829;
             } else {
-                phi_1043_ = _e675;
+                phi_1077_ = _e677;
             }
-            let _e825 = phi_1043_;
-            if (_e86 != 0.5f) {
-                if _e642 {
-                    if _e205 {
-                        phi_1069_ = true;
+            let _e831 = phi_1077_;
+            if (_e88 != 0.5f) {
+                if _e644 {
+                    if _e207 {
+                        phi_1103_ = true;
                     } else {
-                        if _e825.any_expands {
-                            phi_1068_ = false;
+                        if _e831.any_expands {
+                            phi_1102_ = false;
                         } else {
-                            phi_1068_ = true;
+                            phi_1102_ = true;
                         }
-                        let _e830 = phi_1068_;
-                        phi_1069_ = _e830;
+                        let _e836 = phi_1102_;
+                        phi_1103_ = _e836;
                     }
-                    let _e832 = phi_1069_;
-                    if _e832 {
-                        if _e205 {
-                            if _e674 {
-                                if _e825.all_remove {
-                                    phi_1082_ = false;
+                    let _e838 = phi_1103_;
+                    if _e838 {
+                        if _e207 {
+                            if _e676 {
+                                if _e831.all_remove {
+                                    phi_1116_ = false;
                                 } else {
-                                    phi_1082_ = true;
+                                    phi_1116_ = true;
                                 }
-                                let _e834 = phi_1082_;
-                                phi_1083_ = _e834;
+                                let _e840 = phi_1116_;
+                                phi_1117_ = _e840;
                             } else {
-                                phi_1083_ = true;
+                                phi_1117_ = true;
                             }
-                            let _e836 = phi_1083_;
-                            phi_1084_ = _e836;
+                            let _e842 = phi_1117_;
+                            phi_1118_ = _e842;
                         } else {
-                            phi_1084_ = true;
+                            phi_1118_ = true;
                         }
-                        let _e838 = phi_1084_;
-                        if _e838 {
-                            if _e205 {
-                                phi_1091_ = 1u;
+                        let _e844 = phi_1118_;
+                        if _e844 {
+                            if _e207 {
+                                phi_1125_ = 1u;
                             } else {
-                                phi_1091_ = 0u;
+                                phi_1125_ = 0u;
                             }
-                            let _e840 = phi_1091_;
-                            phi_1092_ = _e840;
+                            let _e846 = phi_1125_;
+                            phi_1126_ = _e846;
                         } else {
-                            phi_1092_ = 5u;
+                            phi_1126_ = 5u;
                         }
-                        let _e842 = phi_1092_;
-                        phi_1093_ = _e842;
+                        let _e848 = phi_1126_;
+                        phi_1127_ = _e848;
                     } else {
-                        phi_1093_ = 4u;
+                        phi_1127_ = 4u;
                     }
-                    let _e844 = phi_1093_;
-                    phi_1094_ = _e844;
+                    let _e850 = phi_1127_;
+                    phi_1128_ = _e850;
                 } else {
-                    phi_1094_ = 3u;
+                    phi_1128_ = 3u;
                 }
-                let _e846 = phi_1094_;
-                phi_1095_ = _e846;
+                let _e852 = phi_1128_;
+                phi_1129_ = _e852;
             } else {
-                phi_1095_ = 2u;
+                phi_1129_ = 2u;
             }
-            let _e848 = phi_1095_;
-            if !((_e848 == 0u)) {
-                phi_1103_ = !((_e848 == 5u));
+            let _e854 = phi_1129_;
+            if !((_e854 == 0u)) {
+                phi_1137_ = !((_e854 == 5u));
             } else {
-                phi_1103_ = false;
+                phi_1137_ = false;
             }
-            let _e854 = phi_1103_;
-            if _e854 {
-                if _e201 {
-                    phi_1111_ = (2u | 1u);
+            let _e860 = phi_1137_;
+            if _e860 {
+                if _e203 {
+                    phi_1145_ = (2u | 1u);
                 } else {
-                    phi_1111_ = 2u;
+                    phi_1145_ = 2u;
                 }
-                let _e857 = phi_1111_;
+                let _e863 = phi_1145_;
                 if false {
-                    phi_1116_ = (_e857 | 4u);
+                    phi_1150_ = (_e863 | 4u);
                 } else {
-                    phi_1116_ = _e857;
+                    phi_1150_ = _e863;
                 }
-                let _e860 = phi_1116_;
-                phi_1121_ = _e860;
+                let _e866 = phi_1150_;
+                phi_1155_ = _e866;
             } else {
-                if _e201 {
-                    phi_1120_ = 1u;
+                if _e203 {
+                    phi_1154_ = 1u;
                 } else {
-                    phi_1120_ = 0u;
+                    phi_1154_ = 0u;
                 }
-                let _e862 = phi_1120_;
-                phi_1121_ = _e862;
+                let _e868 = phi_1154_;
+                phi_1155_ = _e868;
             }
-            let _e864 = phi_1121_;
-            if _e201 {
-                phi_1125_ = 0f;
+            let _e870 = phi_1155_;
+            if _e203 {
+                phi_1159_ = 0f;
             } else {
-                phi_1125_ = 1f;
+                phi_1159_ = 1f;
             }
-            let _e866 = phi_1125_;
-            phi_1127_ = mask_Masked(_e866, _e864, _e854);
+            let _e872 = phi_1159_;
+            phi_1161_ = mask_Masked(_e872, _e870, _e860);
         }
-        let _e869 = phi_1127_;
-        visibility.member[_e73.first_primitive] = _e869.visibility;
-        bits.member[_e73.first_primitive] = _e869.bits;
-        let _e877 = samples.member[_e73.first_primitive].normal[0u];
-        let _e879 = global[0u];
-        if (_e877 == _e879) {
-            let _e882 = samples.member[_e73.first_primitive].normal[1u];
-            let _e884 = global[1u];
-            if (_e882 == _e884) {
-                let _e887 = samples.member[_e73.first_primitive].normal[2u];
-                let _e889 = global[2u];
-                phi_1155_ = (_e887 == _e889);
-                phi_1156_ = false;
+        let _e875 = phi_1161_;
+        visibility.member[_e75.first_primitive] = _e875.visibility;
+        bits.member[_e75.first_primitive] = _e875.bits;
+        let _e883 = samples.member[_e75.first_primitive].normal[0u];
+        let _e885 = global[0u];
+        if (_e883 == _e885) {
+            let _e888 = samples.member[_e75.first_primitive].normal[1u];
+            let _e890 = global[1u];
+            if (_e888 == _e890) {
+                let _e893 = samples.member[_e75.first_primitive].normal[2u];
+                let _e895 = global[2u];
+                phi_1189_ = (_e893 == _e895);
+                phi_1190_ = false;
             } else {
-                phi_1155_ = bool();
-                phi_1156_ = true;
+                phi_1189_ = bool();
+                phi_1190_ = true;
             }
-            let _e892 = phi_1155_;
-            let _e894 = phi_1156_;
-            phi_1157_ = _e892;
-            phi_1158_ = _e894;
+            let _e898 = phi_1189_;
+            let _e900 = phi_1190_;
+            phi_1191_ = _e898;
+            phi_1192_ = _e900;
         } else {
-            phi_1157_ = bool();
-            phi_1158_ = true;
+            phi_1191_ = bool();
+            phi_1192_ = true;
         }
-        let _e896 = phi_1157_;
-        let _e898 = phi_1158_;
-        if _e898 {
-            phi_1162_ = false;
+        let _e902 = phi_1191_;
+        let _e904 = phi_1192_;
+        if _e904 {
+            phi_1196_ = false;
         } else {
-            phi_1162_ = _e896;
+            phi_1196_ = _e902;
         }
-        let _e900 = phi_1162_;
-        if !(_e900) {
-            let _e903 = samples.member[_e73.first_primitive].position;
-            let _e905 = p.member.current.eye;
-            let _e916 = p.member.current.forward;
-            phi_1190_ = ((((_e903.x - _e905.x) * _e916.x) + ((_e903.y - _e905.y) * _e916.y)) + ((_e903.z - _e905.z) * _e916.z));
+        let _e906 = phi_1196_;
+        if !(_e906) {
+            let _e909 = samples.member[_e75.first_primitive].position;
+            let _e911 = p.member.current.eye;
+            let _e922 = p.member.current.forward;
+            phi_1224_ = ((((_e909.x - _e911.x) * _e922.x) + ((_e909.y - _e911.y) * _e922.y)) + ((_e909.z - _e911.z) * _e922.z));
         } else {
-            phi_1190_ = 0f;
+            phi_1224_ = 0f;
         }
-        let _e926 = phi_1190_;
-        depths.member[_e73.first_primitive] = _e926;
-        phi_1193_ = _e869.needs_ray;
-        phi_1194_ = _e73.first_primitive;
+        let _e932 = phi_1224_;
+        depths.member[_e75.first_primitive] = _e932;
+        phi_1227_ = _e875.needs_ray;
+        phi_1228_ = _e75.first_primitive;
     } else {
-        phi_1193_ = false;
-        phi_1194_ = 0u;
+        phi_1227_ = false;
+        phi_1228_ = 0u;
     }
-    let _e930 = phi_1193_;
-    let _e932 = phi_1194_;
-    if (_e54 == 0u) {
+    let _e936 = phi_1227_;
+    let _e938 = phi_1228_;
+    if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e930 {
-        let _e936 = atomicAdd((&shared_[0u]), 1u);
-        phi_1205_ = _e936;
+    if _e936 {
+        let _e942 = atomicAdd((&shared_[0u]), 1u);
+        phi_1239_ = _e942;
     } else {
-        phi_1205_ = 0u;
+        phi_1239_ = 0u;
     }
-    let _e938 = phi_1205_;
+    let _e944 = phi_1239_;
     workgroupBarrier();
-    if (_e54 == 0u) {
-        let _e942 = atomicLoad((&shared_[0u]));
-        let _e943 = atomicAdd((&list.member[3u]), _e942);
-        atomicStore((&shared_[1u]), _e943);
+    if (_e56 == 0u) {
+        let _e948 = atomicLoad((&shared_[0u]));
+        let _e949 = atomicAdd((&list.member[3u]), _e948);
+        atomicStore((&shared_[1u]), _e949);
     }
     workgroupBarrier();
-    if _e930 {
-        let _e946 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e946) + _e938)]), _e932);
+    if _e936 {
+        let _e952 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e952) + _e944)]), _e938);
     }
     return;
 }

@@ -104,934 +104,973 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_154_: lt_bvh_traverse_Tree;
-    var phi_155_: bool;
-    var phi_156_: lt_bvh_traverse_Tree;
-    var phi_157_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_157_: lt_bvh_traverse_Tree;
+    var phi_158_: bool;
+    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_160_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_154_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_155_ = false;
+            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_158_ = false;
         } else {
-            phi_154_ = lt_bvh_traverse_Tree();
-            phi_155_ = true;
+            phi_157_ = lt_bvh_traverse_Tree();
+            phi_158_ = true;
         }
-        let _e62 = phi_154_;
-        let _e64 = phi_155_;
-        phi_156_ = _e62;
-        phi_157_ = _e64;
+        let _e64 = phi_157_;
+        let _e66 = phi_158_;
+        phi_159_ = _e64;
+        phi_160_ = _e66;
     } else {
-        phi_156_ = lt_bvh_traverse_Tree();
-        phi_157_ = true;
+        phi_159_ = lt_bvh_traverse_Tree();
+        phi_160_ = true;
     }
-    let _e66 = phi_156_;
-    let _e68 = phi_157_;
-    if _e68 {
-        phi_162_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e68 = phi_159_;
+    let _e70 = phi_160_;
+    if _e70 {
+        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_162_ = _e66;
+        phi_165_ = _e68;
     }
-    let _e73 = phi_162_;
-    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
+    let _e75 = phi_165_;
+    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_180_: vec2<i32>;
+    var phi_183_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_180_ = vec2(0i);
+            phi_183_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_180_ = vec2<i32>(0i, -1i);
+            phi_183_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_180_ = vec2<i32>(-1i, 0i);
+            phi_183_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_180_ = vec2<i32>(1i, 0i);
+            phi_183_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_180_ = vec2<i32>(0i, 1i);
+            phi_183_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e58 = phi_180_;
-    return vec2<i32>(_e58.x, _e58.y);
+    let _e60 = phi_183_;
+    return vec2<i32>(_e60.x, _e60.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_198_: vec2<i32>;
+    var phi_201_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_198_ = vec2(0i);
+            phi_201_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_198_ = vec2(-1i);
+            phi_201_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_198_ = vec2<i32>(1i, -1i);
+            phi_201_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_198_ = vec2<i32>(-1i, 1i);
+            phi_201_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_198_ = vec2(1i);
+            phi_201_ = vec2(1i);
             break;
         }
     }
-    let _e58 = phi_198_;
-    return vec2<i32>(_e58.x, _e58.y);
+    let _e60 = phi_201_;
+    return vec2<i32>(_e60.x, _e60.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_217_: vec2<i32>;
+    var phi_220_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e52 = lt_mask_pattern_plus(param_5);
-        phi_217_ = vec2<i32>(_e52.x, _e52.y);
+        let _e54 = lt_mask_pattern_plus(param_5);
+        phi_220_ = vec2<i32>(_e54.x, _e54.y);
     } else {
-        let _e56 = lt_mask_pattern_cross(param_5);
-        phi_217_ = vec2<i32>(_e56.x, _e56.y);
+        let _e58 = lt_mask_pattern_cross(param_5);
+        phi_220_ = vec2<i32>(_e58.x, _e58.y);
     }
-    let _e61 = phi_217_;
-    return vec2<i32>(_e61.x, _e61.y);
+    let _e63 = phi_220_;
+    return vec2<i32>(_e63.x, _e63.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_238_: u32;
-    var phi_239_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_245_: vec2<i32>;
 
-    let _e53 = (bitcast<i32>(param_7) + param_8);
-    if (_e53 < 0i) {
-        phi_239_ = 0u;
-    } else {
-        if (_e53 >= bitcast<i32>(param_9)) {
-            phi_238_ = (param_9 - 1u);
-        } else {
-            phi_238_ = bitcast<u32>(_e53);
+    let _e52 = (param_7 % 13u);
+    switch bitcast<i32>(_e52) {
+        case 9: {
+            phi_245_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e60 = phi_238_;
-        phi_239_ = _e60;
+        case 10: {
+            phi_245_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_245_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_245_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_245_ = vec2<i32>((bitcast<i32>((_e52 % 3u)) - 1i), (bitcast<i32>(((_e52 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e62 = phi_239_;
-    return _e62;
+    let _e67 = phi_245_;
+    return vec2<i32>(_e67.x, _e67.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_266_: u32;
+    var phi_267_: u32;
+
+    let _e55 = (bitcast<i32>(param_8) + param_9);
+    if (_e55 < 0i) {
+        phi_267_ = 0u;
+    } else {
+        if (_e55 >= bitcast<i32>(param_10)) {
+            phi_266_ = (param_10 - 1u);
+        } else {
+            phi_266_ = bitcast<u32>(_e55);
+        }
+        let _e62 = phi_266_;
+        phi_267_ = _e62;
+    }
+    let _e64 = phi_267_;
+    return _e64;
 }
 
 fn function_() {
-    var phi_300_: bool;
-    var phi_301_: bool;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_307_: bool;
-    var phi_351_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_355_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_368_: bool;
-    var phi_557_: f32;
-    var phi_562_: f32;
-    var phi_563_: bool;
-    var phi_564_: f32;
-    var phi_565_: bool;
-    var phi_569_: f32;
+    var phi_328_: bool;
+    var phi_329_: bool;
+    var phi_330_: bool;
+    var phi_331_: bool;
+    var phi_335_: bool;
+    var phi_379_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_383_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_396_: bool;
+    var phi_585_: f32;
+    var phi_590_: f32;
+    var phi_591_: bool;
     var phi_592_: f32;
+    var phi_593_: bool;
     var phi_597_: f32;
-    var phi_598_: bool;
-    var phi_599_: f32;
-    var phi_600_: bool;
-    var phi_604_: f32;
-    var phi_625_: bool;
-    var phi_644_: vec2<u32>;
-    var phi_645_: bool;
-    var phi_646_: bool;
-    var phi_647_: bool;
-    var phi_648_: vec2<u32>;
-    var phi_649_: bool;
-    var phi_650_: bool;
-    var phi_651_: bool;
-    var phi_652_: bool;
+    var phi_620_: f32;
+    var phi_625_: f32;
+    var phi_626_: bool;
+    var phi_627_: f32;
+    var phi_628_: bool;
+    var phi_632_: f32;
     var phi_653_: bool;
-    var phi_654_: bool;
-    var phi_655_: vec2<u32>;
-    var phi_656_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
-    var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: vec2<u32>;
-    var phi_663_: bool;
-    var phi_664_: bool;
-    var phi_665_: bool;
-    var phi_666_: bool;
+    var phi_672_: vec2<u32>;
+    var phi_673_: bool;
+    var phi_674_: bool;
     var phi_675_: bool;
-    var phi_676_: bool;
+    var phi_676_: vec2<u32>;
     var phi_677_: bool;
     var phi_678_: bool;
+    var phi_679_: bool;
+    var phi_680_: bool;
+    var phi_681_: bool;
     var phi_682_: bool;
-    var phi_683_: bool;
-    var phi_684_: vec2<u32>;
-    var phi_726_: bool;
-    var phi_727_: bool;
-    var phi_729_: bool;
-    var phi_730_: lt_mask_Reprojection;
-    var phi_731_: lt_mask_Reprojection;
-    var phi_732_: bool;
-    var phi_736_: bool;
-    var phi_737_: lt_mask_Reprojection;
-    var phi_751_: bool;
-    var phi_762_: bool;
-    var phi_763_: bool;
+    var phi_683_: vec2<u32>;
+    var phi_684_: bool;
+    var phi_685_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
+    var phi_689_: bool;
+    var phi_690_: vec2<u32>;
+    var phi_691_: bool;
+    var phi_692_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
+    var phi_703_: bool;
+    var phi_704_: bool;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_710_: bool;
+    var phi_711_: bool;
+    var phi_712_: vec2<u32>;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_757_: bool;
+    var phi_758_: lt_mask_Reprojection;
+    var phi_759_: lt_mask_Reprojection;
+    var phi_760_: bool;
     var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: bool;
-    var phi_767_: bool;
-    var phi_771_: bool;
-    var phi_776_: bool;
-    var phi_791_: u32;
-    var phi_793_: u32;
-    var phi_796_: lt_mask_Neighbourhood;
-    var phi_808_: bool;
-    var phi_809_: bool;
-    var phi_817_: u32;
-    var phi_818_: u32;
-    var phi_877_: vec2<i32>;
-    var phi_893_: vec2<i32>;
-    var phi_916_: u32;
-    var phi_933_: bool;
-    var phi_934_: bool;
-    var phi_941_: bool;
-    var phi_942_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_962_: bool;
-    var phi_794_: u32;
-    var phi_797_: lt_mask_Neighbourhood;
-    var phi_965_: lt_mask_Neighbourhood;
-    var phi_966_: lt_mask_Neighbourhood;
-    var phi_991_: bool;
-    var phi_992_: bool;
-    var phi_1005_: bool;
-    var phi_1006_: bool;
-    var phi_1007_: bool;
-    var phi_1014_: u32;
-    var phi_1015_: u32;
-    var phi_1016_: u32;
-    var phi_1017_: u32;
-    var phi_1018_: u32;
+    var phi_765_: lt_mask_Reprojection;
+    var phi_779_: bool;
+    var phi_790_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_793_: bool;
+    var phi_794_: bool;
+    var phi_795_: bool;
+    var phi_799_: bool;
+    var phi_804_: bool;
+    var phi_819_: u32;
+    var phi_821_: u32;
+    var phi_824_: lt_mask_Neighbourhood;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_846_: u32;
+    var phi_847_: u32;
+    var phi_907_: vec2<i32>;
+    var phi_927_: vec2<i32>;
+    var phi_950_: u32;
+    var phi_967_: bool;
+    var phi_968_: bool;
+    var phi_975_: bool;
+    var phi_976_: bool;
+    var phi_994_: bool;
+    var phi_995_: bool;
+    var phi_996_: bool;
+    var phi_822_: u32;
+    var phi_825_: lt_mask_Neighbourhood;
+    var phi_999_: lt_mask_Neighbourhood;
+    var phi_1000_: lt_mask_Neighbourhood;
+    var phi_1025_: bool;
     var phi_1026_: bool;
-    var phi_1034_: u32;
-    var phi_1039_: u32;
-    var phi_1043_: u32;
-    var phi_1044_: u32;
-    var phi_1048_: f32;
-    var phi_1050_: mask_Masked;
-    var phi_1056_: bool;
-    var phi_1057_: u32;
+    var phi_1039_: bool;
+    var phi_1040_: bool;
+    var phi_1041_: bool;
+    var phi_1048_: u32;
+    var phi_1049_: u32;
+    var phi_1050_: u32;
+    var phi_1051_: u32;
+    var phi_1052_: u32;
+    var phi_1060_: bool;
     var phi_1068_: u32;
+    var phi_1073_: u32;
+    var phi_1077_: u32;
+    var phi_1078_: u32;
+    var phi_1082_: f32;
+    var phi_1084_: mask_Masked;
+    var phi_1090_: bool;
+    var phi_1091_: u32;
+    var phi_1102_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e49 = id_1;
-    let _e50 = local_2;
-    let _e62 = p.member.current.size[0u];
-    let _e64 = p.member.current.size[1u];
-    let _e65 = lt_shaders_entry_pixel_index(_e49, _e62, _e64);
-    if (bitcast<i32>(_e65.root) != 0i) {
-        let _e73 = p.member.current.size[0u];
-        let _e76 = samples.member[_e65.first_primitive].position;
-        let _e78 = visibility.member[_e65.first_primitive];
-        let _e82 = p.member.light;
-        let _e85 = samples.member[_e65.first_primitive].normal[0u];
-        let _e87 = global[0u];
-        if (_e85 == _e87) {
-            let _e90 = samples.member[_e65.first_primitive].normal[1u];
-            let _e92 = global[1u];
-            if (_e90 == _e92) {
-                let _e95 = samples.member[_e65.first_primitive].normal[2u];
-                let _e97 = global[2u];
-                phi_300_ = (_e95 == _e97);
-                phi_301_ = false;
+    let _e51 = id_1;
+    let _e52 = local_2;
+    let _e64 = p.member.current.size[0u];
+    let _e66 = p.member.current.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e51, _e64, _e66);
+    if (bitcast<i32>(_e67.root) != 0i) {
+        let _e75 = p.member.current.size[0u];
+        let _e78 = samples.member[_e67.first_primitive].position;
+        let _e80 = visibility.member[_e67.first_primitive];
+        let _e84 = p.member.light;
+        let _e87 = samples.member[_e67.first_primitive].normal[0u];
+        let _e89 = global[0u];
+        if (_e87 == _e89) {
+            let _e92 = samples.member[_e67.first_primitive].normal[1u];
+            let _e94 = global[1u];
+            if (_e92 == _e94) {
+                let _e97 = samples.member[_e67.first_primitive].normal[2u];
+                let _e99 = global[2u];
+                phi_328_ = (_e97 == _e99);
+                phi_329_ = false;
             } else {
-                phi_300_ = bool();
-                phi_301_ = true;
+                phi_328_ = bool();
+                phi_329_ = true;
             }
-            let _e100 = phi_300_;
-            let _e102 = phi_301_;
-            phi_302_ = _e100;
-            phi_303_ = _e102;
+            let _e102 = phi_328_;
+            let _e104 = phi_329_;
+            phi_330_ = _e102;
+            phi_331_ = _e104;
         } else {
-            phi_302_ = bool();
-            phi_303_ = true;
+            phi_330_ = bool();
+            phi_331_ = true;
         }
-        let _e104 = phi_302_;
-        let _e106 = phi_303_;
-        if _e106 {
-            phi_307_ = false;
+        let _e106 = phi_330_;
+        let _e108 = phi_331_;
+        if _e108 {
+            phi_335_ = false;
         } else {
-            phi_307_ = _e104;
+            phi_335_ = _e106;
         }
-        let _e108 = phi_307_;
-        if !(_e108) {
-            let _e111 = samples.member[_e65.first_primitive].normal;
-            let _e113 = samples.member[_e65.first_primitive].position;
-            if ((((_e111.x * (_e82.x - (_e113.x * _e82.w))) + (_e111.y * (_e82.y - (_e113.y * _e82.w)))) + (_e111.z * (_e82.z - (_e113.z * _e82.w)))) > 0f) {
-                let _e137 = samples.member[_e65.first_primitive].flags;
-                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e145.unnamed.visibility, false), _e145.unnamed_1);
-                phi_351_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e151.unnamed, ((_e137 & 1u) == 0u));
+        let _e110 = phi_335_;
+        if !(_e110) {
+            let _e113 = samples.member[_e67.first_primitive].normal;
+            let _e115 = samples.member[_e67.first_primitive].position;
+            if ((((_e113.x * (_e84.x - (_e115.x * _e84.w))) + (_e113.y * (_e84.y - (_e115.y * _e84.w)))) + (_e113.z * (_e84.z - (_e115.z * _e84.w)))) > 0f) {
+                let _e139 = samples.member[_e67.first_primitive].flags;
+                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e147.unnamed.visibility, false), _e147.unnamed_1);
+                phi_379_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e153.unnamed, ((_e139 & 1u) == 0u));
             } else {
-                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-                phi_351_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
+                let _e162 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e162.unnamed.visibility, false), _e162.unnamed_1);
+                phi_379_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e168.unnamed, true);
             }
-            let _e171 = phi_351_;
-            phi_355_ = _e171;
+            let _e173 = phi_379_;
+            phi_383_ = _e173;
         } else {
-            let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e177.unnamed.visibility, false), _e177.unnamed_1);
-            phi_355_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e183.unnamed, true);
+            let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e179.unnamed.visibility, false), _e179.unnamed_1);
+            phi_383_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e185.unnamed, true);
         }
-        let _e188 = phi_355_;
-        if _e188.unnamed_1 {
-            phi_1050_ = mask_Masked(_e188.unnamed.visibility, 0u, false);
+        let _e190 = phi_383_;
+        if _e190.unnamed_1 {
+            phi_1084_ = mask_Masked(_e190.unnamed.visibility, 0u, false);
         } else {
-            let _e193 = (_e78 < 0.5f);
-            if (_e78 > 0f) {
-                phi_368_ = (_e78 < 1f);
+            let _e195 = (_e80 < 0.5f);
+            if (_e80 > 0f) {
+                phi_396_ = (_e80 < 1f);
             } else {
-                phi_368_ = false;
+                phi_396_ = false;
             }
-            let _e197 = phi_368_;
-            let _e199 = samples.member[_e65.first_primitive].position;
-            let _e203 = p.member.previous.eye;
-            let _e206 = (_e76.x - _e203.x);
-            let _e209 = (_e76.y - _e203.y);
-            let _e212 = (_e76.z - _e203.z);
-            let _e214 = p.member.previous.forward;
-            let _e222 = (((_e206 * _e214.x) + (_e209 * _e214.y)) + (_e212 * _e214.z));
-            let _e224 = p.member.previous.right;
-            let _e234 = p.member.previous.right;
-            let _e249 = p.member.previous.up;
-            let _e259 = p.member.previous.up;
-            let _e274 = p.member.current.eye;
-            let _e277 = (_e199.x - _e274.x);
-            let _e280 = (_e199.y - _e274.y);
-            let _e283 = (_e199.z - _e274.z);
-            let _e285 = p.member.current.forward;
-            let _e293 = (((_e277 * _e285.x) + (_e280 * _e285.y)) + (_e283 * _e285.z));
-            let _e295 = p.member.current.right;
-            let _e305 = p.member.current.right;
-            let _e320 = p.member.current.up;
-            let _e330 = p.member.current.up;
-            let _e349 = p.member.current.size[0u];
-            let _e351 = (((((((_e206 * _e224.x) + (_e209 * _e224.y)) + (_e212 * _e224.z)) / ((((_e234.x * _e234.x) + (_e234.y * _e234.y)) + (_e234.z * _e234.z)) * _e222)) - ((((_e277 * _e295.x) + (_e280 * _e295.y)) + (_e283 * _e295.z)) / ((((_e305.x * _e305.x) + (_e305.y * _e305.y)) + (_e305.z * _e305.z)) * _e293))) * 0.5f) * f32(_e349));
-            let _e355 = p.member.current.size[1u];
-            let _e357 = (((((((_e206 * _e249.x) + (_e209 * _e249.y)) + (_e212 * _e249.z)) / ((((_e259.x * _e259.x) + (_e259.y * _e259.y)) + (_e259.z * _e259.z)) * _e222)) - ((((_e277 * _e320.x) + (_e280 * _e320.y)) + (_e283 * _e320.z)) / ((((_e330.x * _e330.x) + (_e330.y * _e330.y)) + (_e330.z * _e330.z)) * _e293))) * -0.5f) * f32(_e355));
-            let _e361 = p.member.current.size[0u];
-            let _e363 = p.member.current.size[1u];
-            let _e367 = ((f32(_e49.x) + 0.5f) + _e351);
-            if (_e367 > -8388608f) {
-                let _e379 = f32(select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < bitcast<f32>(3472883712u))), 2147483647i, (_e367 > bitcast<f32>(1325400063u))), (_e367 == _e367)));
-                if (_e379 > _e367) {
-                    phi_557_ = 1f;
+            let _e199 = phi_396_;
+            let _e201 = samples.member[_e67.first_primitive].position;
+            let _e205 = p.member.previous.eye;
+            let _e208 = (_e78.x - _e205.x);
+            let _e211 = (_e78.y - _e205.y);
+            let _e214 = (_e78.z - _e205.z);
+            let _e216 = p.member.previous.forward;
+            let _e224 = (((_e208 * _e216.x) + (_e211 * _e216.y)) + (_e214 * _e216.z));
+            let _e226 = p.member.previous.right;
+            let _e236 = p.member.previous.right;
+            let _e251 = p.member.previous.up;
+            let _e261 = p.member.previous.up;
+            let _e276 = p.member.current.eye;
+            let _e279 = (_e201.x - _e276.x);
+            let _e282 = (_e201.y - _e276.y);
+            let _e285 = (_e201.z - _e276.z);
+            let _e287 = p.member.current.forward;
+            let _e295 = (((_e279 * _e287.x) + (_e282 * _e287.y)) + (_e285 * _e287.z));
+            let _e297 = p.member.current.right;
+            let _e307 = p.member.current.right;
+            let _e322 = p.member.current.up;
+            let _e332 = p.member.current.up;
+            let _e351 = p.member.current.size[0u];
+            let _e353 = (((((((_e208 * _e226.x) + (_e211 * _e226.y)) + (_e214 * _e226.z)) / ((((_e236.x * _e236.x) + (_e236.y * _e236.y)) + (_e236.z * _e236.z)) * _e224)) - ((((_e279 * _e297.x) + (_e282 * _e297.y)) + (_e285 * _e297.z)) / ((((_e307.x * _e307.x) + (_e307.y * _e307.y)) + (_e307.z * _e307.z)) * _e295))) * 0.5f) * f32(_e351));
+            let _e357 = p.member.current.size[1u];
+            let _e359 = (((((((_e208 * _e251.x) + (_e211 * _e251.y)) + (_e214 * _e251.z)) / ((((_e261.x * _e261.x) + (_e261.y * _e261.y)) + (_e261.z * _e261.z)) * _e224)) - ((((_e279 * _e322.x) + (_e282 * _e322.y)) + (_e285 * _e322.z)) / ((((_e332.x * _e332.x) + (_e332.y * _e332.y)) + (_e332.z * _e332.z)) * _e295))) * -0.5f) * f32(_e357));
+            let _e363 = p.member.current.size[0u];
+            let _e365 = p.member.current.size[1u];
+            let _e369 = ((f32(_e51.x) + 0.5f) + _e353);
+            if (_e369 > -8388608f) {
+                let _e381 = f32(select(0i, select(select(i32(_e369), i32(-2147483648), (_e369 < bitcast<f32>(3472883712u))), 2147483647i, (_e369 > bitcast<f32>(1325400063u))), (_e369 == _e369)));
+                if (_e381 > _e369) {
+                    phi_585_ = 1f;
                 } else {
-                    phi_557_ = 0f;
+                    phi_585_ = 0f;
                 }
-                let _e382 = phi_557_;
-                if (_e367 < 8388608f) {
-                    phi_562_ = (_e379 - _e382);
-                    phi_563_ = false;
+                let _e384 = phi_585_;
+                if (_e369 < 8388608f) {
+                    phi_590_ = (_e381 - _e384);
+                    phi_591_ = false;
                 } else {
-                    phi_562_ = f32();
-                    phi_563_ = true;
+                    phi_590_ = f32();
+                    phi_591_ = true;
                 }
-                let _e385 = phi_562_;
-                let _e387 = phi_563_;
-                phi_564_ = _e385;
-                phi_565_ = _e387;
+                let _e387 = phi_590_;
+                let _e389 = phi_591_;
+                phi_592_ = _e387;
+                phi_593_ = _e389;
             } else {
-                phi_564_ = f32();
-                phi_565_ = true;
+                phi_592_ = f32();
+                phi_593_ = true;
             }
-            let _e389 = phi_564_;
-            let _e391 = phi_565_;
-            if _e391 {
-                phi_569_ = _e367;
+            let _e391 = phi_592_;
+            let _e393 = phi_593_;
+            if _e393 {
+                phi_597_ = _e369;
             } else {
-                phi_569_ = _e389;
+                phi_597_ = _e391;
             }
-            let _e393 = phi_569_;
-            let _e396 = ((f32(_e49.y) + 0.5f) + _e357);
-            if (_e396 > -8388608f) {
-                let _e408 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
-                if (_e408 > _e396) {
-                    phi_592_ = 1f;
+            let _e395 = phi_597_;
+            let _e398 = ((f32(_e51.y) + 0.5f) + _e359);
+            if (_e398 > -8388608f) {
+                let _e410 = f32(select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398)));
+                if (_e410 > _e398) {
+                    phi_620_ = 1f;
                 } else {
-                    phi_592_ = 0f;
+                    phi_620_ = 0f;
                 }
-                let _e411 = phi_592_;
-                if (_e396 < 8388608f) {
-                    phi_597_ = (_e408 - _e411);
-                    phi_598_ = false;
+                let _e413 = phi_620_;
+                if (_e398 < 8388608f) {
+                    phi_625_ = (_e410 - _e413);
+                    phi_626_ = false;
                 } else {
-                    phi_597_ = f32();
-                    phi_598_ = true;
+                    phi_625_ = f32();
+                    phi_626_ = true;
                 }
-                let _e414 = phi_597_;
-                let _e416 = phi_598_;
-                phi_599_ = _e414;
-                phi_600_ = _e416;
+                let _e416 = phi_625_;
+                let _e418 = phi_626_;
+                phi_627_ = _e416;
+                phi_628_ = _e418;
             } else {
-                phi_599_ = f32();
-                phi_600_ = true;
+                phi_627_ = f32();
+                phi_628_ = true;
             }
-            let _e418 = phi_599_;
-            let _e420 = phi_600_;
-            if _e420 {
-                phi_604_ = _e396;
+            let _e420 = phi_627_;
+            let _e422 = phi_628_;
+            if _e422 {
+                phi_632_ = _e398;
             } else {
-                phi_604_ = _e418;
+                phi_632_ = _e420;
             }
-            let _e422 = phi_604_;
-            if (_e393 >= 0f) {
-                if (_e422 >= 0f) {
-                    if (_e393 < f32(_e361)) {
-                        let _e428 = (_e422 < f32(_e363));
-                        if (_e351 == 0f) {
-                            phi_625_ = (_e357 == 0f);
+            let _e424 = phi_632_;
+            if (_e395 >= 0f) {
+                if (_e424 >= 0f) {
+                    if (_e395 < f32(_e363)) {
+                        let _e430 = (_e424 < f32(_e365));
+                        if (_e353 == 0f) {
+                            phi_653_ = (_e359 == 0f);
                         } else {
-                            phi_625_ = false;
+                            phi_653_ = false;
                         }
-                        let _e432 = phi_625_;
-                        if _e428 {
-                            phi_644_ = vec2<u32>(select(select(u32(_e393), 0u, (_e393 < bitcast<f32>(0u))), 4294967295u, (_e393 > bitcast<f32>(1333788671u))), select(select(u32(_e422), 0u, (_e422 < bitcast<f32>(0u))), 4294967295u, (_e422 > bitcast<f32>(1333788671u))));
-                            phi_645_ = false;
+                        let _e434 = phi_653_;
+                        if _e430 {
+                            phi_672_ = vec2<u32>(select(select(u32(_e395), 0u, (_e395 < bitcast<f32>(0u))), 4294967295u, (_e395 > bitcast<f32>(1333788671u))), select(select(u32(_e424), 0u, (_e424 < bitcast<f32>(0u))), 4294967295u, (_e424 > bitcast<f32>(1333788671u))));
+                            phi_673_ = false;
                         } else {
-                            phi_644_ = vec2<u32>();
-                            phi_645_ = true;
+                            phi_672_ = vec2<u32>();
+                            phi_673_ = true;
                         }
-                        let _e449 = phi_644_;
-                        let _e451 = phi_645_;
-                        phi_646_ = _e432;
-                        phi_647_ = _e428;
-                        phi_648_ = _e449;
-                        phi_649_ = _e432;
-                        phi_650_ = _e428;
-                        phi_651_ = false;
-                        phi_652_ = _e451;
+                        let _e451 = phi_672_;
+                        let _e453 = phi_673_;
+                        phi_674_ = _e434;
+                        phi_675_ = _e430;
+                        phi_676_ = _e451;
+                        phi_677_ = _e434;
+                        phi_678_ = _e430;
+                        phi_679_ = false;
+                        phi_680_ = _e453;
                     } else {
-                        phi_646_ = bool();
-                        phi_647_ = bool();
-                        phi_648_ = vec2<u32>();
-                        phi_649_ = bool();
-                        phi_650_ = bool();
-                        phi_651_ = true;
-                        phi_652_ = false;
+                        phi_674_ = bool();
+                        phi_675_ = bool();
+                        phi_676_ = vec2<u32>();
+                        phi_677_ = bool();
+                        phi_678_ = bool();
+                        phi_679_ = true;
+                        phi_680_ = false;
                     }
-                    let _e453 = phi_646_;
-                    let _e455 = phi_647_;
-                    let _e457 = phi_648_;
-                    let _e459 = phi_649_;
-                    let _e461 = phi_650_;
-                    let _e463 = phi_651_;
-                    let _e465 = phi_652_;
-                    phi_653_ = _e453;
-                    phi_654_ = _e455;
-                    phi_655_ = _e457;
-                    phi_656_ = _e459;
-                    phi_657_ = _e461;
-                    phi_658_ = _e463;
-                    phi_659_ = _e465;
+                    let _e455 = phi_674_;
+                    let _e457 = phi_675_;
+                    let _e459 = phi_676_;
+                    let _e461 = phi_677_;
+                    let _e463 = phi_678_;
+                    let _e465 = phi_679_;
+                    let _e467 = phi_680_;
+                    phi_681_ = _e455;
+                    phi_682_ = _e457;
+                    phi_683_ = _e459;
+                    phi_684_ = _e461;
+                    phi_685_ = _e463;
+                    phi_686_ = _e465;
+                    phi_687_ = _e467;
                 } else {
-                    phi_653_ = bool();
-                    phi_654_ = bool();
-                    phi_655_ = vec2<u32>();
-                    phi_656_ = bool();
-                    phi_657_ = bool();
-                    phi_658_ = true;
-                    phi_659_ = false;
+                    phi_681_ = bool();
+                    phi_682_ = bool();
+                    phi_683_ = vec2<u32>();
+                    phi_684_ = bool();
+                    phi_685_ = bool();
+                    phi_686_ = true;
+                    phi_687_ = false;
                 }
-                let _e467 = phi_653_;
-                let _e469 = phi_654_;
-                let _e471 = phi_655_;
-                let _e473 = phi_656_;
-                let _e475 = phi_657_;
-                let _e477 = phi_658_;
-                let _e479 = phi_659_;
-                phi_660_ = _e467;
-                phi_661_ = _e469;
-                phi_662_ = _e471;
-                phi_663_ = _e473;
-                phi_664_ = _e475;
-                phi_665_ = _e477;
-                phi_666_ = _e479;
+                let _e469 = phi_681_;
+                let _e471 = phi_682_;
+                let _e473 = phi_683_;
+                let _e475 = phi_684_;
+                let _e477 = phi_685_;
+                let _e479 = phi_686_;
+                let _e481 = phi_687_;
+                phi_688_ = _e469;
+                phi_689_ = _e471;
+                phi_690_ = _e473;
+                phi_691_ = _e475;
+                phi_692_ = _e477;
+                phi_693_ = _e479;
+                phi_694_ = _e481;
             } else {
-                phi_660_ = bool();
-                phi_661_ = bool();
-                phi_662_ = vec2<u32>();
-                phi_663_ = bool();
-                phi_664_ = bool();
-                phi_665_ = true;
-                phi_666_ = false;
+                phi_688_ = bool();
+                phi_689_ = bool();
+                phi_690_ = vec2<u32>();
+                phi_691_ = bool();
+                phi_692_ = bool();
+                phi_693_ = true;
+                phi_694_ = false;
             }
-            let _e481 = phi_660_;
-            let _e483 = phi_661_;
-            let _e485 = phi_662_;
-            let _e487 = phi_663_;
-            let _e489 = phi_664_;
-            let _e491 = phi_665_;
-            let _e493 = phi_666_;
-            if _e491 {
-                if (_e351 == 0f) {
-                    phi_675_ = (_e357 == 0f);
+            let _e483 = phi_688_;
+            let _e485 = phi_689_;
+            let _e487 = phi_690_;
+            let _e489 = phi_691_;
+            let _e491 = phi_692_;
+            let _e493 = phi_693_;
+            let _e495 = phi_694_;
+            if _e493 {
+                if (_e353 == 0f) {
+                    phi_703_ = (_e359 == 0f);
                 } else {
-                    phi_675_ = false;
+                    phi_703_ = false;
                 }
-                let _e497 = phi_675_;
-                phi_676_ = _e497;
-                phi_677_ = false;
-                phi_678_ = true;
+                let _e499 = phi_703_;
+                phi_704_ = _e499;
+                phi_705_ = false;
+                phi_706_ = true;
             } else {
-                phi_676_ = _e487;
-                phi_677_ = _e489;
-                phi_678_ = _e493;
+                phi_704_ = _e489;
+                phi_705_ = _e491;
+                phi_706_ = _e495;
             }
-            let _e499 = phi_676_;
-            let _e501 = phi_677_;
-            let _e503 = phi_678_;
-            if _e503 {
-                phi_682_ = _e499;
-                phi_683_ = _e501;
-                phi_684_ = vec2<u32>(_e49.x, _e49.y);
+            let _e501 = phi_704_;
+            let _e503 = phi_705_;
+            let _e505 = phi_706_;
+            if _e505 {
+                phi_710_ = _e501;
+                phi_711_ = _e503;
+                phi_712_ = vec2<u32>(_e51.x, _e51.y);
             } else {
-                phi_682_ = _e481;
-                phi_683_ = _e483;
-                phi_684_ = _e485;
+                phi_710_ = _e483;
+                phi_711_ = _e485;
+                phi_712_ = _e487;
             }
-            let _e505 = phi_682_;
-            let _e507 = phi_683_;
-            let _e509 = phi_684_;
-            let _e519 = lt_mask_Reprojection(vec2<u32>(_e509.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e526 = lt_mask_Reprojection(vec2<u32>(_e519.pixel.x, _e509.y), _e519.is_valid, _e519.has_moved);
-            let _e530 = lt_mask_Reprojection(_e526.pixel, _e507, _e526.has_moved);
-            let _e534 = lt_mask_Reprojection(_e530.pixel, _e530.is_valid, !(_e505));
-            if _e507 {
-                let _e537 = p.member.previous.eye;
-                let _e548 = p.member.previous.forward;
-                let _e557 = (((((_e76.x - _e537.x) * _e548.x) + ((_e76.y - _e537.y) * _e548.y)) + ((_e76.z - _e537.z) * _e548.z)) > 0f);
-                let _e561 = lt_mask_Reprojection(_e534.pixel, _e557, _e534.has_moved);
-                if _e557 {
-                    let _e563 = p.member.flags;
-                    phi_726_ = ((_e563 & 1u) != 0u);
-                    phi_727_ = false;
+            let _e507 = phi_710_;
+            let _e509 = phi_711_;
+            let _e511 = phi_712_;
+            let _e521 = lt_mask_Reprojection(vec2<u32>(_e511.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e528 = lt_mask_Reprojection(vec2<u32>(_e521.pixel.x, _e511.y), _e521.is_valid, _e521.has_moved);
+            let _e532 = lt_mask_Reprojection(_e528.pixel, _e509, _e528.has_moved);
+            let _e536 = lt_mask_Reprojection(_e532.pixel, _e532.is_valid, !(_e507));
+            if _e509 {
+                let _e539 = p.member.previous.eye;
+                let _e550 = p.member.previous.forward;
+                let _e559 = (((((_e78.x - _e539.x) * _e550.x) + ((_e78.y - _e539.y) * _e550.y)) + ((_e78.z - _e539.z) * _e550.z)) > 0f);
+                let _e563 = lt_mask_Reprojection(_e536.pixel, _e559, _e536.has_moved);
+                if _e559 {
+                    let _e565 = p.member.flags;
+                    phi_754_ = ((_e565 & 1u) != 0u);
+                    phi_755_ = false;
                 } else {
-                    phi_726_ = bool();
-                    phi_727_ = true;
+                    phi_754_ = bool();
+                    phi_755_ = true;
                 }
-                let _e567 = phi_726_;
-                let _e569 = phi_727_;
-                phi_729_ = _e567;
-                phi_730_ = _e561;
-                phi_731_ = _e561;
-                phi_732_ = _e569;
+                let _e569 = phi_754_;
+                let _e571 = phi_755_;
+                phi_757_ = _e569;
+                phi_758_ = _e563;
+                phi_759_ = _e563;
+                phi_760_ = _e571;
             } else {
-                phi_729_ = bool();
-                phi_730_ = lt_mask_Reprojection();
-                phi_731_ = lt_mask_Reprojection(_e534.pixel, false, _e534.has_moved);
-                phi_732_ = true;
+                phi_757_ = bool();
+                phi_758_ = lt_mask_Reprojection();
+                phi_759_ = lt_mask_Reprojection(_e536.pixel, false, _e536.has_moved);
+                phi_760_ = true;
             }
-            let _e575 = phi_729_;
-            let _e577 = phi_730_;
-            let _e579 = phi_731_;
-            let _e581 = phi_732_;
-            if _e581 {
-                phi_736_ = false;
-                phi_737_ = _e579;
+            let _e577 = phi_757_;
+            let _e579 = phi_758_;
+            let _e581 = phi_759_;
+            let _e583 = phi_760_;
+            if _e583 {
+                phi_764_ = false;
+                phi_765_ = _e581;
             } else {
-                phi_736_ = _e575;
-                phi_737_ = _e577;
+                phi_764_ = _e577;
+                phi_765_ = _e579;
             }
-            let _e583 = phi_736_;
-            let _e585 = phi_737_;
-            let _e589 = lt_mask_Reprojection(_e585.pixel, _e583, _e585.has_moved);
-            let _e591 = p.member.flags;
-            if _e589.has_moved {
-                let _e596 = p.member.flags;
-                phi_751_ = ((_e596 & 4u) == 0u);
+            let _e585 = phi_764_;
+            let _e587 = phi_765_;
+            let _e591 = lt_mask_Reprojection(_e587.pixel, _e585, _e587.has_moved);
+            let _e593 = p.member.flags;
+            if _e591.has_moved {
+                let _e598 = p.member.flags;
+                phi_779_ = ((_e598 & 4u) == 0u);
             } else {
-                phi_751_ = false;
+                phi_779_ = false;
             }
-            let _e600 = phi_751_;
-            if ((_e591 & 2u) != 0u) {
+            let _e602 = phi_779_;
+            if ((_e593 & 2u) != 0u) {
                 if false {
-                    phi_764_ = bool();
-                    phi_765_ = true;
+                    phi_792_ = bool();
+                    phi_793_ = true;
                 } else {
                     if true {
-                        phi_762_ = !(_e600);
-                        phi_763_ = false;
+                        phi_790_ = !(_e602);
+                        phi_791_ = false;
                     } else {
-                        phi_762_ = bool();
-                        phi_763_ = true;
+                        phi_790_ = bool();
+                        phi_791_ = true;
                     }
-                    let _e603 = phi_762_;
-                    let _e605 = phi_763_;
-                    phi_764_ = _e603;
-                    phi_765_ = _e605;
+                    let _e605 = phi_790_;
+                    let _e607 = phi_791_;
+                    phi_792_ = _e605;
+                    phi_793_ = _e607;
                 }
-                let _e607 = phi_764_;
-                let _e609 = phi_765_;
-                phi_766_ = _e607;
-                phi_767_ = _e609;
+                let _e609 = phi_792_;
+                let _e611 = phi_793_;
+                phi_794_ = _e609;
+                phi_795_ = _e611;
             } else {
-                phi_766_ = bool();
-                phi_767_ = true;
+                phi_794_ = bool();
+                phi_795_ = true;
             }
-            let _e611 = phi_766_;
-            let _e613 = phi_767_;
-            if _e613 {
-                phi_771_ = false;
+            let _e613 = phi_794_;
+            let _e615 = phi_795_;
+            if _e615 {
+                phi_799_ = false;
             } else {
-                phi_771_ = _e611;
+                phi_799_ = _e613;
             }
-            let _e615 = phi_771_;
-            let _e616 = lt_mask_Neighbourhood(false, true);
-            if _e197 {
-                phi_776_ = _e615;
+            let _e617 = phi_799_;
+            let _e618 = lt_mask_Neighbourhood(false, true);
+            if _e199 {
+                phi_804_ = _e617;
             } else {
-                phi_776_ = false;
+                phi_804_ = false;
             }
-            let _e618 = phi_776_;
-            if _e618 {
-                if _e583 {
-                    if _e589.has_moved {
-                        let _e621 = p.member.moving_pattern;
-                        phi_791_ = _e621;
+            let _e620 = phi_804_;
+            if _e620 {
+                if _e585 {
+                    if _e591.has_moved {
+                        let _e623 = p.member.moving_pattern;
+                        phi_819_ = _e623;
                     } else {
-                        let _e623 = p.member.still_pattern;
-                        phi_791_ = _e623;
+                        let _e625 = p.member.still_pattern;
+                        phi_819_ = _e625;
                     }
-                    let _e625 = phi_791_;
-                    phi_793_ = 0u;
-                    phi_796_ = _e616;
+                    let _e627 = phi_819_;
+                    phi_821_ = 0u;
+                    phi_824_ = _e618;
                     loop {
-                        let _e627 = phi_793_;
-                        let _e629 = phi_796_;
-                        local_1 = _e629;
-                        if (1u <= _e625) {
-                            if (_e625 <= 4u) {
-                                phi_808_ = false;
+                        let _e629 = phi_821_;
+                        let _e631 = phi_824_;
+                        local_1 = _e631;
+                        if (1u <= _e627) {
+                            if (_e627 <= 4u) {
+                                phi_836_ = false;
                             } else {
-                                phi_808_ = true;
+                                phi_836_ = true;
                             }
-                            let _e633 = phi_808_;
-                            phi_809_ = _e633;
+                            let _e635 = phi_836_;
+                            phi_837_ = _e635;
                         } else {
-                            phi_809_ = true;
+                            phi_837_ = true;
                         }
-                        let _e635 = phi_809_;
-                        if _e635 {
-                            switch bitcast<i32>(_e625) {
+                        let _e637 = phi_837_;
+                        if _e637 {
+                            switch bitcast<i32>(_e627) {
                                 case 5: {
-                                    phi_817_ = 4u;
+                                    phi_846_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_817_ = 25u;
+                                    phi_846_ = 25u;
+                                    break;
+                                }
+                                case 7: {
+                                    phi_846_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_817_ = 9u;
+                                    phi_846_ = 9u;
                                     break;
                                 }
                             }
-                            let _e638 = phi_817_;
-                            phi_818_ = _e638;
+                            let _e640 = phi_846_;
+                            phi_847_ = _e640;
                         } else {
-                            phi_818_ = 5u;
+                            phi_847_ = 5u;
                         }
-                        let _e640 = phi_818_;
-                        let _e641 = (_e627 < _e640);
-                        if _e641 {
-                            let _e647 = p.member.frame;
-                            let _e651 = p.member.current.size[0u];
-                            let _e653 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e625) {
+                        let _e642 = phi_847_;
+                        let _e643 = (_e629 < _e642);
+                        if _e643 {
+                            let _e649 = p.member.frame;
+                            let _e653 = p.member.current.size[0u];
+                            let _e655 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e627) {
                                 case 1: {
-                                    let _e663 = lt_mask_pattern_plus(_e627);
-                                    phi_893_ = vec2<i32>(_e663.x, _e663.y);
+                                    let _e665 = lt_mask_pattern_plus(_e629);
+                                    phi_927_ = vec2<i32>(_e665.x, _e665.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e667 = lt_mask_pattern_cross(_e627);
-                                    phi_893_ = vec2<i32>(_e667.x, _e667.y);
+                                    let _e669 = lt_mask_pattern_cross(_e629);
+                                    phi_927_ = vec2<i32>(_e669.x, _e669.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e673 = lt_mask_pattern_plus_or_cross(_e627, ((_e589.pixel.x + _e589.pixel.y) & 1u));
-                                    phi_893_ = vec2<i32>(_e673.x, _e673.y);
+                                    let _e675 = lt_mask_pattern_plus_or_cross(_e629, ((_e591.pixel.x + _e591.pixel.y) & 1u));
+                                    phi_927_ = vec2<i32>(_e675.x, _e675.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e678 = lt_mask_pattern_plus_or_cross(_e627, (_e647 & 1u));
-                                    phi_893_ = vec2<i32>(_e678.x, _e678.y);
+                                    let _e680 = lt_mask_pattern_plus_or_cross(_e629, (_e649 & 1u));
+                                    phi_927_ = vec2<i32>(_e680.x, _e680.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e647 & 3u)) {
+                                    switch bitcast<i32>((_e649 & 3u)) {
                                         case 0: {
-                                            phi_877_ = vec2(-1i);
+                                            phi_907_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_877_ = vec2(0i);
+                                            phi_907_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_877_ = vec2<i32>(0i, -1i);
+                                            phi_907_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_877_ = vec2<i32>(-1i, 0i);
+                                            phi_907_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e689 = phi_877_;
-                                    phi_893_ = (_e689 + vec2<i32>(bitcast<i32>((_e627 & 1u)), bitcast<i32>(((_e627 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e691 = phi_907_;
+                                    phi_927_ = (_e691 + vec2<i32>(bitcast<i32>((_e629 & 1u)), bitcast<i32>(((_e629 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_893_ = vec2<i32>((bitcast<i32>((_e627 % 5u)) - 2i), (bitcast<i32>(((_e627 / 5u) % 5u)) - 2i));
+                                    phi_927_ = vec2<i32>((bitcast<i32>((_e629 % 5u)) - 2i), (bitcast<i32>(((_e629 / 5u) % 5u)) - 2i));
+                                    break;
+                                }
+                                case 7: {
+                                    let _e708 = lt_mask_pattern_diamond(_e629);
+                                    phi_927_ = vec2<i32>(_e708.x, _e708.y);
                                     break;
                                 }
                                 default: {
-                                    phi_893_ = vec2<i32>((bitcast<i32>((_e627 % 3u)) - 1i), (bitcast<i32>(((_e627 / 3u) % 3u)) - 1i));
+                                    phi_927_ = vec2<i32>((bitcast<i32>((_e629 % 3u)) - 1i), (bitcast<i32>(((_e629 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e707 = phi_893_;
-                            let _e710 = lt_mask_pattern_step_clamped(_e589.pixel.x, _e707.x, _e651);
-                            let _e711 = lt_mask_pattern_step_clamped(_e589.pixel.y, _e707.y, _e653);
-                            let _e713 = ((_e711 * _e73) + _e710);
-                            if (_e713 < arrayLength((&last_bits.member))) {
+                            let _e713 = phi_927_;
+                            let _e716 = lt_mask_pattern_step_clamped(_e591.pixel.x, _e713.x, _e653);
+                            let _e717 = lt_mask_pattern_step_clamped(_e591.pixel.y, _e713.y, _e655);
+                            let _e719 = ((_e717 * _e75) + _e716);
+                            if (_e719 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e717 = last_bits.member[(0u + _e713)];
-                            if ((_e717 & 2u) == 0u) {
-                                phi_916_ = (_e717 & 1u);
+                            let _e723 = last_bits.member[(0u + _e719)];
+                            if ((_e723 & 2u) == 0u) {
+                                phi_950_ = (_e723 & 1u);
                             } else {
-                                phi_916_ = (_e717 & 7u);
+                                phi_950_ = (_e723 & 7u);
                             }
-                            let _e723 = phi_916_;
-                            if _e629.any_expands {
-                                phi_942_ = true;
+                            let _e729 = phi_950_;
+                            if _e631.any_expands {
+                                phi_976_ = true;
                             } else {
-                                if ((_e723 & 2u) != 0u) {
-                                    if (((_e723 & 4u) != 0u) != _e193) {
-                                        phi_933_ = false;
+                                if ((_e729 & 2u) != 0u) {
+                                    if (((_e729 & 4u) != 0u) != _e195) {
+                                        phi_967_ = false;
                                     } else {
-                                        phi_933_ = true;
+                                        phi_967_ = true;
                                     }
-                                    let _e732 = phi_933_;
-                                    phi_934_ = _e732;
+                                    let _e738 = phi_967_;
+                                    phi_968_ = _e738;
                                 } else {
-                                    phi_934_ = true;
+                                    phi_968_ = true;
                                 }
-                                let _e734 = phi_934_;
-                                if _e734 {
-                                    phi_941_ = (((_e723 & 1u) != 0u) != _e193);
+                                let _e740 = phi_968_;
+                                if _e740 {
+                                    phi_975_ = (((_e729 & 1u) != 0u) != _e195);
                                 } else {
-                                    phi_941_ = true;
+                                    phi_975_ = true;
                                 }
-                                let _e739 = phi_941_;
-                                phi_942_ = _e739;
+                                let _e745 = phi_975_;
+                                phi_976_ = _e745;
                             }
-                            let _e741 = phi_942_;
-                            if _e629.all_remove {
-                                if (((_e723 & 1u) != 0u) == _e193) {
-                                    if ((_e723 & 2u) != 0u) {
-                                        phi_960_ = (((_e723 & 4u) != 0u) == _e193);
+                            let _e747 = phi_976_;
+                            if _e631.all_remove {
+                                if (((_e729 & 1u) != 0u) == _e195) {
+                                    if ((_e729 & 2u) != 0u) {
+                                        phi_994_ = (((_e729 & 4u) != 0u) == _e195);
                                     } else {
-                                        phi_960_ = true;
+                                        phi_994_ = true;
                                     }
-                                    let _e751 = phi_960_;
-                                    phi_961_ = _e751;
+                                    let _e757 = phi_994_;
+                                    phi_995_ = _e757;
                                 } else {
-                                    phi_961_ = false;
+                                    phi_995_ = false;
                                 }
-                                let _e753 = phi_961_;
-                                phi_962_ = _e753;
+                                let _e759 = phi_995_;
+                                phi_996_ = _e759;
                             } else {
-                                phi_962_ = false;
+                                phi_996_ = false;
                             }
-                            let _e755 = phi_962_;
-                            phi_794_ = (_e627 + 1u);
-                            phi_797_ = lt_mask_Neighbourhood(_e741, _e755);
+                            let _e761 = phi_996_;
+                            phi_822_ = (_e629 + 1u);
+                            phi_825_ = lt_mask_Neighbourhood(_e747, _e761);
                         } else {
-                            phi_794_ = u32();
-                            phi_797_ = lt_mask_Neighbourhood();
+                            phi_822_ = u32();
+                            phi_825_ = lt_mask_Neighbourhood();
                         }
-                        let _e759 = phi_794_;
-                        let _e761 = phi_797_;
+                        let _e765 = phi_822_;
+                        let _e767 = phi_825_;
                         continue;
                         continuing {
-                            phi_793_ = _e759;
-                            phi_796_ = _e761;
-                            break if !(_e641);
+                            phi_821_ = _e765;
+                            phi_824_ = _e767;
+                            break if !(_e643);
                         }
                     }
-                    let _e926 = local_1;
-                    phi_965_ = _e926;
+                    let _e932 = local_1;
+                    phi_999_ = _e932;
                 } else {
-                    phi_965_ = _e616;
+                    phi_999_ = _e618;
                 }
-                let _e764 = phi_965_;
-                phi_966_ = _e764;
+                let _e770 = phi_999_;
+                phi_1000_ = _e770;
             } else {
-                phi_966_ = _e616;
+                phi_1000_ = _e618;
             }
-            let _e766 = phi_966_;
-            if (_e78 != 0.5f) {
-                if _e583 {
-                    if _e197 {
-                        phi_992_ = true;
+            let _e772 = phi_1000_;
+            if (_e80 != 0.5f) {
+                if _e585 {
+                    if _e199 {
+                        phi_1026_ = true;
                     } else {
-                        if _e766.any_expands {
-                            phi_991_ = false;
+                        if _e772.any_expands {
+                            phi_1025_ = false;
                         } else {
-                            phi_991_ = true;
+                            phi_1025_ = true;
                         }
-                        let _e771 = phi_991_;
-                        phi_992_ = _e771;
+                        let _e777 = phi_1025_;
+                        phi_1026_ = _e777;
                     }
-                    let _e773 = phi_992_;
-                    if _e773 {
-                        if _e197 {
-                            if _e615 {
-                                if _e766.all_remove {
-                                    phi_1005_ = false;
+                    let _e779 = phi_1026_;
+                    if _e779 {
+                        if _e199 {
+                            if _e617 {
+                                if _e772.all_remove {
+                                    phi_1039_ = false;
                                 } else {
-                                    phi_1005_ = true;
+                                    phi_1039_ = true;
                                 }
-                                let _e775 = phi_1005_;
-                                phi_1006_ = _e775;
+                                let _e781 = phi_1039_;
+                                phi_1040_ = _e781;
                             } else {
-                                phi_1006_ = true;
+                                phi_1040_ = true;
                             }
-                            let _e777 = phi_1006_;
-                            phi_1007_ = _e777;
+                            let _e783 = phi_1040_;
+                            phi_1041_ = _e783;
                         } else {
-                            phi_1007_ = true;
+                            phi_1041_ = true;
                         }
-                        let _e779 = phi_1007_;
-                        if _e779 {
-                            if _e197 {
-                                phi_1014_ = 1u;
+                        let _e785 = phi_1041_;
+                        if _e785 {
+                            if _e199 {
+                                phi_1048_ = 1u;
                             } else {
-                                phi_1014_ = 0u;
+                                phi_1048_ = 0u;
                             }
-                            let _e781 = phi_1014_;
-                            phi_1015_ = _e781;
+                            let _e787 = phi_1048_;
+                            phi_1049_ = _e787;
                         } else {
-                            phi_1015_ = 5u;
+                            phi_1049_ = 5u;
                         }
-                        let _e783 = phi_1015_;
-                        phi_1016_ = _e783;
+                        let _e789 = phi_1049_;
+                        phi_1050_ = _e789;
                     } else {
-                        phi_1016_ = 4u;
+                        phi_1050_ = 4u;
                     }
-                    let _e785 = phi_1016_;
-                    phi_1017_ = _e785;
+                    let _e791 = phi_1050_;
+                    phi_1051_ = _e791;
                 } else {
-                    phi_1017_ = 3u;
+                    phi_1051_ = 3u;
                 }
-                let _e787 = phi_1017_;
-                phi_1018_ = _e787;
+                let _e793 = phi_1051_;
+                phi_1052_ = _e793;
             } else {
-                phi_1018_ = 2u;
+                phi_1052_ = 2u;
             }
-            let _e789 = phi_1018_;
-            if !((_e789 == 0u)) {
-                phi_1026_ = !((_e789 == 5u));
+            let _e795 = phi_1052_;
+            if !((_e795 == 0u)) {
+                phi_1060_ = !((_e795 == 5u));
             } else {
-                phi_1026_ = false;
+                phi_1060_ = false;
             }
-            let _e795 = phi_1026_;
-            if _e795 {
-                if _e193 {
-                    phi_1034_ = (2u | 1u);
+            let _e801 = phi_1060_;
+            if _e801 {
+                if _e195 {
+                    phi_1068_ = (2u | 1u);
                 } else {
-                    phi_1034_ = 2u;
+                    phi_1068_ = 2u;
                 }
-                let _e798 = phi_1034_;
+                let _e804 = phi_1068_;
                 if false {
-                    phi_1039_ = (_e798 | 4u);
+                    phi_1073_ = (_e804 | 4u);
                 } else {
-                    phi_1039_ = _e798;
+                    phi_1073_ = _e804;
                 }
-                let _e801 = phi_1039_;
-                phi_1044_ = _e801;
+                let _e807 = phi_1073_;
+                phi_1078_ = _e807;
             } else {
-                if _e193 {
-                    phi_1043_ = 1u;
+                if _e195 {
+                    phi_1077_ = 1u;
                 } else {
-                    phi_1043_ = 0u;
+                    phi_1077_ = 0u;
                 }
-                let _e803 = phi_1043_;
-                phi_1044_ = _e803;
+                let _e809 = phi_1077_;
+                phi_1078_ = _e809;
             }
-            let _e805 = phi_1044_;
-            if _e193 {
-                phi_1048_ = 0f;
+            let _e811 = phi_1078_;
+            if _e195 {
+                phi_1082_ = 0f;
             } else {
-                phi_1048_ = 1f;
+                phi_1082_ = 1f;
             }
-            let _e807 = phi_1048_;
-            phi_1050_ = mask_Masked(_e807, _e805, _e795);
+            let _e813 = phi_1082_;
+            phi_1084_ = mask_Masked(_e813, _e811, _e801);
         }
-        let _e810 = phi_1050_;
-        visibility.member[_e65.first_primitive] = _e810.visibility;
-        bits.member[_e65.first_primitive] = _e810.bits;
-        phi_1056_ = _e810.needs_ray;
-        phi_1057_ = _e65.first_primitive;
+        let _e816 = phi_1084_;
+        visibility.member[_e67.first_primitive] = _e816.visibility;
+        bits.member[_e67.first_primitive] = _e816.bits;
+        phi_1090_ = _e816.needs_ray;
+        phi_1091_ = _e67.first_primitive;
     } else {
-        phi_1056_ = false;
-        phi_1057_ = 0u;
+        phi_1090_ = false;
+        phi_1091_ = 0u;
     }
-    let _e817 = phi_1056_;
-    let _e819 = phi_1057_;
-    if (_e50 == 0u) {
+    let _e823 = phi_1090_;
+    let _e825 = phi_1091_;
+    if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e817 {
-        let _e823 = atomicAdd((&shared_[0u]), 1u);
-        phi_1068_ = _e823;
+    if _e823 {
+        let _e829 = atomicAdd((&shared_[0u]), 1u);
+        phi_1102_ = _e829;
     } else {
-        phi_1068_ = 0u;
+        phi_1102_ = 0u;
     }
-    let _e825 = phi_1068_;
+    let _e831 = phi_1102_;
     workgroupBarrier();
-    if (_e50 == 0u) {
-        let _e829 = atomicLoad((&shared_[0u]));
-        let _e830 = atomicAdd((&list.member[3u]), _e829);
-        atomicStore((&shared_[1u]), _e830);
+    if (_e52 == 0u) {
+        let _e835 = atomicLoad((&shared_[0u]));
+        let _e836 = atomicAdd((&list.member[3u]), _e835);
+        atomicStore((&shared_[1u]), _e836);
     }
     workgroupBarrier();
-    if _e817 {
-        let _e833 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e833) + _e825)]), _e819);
+    if _e823 {
+        let _e839 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e839) + _e831)]), _e825);
     }
     return;
 }

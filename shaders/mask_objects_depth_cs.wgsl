@@ -114,1016 +114,1055 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_168_: lt_bvh_traverse_Tree;
-    var phi_169_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
-    var phi_171_: bool;
-    var phi_176_: lt_bvh_traverse_Tree;
+    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_172_: bool;
+    var phi_173_: lt_bvh_traverse_Tree;
+    var phi_174_: bool;
+    var phi_179_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_169_ = false;
+            phi_171_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_172_ = false;
         } else {
-            phi_168_ = lt_bvh_traverse_Tree();
-            phi_169_ = true;
+            phi_171_ = lt_bvh_traverse_Tree();
+            phi_172_ = true;
         }
-        let _e67 = phi_168_;
-        let _e69 = phi_169_;
-        phi_170_ = _e67;
-        phi_171_ = _e69;
+        let _e69 = phi_171_;
+        let _e71 = phi_172_;
+        phi_173_ = _e69;
+        phi_174_ = _e71;
     } else {
-        phi_170_ = lt_bvh_traverse_Tree();
-        phi_171_ = true;
+        phi_173_ = lt_bvh_traverse_Tree();
+        phi_174_ = true;
     }
-    let _e71 = phi_170_;
-    let _e73 = phi_171_;
-    if _e73 {
-        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e73 = phi_173_;
+    let _e75 = phi_174_;
+    if _e75 {
+        phi_179_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_176_ = _e71;
+        phi_179_ = _e73;
     }
-    let _e78 = phi_176_;
-    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
+    let _e80 = phi_179_;
+    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_194_: vec2<i32>;
+    var phi_197_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_194_ = vec2(0i);
+            phi_197_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_194_ = vec2<i32>(0i, -1i);
+            phi_197_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_194_ = vec2<i32>(-1i, 0i);
+            phi_197_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_194_ = vec2<i32>(1i, 0i);
+            phi_197_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_194_ = vec2<i32>(0i, 1i);
+            phi_197_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e63 = phi_194_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e65 = phi_197_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_212_: vec2<i32>;
+    var phi_215_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_212_ = vec2(0i);
+            phi_215_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_212_ = vec2(-1i);
+            phi_215_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_212_ = vec2<i32>(1i, -1i);
+            phi_215_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_212_ = vec2<i32>(-1i, 1i);
+            phi_215_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_212_ = vec2(1i);
+            phi_215_ = vec2(1i);
             break;
         }
     }
-    let _e63 = phi_212_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e65 = phi_215_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_231_: vec2<i32>;
+    var phi_234_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e57 = lt_mask_pattern_plus(param_5);
-        phi_231_ = vec2<i32>(_e57.x, _e57.y);
+        let _e59 = lt_mask_pattern_plus(param_5);
+        phi_234_ = vec2<i32>(_e59.x, _e59.y);
     } else {
-        let _e61 = lt_mask_pattern_cross(param_5);
-        phi_231_ = vec2<i32>(_e61.x, _e61.y);
+        let _e63 = lt_mask_pattern_cross(param_5);
+        phi_234_ = vec2<i32>(_e63.x, _e63.y);
     }
-    let _e66 = phi_231_;
-    return vec2<i32>(_e66.x, _e66.y);
+    let _e68 = phi_234_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_252_: u32;
-    var phi_253_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_259_: vec2<i32>;
 
-    let _e58 = (bitcast<i32>(param_7) + param_8);
-    if (_e58 < 0i) {
-        phi_253_ = 0u;
-    } else {
-        if (_e58 >= bitcast<i32>(param_9)) {
-            phi_252_ = (param_9 - 1u);
-        } else {
-            phi_252_ = bitcast<u32>(_e58);
+    let _e57 = (param_7 % 13u);
+    switch bitcast<i32>(_e57) {
+        case 9: {
+            phi_259_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e65 = phi_252_;
-        phi_253_ = _e65;
+        case 10: {
+            phi_259_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_259_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_259_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_259_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e67 = phi_253_;
-    return _e67;
+    let _e72 = phi_259_;
+    return vec2<i32>(_e72.x, _e72.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_280_: u32;
+    var phi_281_: u32;
+
+    let _e60 = (bitcast<i32>(param_8) + param_9);
+    if (_e60 < 0i) {
+        phi_281_ = 0u;
+    } else {
+        if (_e60 >= bitcast<i32>(param_10)) {
+            phi_280_ = (param_10 - 1u);
+        } else {
+            phi_280_ = bitcast<u32>(_e60);
+        }
+        let _e67 = phi_280_;
+        phi_281_ = _e67;
+    }
+    let _e69 = phi_281_;
+    return _e69;
 }
 
 fn function_() {
-    var phi_323_: bool;
-    var phi_324_: bool;
-    var phi_325_: bool;
-    var phi_326_: bool;
-    var phi_330_: bool;
-    var phi_374_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_378_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_391_: bool;
-    var phi_577_: f32;
-    var phi_582_: f32;
-    var phi_583_: bool;
-    var phi_584_: f32;
-    var phi_585_: bool;
-    var phi_589_: f32;
+    var phi_351_: bool;
+    var phi_352_: bool;
+    var phi_353_: bool;
+    var phi_354_: bool;
+    var phi_358_: bool;
+    var phi_402_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_406_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_419_: bool;
+    var phi_605_: f32;
+    var phi_610_: f32;
+    var phi_611_: bool;
     var phi_612_: f32;
+    var phi_613_: bool;
     var phi_617_: f32;
-    var phi_618_: bool;
-    var phi_619_: f32;
-    var phi_620_: bool;
-    var phi_624_: f32;
-    var phi_645_: bool;
-    var phi_664_: vec2<u32>;
-    var phi_665_: bool;
-    var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: vec2<u32>;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_672_: bool;
+    var phi_640_: f32;
+    var phi_645_: f32;
+    var phi_646_: bool;
+    var phi_647_: f32;
+    var phi_648_: bool;
+    var phi_652_: f32;
     var phi_673_: bool;
-    var phi_674_: bool;
-    var phi_675_: vec2<u32>;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_678_: bool;
-    var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: vec2<u32>;
-    var phi_683_: bool;
-    var phi_684_: bool;
-    var phi_685_: bool;
-    var phi_686_: bool;
+    var phi_692_: vec2<u32>;
+    var phi_693_: bool;
+    var phi_694_: bool;
     var phi_695_: bool;
-    var phi_696_: bool;
+    var phi_696_: vec2<u32>;
     var phi_697_: bool;
     var phi_698_: bool;
+    var phi_699_: bool;
+    var phi_700_: bool;
+    var phi_701_: bool;
     var phi_702_: bool;
-    var phi_703_: bool;
-    var phi_704_: vec2<u32>;
-    var phi_787_: bool;
-    var phi_791_: f32;
-    var phi_795_: lt_mask_Reprojection;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_807_: bool;
-    var phi_808_: lt_mask_Reprojection;
-    var phi_809_: lt_mask_Reprojection;
-    var phi_810_: bool;
-    var phi_814_: bool;
-    var phi_815_: lt_mask_Reprojection;
-    var phi_829_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
+    var phi_703_: vec2<u32>;
+    var phi_704_: bool;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_710_: vec2<u32>;
+    var phi_711_: bool;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_723_: bool;
+    var phi_724_: bool;
+    var phi_725_: bool;
+    var phi_726_: bool;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_732_: vec2<u32>;
+    var phi_815_: bool;
+    var phi_819_: f32;
+    var phi_823_: lt_mask_Reprojection;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_835_: bool;
+    var phi_836_: lt_mask_Reprojection;
+    var phi_837_: lt_mask_Reprojection;
+    var phi_838_: bool;
     var phi_842_: bool;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_845_: bool;
-    var phi_849_: bool;
-    var phi_854_: bool;
-    var phi_869_: u32;
-    var phi_871_: u32;
-    var phi_874_: lt_mask_Neighbourhood;
-    var phi_886_: bool;
-    var phi_887_: bool;
-    var phi_895_: u32;
-    var phi_896_: u32;
-    var phi_955_: vec2<i32>;
-    var phi_971_: vec2<i32>;
-    var phi_994_: u32;
-    var phi_1011_: bool;
-    var phi_1012_: bool;
-    var phi_1019_: bool;
-    var phi_1020_: bool;
-    var phi_1038_: bool;
-    var phi_1039_: bool;
-    var phi_1040_: bool;
-    var phi_872_: u32;
-    var phi_875_: lt_mask_Neighbourhood;
-    var phi_1043_: lt_mask_Neighbourhood;
-    var phi_1044_: lt_mask_Neighbourhood;
-    var phi_1069_: bool;
-    var phi_1070_: bool;
-    var phi_1083_: bool;
-    var phi_1084_: bool;
-    var phi_1085_: bool;
-    var phi_1092_: u32;
-    var phi_1093_: u32;
-    var phi_1094_: u32;
-    var phi_1095_: u32;
-    var phi_1096_: u32;
+    var phi_843_: lt_mask_Reprojection;
+    var phi_857_: bool;
+    var phi_868_: bool;
+    var phi_869_: bool;
+    var phi_870_: bool;
+    var phi_871_: bool;
+    var phi_872_: bool;
+    var phi_873_: bool;
+    var phi_877_: bool;
+    var phi_882_: bool;
+    var phi_897_: u32;
+    var phi_899_: u32;
+    var phi_902_: lt_mask_Neighbourhood;
+    var phi_914_: bool;
+    var phi_915_: bool;
+    var phi_924_: u32;
+    var phi_925_: u32;
+    var phi_985_: vec2<i32>;
+    var phi_1005_: vec2<i32>;
+    var phi_1028_: u32;
+    var phi_1045_: bool;
+    var phi_1046_: bool;
+    var phi_1053_: bool;
+    var phi_1054_: bool;
+    var phi_1072_: bool;
+    var phi_1073_: bool;
+    var phi_1074_: bool;
+    var phi_900_: u32;
+    var phi_903_: lt_mask_Neighbourhood;
+    var phi_1077_: lt_mask_Neighbourhood;
+    var phi_1078_: lt_mask_Neighbourhood;
+    var phi_1103_: bool;
     var phi_1104_: bool;
-    var phi_1112_: u32;
-    var phi_1117_: u32;
-    var phi_1121_: u32;
-    var phi_1122_: u32;
-    var phi_1126_: f32;
-    var phi_1128_: mask_Masked;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1159_: bool;
-    var phi_1163_: bool;
-    var phi_1191_: f32;
-    var phi_1194_: bool;
-    var phi_1195_: u32;
-    var phi_1206_: u32;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1126_: u32;
+    var phi_1127_: u32;
+    var phi_1128_: u32;
+    var phi_1129_: u32;
+    var phi_1130_: u32;
+    var phi_1138_: bool;
+    var phi_1146_: u32;
+    var phi_1151_: u32;
+    var phi_1155_: u32;
+    var phi_1156_: u32;
+    var phi_1160_: f32;
+    var phi_1162_: mask_Masked;
+    var phi_1190_: bool;
+    var phi_1191_: bool;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
+    var phi_1197_: bool;
+    var phi_1225_: f32;
+    var phi_1228_: bool;
+    var phi_1229_: u32;
+    var phi_1240_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e54 = id_1;
-    let _e55 = local_2;
-    let _e72 = p.member.current.size[0u];
-    let _e74 = p.member.current.size[1u];
-    let _e75 = lt_shaders_entry_pixel_index(_e54, _e72, _e74);
-    if (bitcast<i32>(_e75.root) != 0i) {
-        let _e83 = p.member.current.size[0u];
-        let _e86 = past.member[_e75.first_primitive];
-        let _e91 = visibility.member[_e75.first_primitive];
-        let _e95 = p.member.light;
-        let _e98 = samples.member[_e75.first_primitive].normal[0u];
-        let _e100 = global[0u];
-        if (_e98 == _e100) {
-            let _e103 = samples.member[_e75.first_primitive].normal[1u];
-            let _e105 = global[1u];
-            if (_e103 == _e105) {
-                let _e108 = samples.member[_e75.first_primitive].normal[2u];
-                let _e110 = global[2u];
-                phi_323_ = (_e108 == _e110);
-                phi_324_ = false;
+    let _e56 = id_1;
+    let _e57 = local_2;
+    let _e74 = p.member.current.size[0u];
+    let _e76 = p.member.current.size[1u];
+    let _e77 = lt_shaders_entry_pixel_index(_e56, _e74, _e76);
+    if (bitcast<i32>(_e77.root) != 0i) {
+        let _e85 = p.member.current.size[0u];
+        let _e88 = past.member[_e77.first_primitive];
+        let _e93 = visibility.member[_e77.first_primitive];
+        let _e97 = p.member.light;
+        let _e100 = samples.member[_e77.first_primitive].normal[0u];
+        let _e102 = global[0u];
+        if (_e100 == _e102) {
+            let _e105 = samples.member[_e77.first_primitive].normal[1u];
+            let _e107 = global[1u];
+            if (_e105 == _e107) {
+                let _e110 = samples.member[_e77.first_primitive].normal[2u];
+                let _e112 = global[2u];
+                phi_351_ = (_e110 == _e112);
+                phi_352_ = false;
             } else {
-                phi_323_ = bool();
-                phi_324_ = true;
+                phi_351_ = bool();
+                phi_352_ = true;
             }
-            let _e113 = phi_323_;
-            let _e115 = phi_324_;
-            phi_325_ = _e113;
-            phi_326_ = _e115;
+            let _e115 = phi_351_;
+            let _e117 = phi_352_;
+            phi_353_ = _e115;
+            phi_354_ = _e117;
         } else {
-            phi_325_ = bool();
-            phi_326_ = true;
+            phi_353_ = bool();
+            phi_354_ = true;
         }
-        let _e117 = phi_325_;
-        let _e119 = phi_326_;
-        if _e119 {
-            phi_330_ = false;
+        let _e119 = phi_353_;
+        let _e121 = phi_354_;
+        if _e121 {
+            phi_358_ = false;
         } else {
-            phi_330_ = _e117;
+            phi_358_ = _e119;
         }
-        let _e121 = phi_330_;
-        if !(_e121) {
-            let _e124 = samples.member[_e75.first_primitive].normal;
-            let _e126 = samples.member[_e75.first_primitive].position;
-            if ((((_e124.x * (_e95.x - (_e126.x * _e95.w))) + (_e124.y * (_e95.y - (_e126.y * _e95.w)))) + (_e124.z * (_e95.z - (_e126.z * _e95.w)))) > 0f) {
-                let _e150 = samples.member[_e75.first_primitive].flags;
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, ((_e150 & 1u) == 0u));
+        let _e123 = phi_358_;
+        if !(_e123) {
+            let _e126 = samples.member[_e77.first_primitive].normal;
+            let _e128 = samples.member[_e77.first_primitive].position;
+            if ((((_e126.x * (_e97.x - (_e128.x * _e97.w))) + (_e126.y * (_e97.y - (_e128.y * _e97.w)))) + (_e126.z * (_e97.z - (_e128.z * _e97.w)))) > 0f) {
+                let _e152 = samples.member[_e77.first_primitive].flags;
+                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+                phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
             } else {
-                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, true);
+                let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
+                phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, true);
             }
-            let _e184 = phi_374_;
-            phi_378_ = _e184;
+            let _e186 = phi_402_;
+            phi_406_ = _e186;
         } else {
-            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
-            phi_378_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, true);
+            let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+            phi_406_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
         }
-        let _e201 = phi_378_;
-        if _e201.unnamed_1 {
-            phi_1128_ = mask_Masked(_e201.unnamed.visibility, 0u, false);
+        let _e203 = phi_406_;
+        if _e203.unnamed_1 {
+            phi_1162_ = mask_Masked(_e203.unnamed.visibility, 0u, false);
         } else {
-            let _e206 = (_e91 < 0.5f);
-            if (_e91 > 0f) {
-                phi_391_ = (_e91 < 1f);
+            let _e208 = (_e93 < 0.5f);
+            if (_e93 > 0f) {
+                phi_419_ = (_e93 < 1f);
             } else {
-                phi_391_ = false;
+                phi_419_ = false;
             }
-            let _e210 = phi_391_;
-            let _e212 = samples.member[_e75.first_primitive].position;
-            let _e216 = p.member.previous.eye;
-            let _e218 = (_e86.x - _e216.x);
-            let _e220 = (_e86.y - _e216.y);
-            let _e222 = (_e86.z - _e216.z);
-            let _e224 = p.member.previous.forward;
-            let _e232 = (((_e218 * _e224.x) + (_e220 * _e224.y)) + (_e222 * _e224.z));
-            let _e234 = p.member.previous.right;
-            let _e244 = p.member.previous.right;
-            let _e259 = p.member.previous.up;
-            let _e269 = p.member.previous.up;
-            let _e284 = p.member.current.eye;
-            let _e287 = (_e212.x - _e284.x);
-            let _e290 = (_e212.y - _e284.y);
-            let _e293 = (_e212.z - _e284.z);
-            let _e295 = p.member.current.forward;
-            let _e303 = (((_e287 * _e295.x) + (_e290 * _e295.y)) + (_e293 * _e295.z));
-            let _e305 = p.member.current.right;
-            let _e315 = p.member.current.right;
-            let _e330 = p.member.current.up;
-            let _e340 = p.member.current.up;
-            let _e359 = p.member.current.size[0u];
-            let _e361 = (((((((_e218 * _e234.x) + (_e220 * _e234.y)) + (_e222 * _e234.z)) / ((((_e244.x * _e244.x) + (_e244.y * _e244.y)) + (_e244.z * _e244.z)) * _e232)) - ((((_e287 * _e305.x) + (_e290 * _e305.y)) + (_e293 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e303))) * 0.5f) * f32(_e359));
-            let _e365 = p.member.current.size[1u];
-            let _e367 = (((((((_e218 * _e259.x) + (_e220 * _e259.y)) + (_e222 * _e259.z)) / ((((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)) * _e232)) - ((((_e287 * _e330.x) + (_e290 * _e330.y)) + (_e293 * _e330.z)) / ((((_e340.x * _e340.x) + (_e340.y * _e340.y)) + (_e340.z * _e340.z)) * _e303))) * -0.5f) * f32(_e365));
-            let _e371 = p.member.current.size[0u];
-            let _e373 = p.member.current.size[1u];
-            let _e377 = ((f32(_e54.x) + 0.5f) + _e361);
-            if (_e377 > -8388608f) {
-                let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
-                if (_e389 > _e377) {
-                    phi_577_ = 1f;
+            let _e212 = phi_419_;
+            let _e214 = samples.member[_e77.first_primitive].position;
+            let _e218 = p.member.previous.eye;
+            let _e220 = (_e88.x - _e218.x);
+            let _e222 = (_e88.y - _e218.y);
+            let _e224 = (_e88.z - _e218.z);
+            let _e226 = p.member.previous.forward;
+            let _e234 = (((_e220 * _e226.x) + (_e222 * _e226.y)) + (_e224 * _e226.z));
+            let _e236 = p.member.previous.right;
+            let _e246 = p.member.previous.right;
+            let _e261 = p.member.previous.up;
+            let _e271 = p.member.previous.up;
+            let _e286 = p.member.current.eye;
+            let _e289 = (_e214.x - _e286.x);
+            let _e292 = (_e214.y - _e286.y);
+            let _e295 = (_e214.z - _e286.z);
+            let _e297 = p.member.current.forward;
+            let _e305 = (((_e289 * _e297.x) + (_e292 * _e297.y)) + (_e295 * _e297.z));
+            let _e307 = p.member.current.right;
+            let _e317 = p.member.current.right;
+            let _e332 = p.member.current.up;
+            let _e342 = p.member.current.up;
+            let _e361 = p.member.current.size[0u];
+            let _e363 = (((((((_e220 * _e236.x) + (_e222 * _e236.y)) + (_e224 * _e236.z)) / ((((_e246.x * _e246.x) + (_e246.y * _e246.y)) + (_e246.z * _e246.z)) * _e234)) - ((((_e289 * _e307.x) + (_e292 * _e307.y)) + (_e295 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e305))) * 0.5f) * f32(_e361));
+            let _e367 = p.member.current.size[1u];
+            let _e369 = (((((((_e220 * _e261.x) + (_e222 * _e261.y)) + (_e224 * _e261.z)) / ((((_e271.x * _e271.x) + (_e271.y * _e271.y)) + (_e271.z * _e271.z)) * _e234)) - ((((_e289 * _e332.x) + (_e292 * _e332.y)) + (_e295 * _e332.z)) / ((((_e342.x * _e342.x) + (_e342.y * _e342.y)) + (_e342.z * _e342.z)) * _e305))) * -0.5f) * f32(_e367));
+            let _e373 = p.member.current.size[0u];
+            let _e375 = p.member.current.size[1u];
+            let _e379 = ((f32(_e56.x) + 0.5f) + _e363);
+            if (_e379 > -8388608f) {
+                let _e391 = f32(select(0i, select(select(i32(_e379), i32(-2147483648), (_e379 < bitcast<f32>(3472883712u))), 2147483647i, (_e379 > bitcast<f32>(1325400063u))), (_e379 == _e379)));
+                if (_e391 > _e379) {
+                    phi_605_ = 1f;
                 } else {
-                    phi_577_ = 0f;
+                    phi_605_ = 0f;
                 }
-                let _e392 = phi_577_;
-                if (_e377 < 8388608f) {
-                    phi_582_ = (_e389 - _e392);
-                    phi_583_ = false;
+                let _e394 = phi_605_;
+                if (_e379 < 8388608f) {
+                    phi_610_ = (_e391 - _e394);
+                    phi_611_ = false;
                 } else {
-                    phi_582_ = f32();
-                    phi_583_ = true;
+                    phi_610_ = f32();
+                    phi_611_ = true;
                 }
-                let _e395 = phi_582_;
-                let _e397 = phi_583_;
-                phi_584_ = _e395;
-                phi_585_ = _e397;
+                let _e397 = phi_610_;
+                let _e399 = phi_611_;
+                phi_612_ = _e397;
+                phi_613_ = _e399;
             } else {
-                phi_584_ = f32();
-                phi_585_ = true;
+                phi_612_ = f32();
+                phi_613_ = true;
             }
-            let _e399 = phi_584_;
-            let _e401 = phi_585_;
-            if _e401 {
-                phi_589_ = _e377;
+            let _e401 = phi_612_;
+            let _e403 = phi_613_;
+            if _e403 {
+                phi_617_ = _e379;
             } else {
-                phi_589_ = _e399;
+                phi_617_ = _e401;
             }
-            let _e403 = phi_589_;
-            let _e406 = ((f32(_e54.y) + 0.5f) + _e367);
-            if (_e406 > -8388608f) {
-                let _e418 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
-                if (_e418 > _e406) {
-                    phi_612_ = 1f;
+            let _e405 = phi_617_;
+            let _e408 = ((f32(_e56.y) + 0.5f) + _e369);
+            if (_e408 > -8388608f) {
+                let _e420 = f32(select(0i, select(select(i32(_e408), i32(-2147483648), (_e408 < bitcast<f32>(3472883712u))), 2147483647i, (_e408 > bitcast<f32>(1325400063u))), (_e408 == _e408)));
+                if (_e420 > _e408) {
+                    phi_640_ = 1f;
                 } else {
-                    phi_612_ = 0f;
+                    phi_640_ = 0f;
                 }
-                let _e421 = phi_612_;
-                if (_e406 < 8388608f) {
-                    phi_617_ = (_e418 - _e421);
-                    phi_618_ = false;
+                let _e423 = phi_640_;
+                if (_e408 < 8388608f) {
+                    phi_645_ = (_e420 - _e423);
+                    phi_646_ = false;
                 } else {
-                    phi_617_ = f32();
-                    phi_618_ = true;
+                    phi_645_ = f32();
+                    phi_646_ = true;
                 }
-                let _e424 = phi_617_;
-                let _e426 = phi_618_;
-                phi_619_ = _e424;
-                phi_620_ = _e426;
+                let _e426 = phi_645_;
+                let _e428 = phi_646_;
+                phi_647_ = _e426;
+                phi_648_ = _e428;
             } else {
-                phi_619_ = f32();
-                phi_620_ = true;
+                phi_647_ = f32();
+                phi_648_ = true;
             }
-            let _e428 = phi_619_;
-            let _e430 = phi_620_;
-            if _e430 {
-                phi_624_ = _e406;
+            let _e430 = phi_647_;
+            let _e432 = phi_648_;
+            if _e432 {
+                phi_652_ = _e408;
             } else {
-                phi_624_ = _e428;
+                phi_652_ = _e430;
             }
-            let _e432 = phi_624_;
-            if (_e403 >= 0f) {
-                if (_e432 >= 0f) {
-                    if (_e403 < f32(_e371)) {
-                        let _e438 = (_e432 < f32(_e373));
-                        if (_e361 == 0f) {
-                            phi_645_ = (_e367 == 0f);
+            let _e434 = phi_652_;
+            if (_e405 >= 0f) {
+                if (_e434 >= 0f) {
+                    if (_e405 < f32(_e373)) {
+                        let _e440 = (_e434 < f32(_e375));
+                        if (_e363 == 0f) {
+                            phi_673_ = (_e369 == 0f);
                         } else {
-                            phi_645_ = false;
+                            phi_673_ = false;
                         }
-                        let _e442 = phi_645_;
-                        if _e438 {
-                            phi_664_ = vec2<u32>(select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))), select(select(u32(_e432), 0u, (_e432 < bitcast<f32>(0u))), 4294967295u, (_e432 > bitcast<f32>(1333788671u))));
-                            phi_665_ = false;
+                        let _e444 = phi_673_;
+                        if _e440 {
+                            phi_692_ = vec2<u32>(select(select(u32(_e405), 0u, (_e405 < bitcast<f32>(0u))), 4294967295u, (_e405 > bitcast<f32>(1333788671u))), select(select(u32(_e434), 0u, (_e434 < bitcast<f32>(0u))), 4294967295u, (_e434 > bitcast<f32>(1333788671u))));
+                            phi_693_ = false;
                         } else {
-                            phi_664_ = vec2<u32>();
-                            phi_665_ = true;
+                            phi_692_ = vec2<u32>();
+                            phi_693_ = true;
                         }
-                        let _e459 = phi_664_;
-                        let _e461 = phi_665_;
-                        phi_666_ = _e442;
-                        phi_667_ = _e438;
-                        phi_668_ = _e459;
-                        phi_669_ = _e442;
-                        phi_670_ = _e438;
-                        phi_671_ = false;
-                        phi_672_ = _e461;
+                        let _e461 = phi_692_;
+                        let _e463 = phi_693_;
+                        phi_694_ = _e444;
+                        phi_695_ = _e440;
+                        phi_696_ = _e461;
+                        phi_697_ = _e444;
+                        phi_698_ = _e440;
+                        phi_699_ = false;
+                        phi_700_ = _e463;
                     } else {
-                        phi_666_ = bool();
-                        phi_667_ = bool();
-                        phi_668_ = vec2<u32>();
-                        phi_669_ = bool();
-                        phi_670_ = bool();
-                        phi_671_ = true;
-                        phi_672_ = false;
+                        phi_694_ = bool();
+                        phi_695_ = bool();
+                        phi_696_ = vec2<u32>();
+                        phi_697_ = bool();
+                        phi_698_ = bool();
+                        phi_699_ = true;
+                        phi_700_ = false;
                     }
-                    let _e463 = phi_666_;
-                    let _e465 = phi_667_;
-                    let _e467 = phi_668_;
-                    let _e469 = phi_669_;
-                    let _e471 = phi_670_;
-                    let _e473 = phi_671_;
-                    let _e475 = phi_672_;
-                    phi_673_ = _e463;
-                    phi_674_ = _e465;
-                    phi_675_ = _e467;
-                    phi_676_ = _e469;
-                    phi_677_ = _e471;
-                    phi_678_ = _e473;
-                    phi_679_ = _e475;
+                    let _e465 = phi_694_;
+                    let _e467 = phi_695_;
+                    let _e469 = phi_696_;
+                    let _e471 = phi_697_;
+                    let _e473 = phi_698_;
+                    let _e475 = phi_699_;
+                    let _e477 = phi_700_;
+                    phi_701_ = _e465;
+                    phi_702_ = _e467;
+                    phi_703_ = _e469;
+                    phi_704_ = _e471;
+                    phi_705_ = _e473;
+                    phi_706_ = _e475;
+                    phi_707_ = _e477;
                 } else {
-                    phi_673_ = bool();
-                    phi_674_ = bool();
-                    phi_675_ = vec2<u32>();
-                    phi_676_ = bool();
-                    phi_677_ = bool();
-                    phi_678_ = true;
-                    phi_679_ = false;
+                    phi_701_ = bool();
+                    phi_702_ = bool();
+                    phi_703_ = vec2<u32>();
+                    phi_704_ = bool();
+                    phi_705_ = bool();
+                    phi_706_ = true;
+                    phi_707_ = false;
                 }
-                let _e477 = phi_673_;
-                let _e479 = phi_674_;
-                let _e481 = phi_675_;
-                let _e483 = phi_676_;
-                let _e485 = phi_677_;
-                let _e487 = phi_678_;
-                let _e489 = phi_679_;
-                phi_680_ = _e477;
-                phi_681_ = _e479;
-                phi_682_ = _e481;
-                phi_683_ = _e483;
-                phi_684_ = _e485;
-                phi_685_ = _e487;
-                phi_686_ = _e489;
+                let _e479 = phi_701_;
+                let _e481 = phi_702_;
+                let _e483 = phi_703_;
+                let _e485 = phi_704_;
+                let _e487 = phi_705_;
+                let _e489 = phi_706_;
+                let _e491 = phi_707_;
+                phi_708_ = _e479;
+                phi_709_ = _e481;
+                phi_710_ = _e483;
+                phi_711_ = _e485;
+                phi_712_ = _e487;
+                phi_713_ = _e489;
+                phi_714_ = _e491;
             } else {
-                phi_680_ = bool();
-                phi_681_ = bool();
-                phi_682_ = vec2<u32>();
-                phi_683_ = bool();
-                phi_684_ = bool();
-                phi_685_ = true;
-                phi_686_ = false;
+                phi_708_ = bool();
+                phi_709_ = bool();
+                phi_710_ = vec2<u32>();
+                phi_711_ = bool();
+                phi_712_ = bool();
+                phi_713_ = true;
+                phi_714_ = false;
             }
-            let _e491 = phi_680_;
-            let _e493 = phi_681_;
-            let _e495 = phi_682_;
-            let _e497 = phi_683_;
-            let _e499 = phi_684_;
-            let _e501 = phi_685_;
-            let _e503 = phi_686_;
-            if _e501 {
-                if (_e361 == 0f) {
-                    phi_695_ = (_e367 == 0f);
+            let _e493 = phi_708_;
+            let _e495 = phi_709_;
+            let _e497 = phi_710_;
+            let _e499 = phi_711_;
+            let _e501 = phi_712_;
+            let _e503 = phi_713_;
+            let _e505 = phi_714_;
+            if _e503 {
+                if (_e363 == 0f) {
+                    phi_723_ = (_e369 == 0f);
                 } else {
-                    phi_695_ = false;
+                    phi_723_ = false;
                 }
-                let _e507 = phi_695_;
-                phi_696_ = _e507;
-                phi_697_ = false;
-                phi_698_ = true;
+                let _e509 = phi_723_;
+                phi_724_ = _e509;
+                phi_725_ = false;
+                phi_726_ = true;
             } else {
-                phi_696_ = _e497;
-                phi_697_ = _e499;
-                phi_698_ = _e503;
+                phi_724_ = _e499;
+                phi_725_ = _e501;
+                phi_726_ = _e505;
             }
-            let _e509 = phi_696_;
-            let _e511 = phi_697_;
-            let _e513 = phi_698_;
-            if _e513 {
-                phi_702_ = _e509;
-                phi_703_ = _e511;
-                phi_704_ = vec2<u32>(_e54.x, _e54.y);
+            let _e511 = phi_724_;
+            let _e513 = phi_725_;
+            let _e515 = phi_726_;
+            if _e515 {
+                phi_730_ = _e511;
+                phi_731_ = _e513;
+                phi_732_ = vec2<u32>(_e56.x, _e56.y);
             } else {
-                phi_702_ = _e491;
-                phi_703_ = _e493;
-                phi_704_ = _e495;
+                phi_730_ = _e493;
+                phi_731_ = _e495;
+                phi_732_ = _e497;
             }
-            let _e515 = phi_702_;
-            let _e517 = phi_703_;
-            let _e519 = phi_704_;
-            let _e529 = lt_mask_Reprojection(vec2<u32>(_e519.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e536 = lt_mask_Reprojection(vec2<u32>(_e529.pixel.x, _e519.y), _e529.is_valid, _e529.has_moved);
-            let _e540 = lt_mask_Reprojection(_e536.pixel, _e517, _e536.has_moved);
-            let _e544 = lt_mask_Reprojection(_e540.pixel, _e540.is_valid, !(_e515));
-            if _e517 {
-                let _e547 = p.member.previous.eye;
-                let _e555 = p.member.previous.forward;
-                let _e564 = (((((_e86.x - _e547.x) * _e555.x) + ((_e86.y - _e547.y) * _e555.y)) + ((_e86.z - _e547.z) * _e555.z)) > 0f);
-                let _e568 = lt_mask_Reprojection(_e544.pixel, _e564, _e544.has_moved);
-                if _e564 {
-                    let _e571 = p.member.previous.eye;
-                    let _e579 = p.member.previous.forward;
-                    let _e587 = ((((_e86.x - _e571.x) * _e579.x) + ((_e86.y - _e571.y) * _e579.y)) + ((_e86.z - _e571.z) * _e579.z));
-                    let _e589 = ((_e519.y * _e83) + _e519.x);
-                    if (_e589 < arrayLength((&last_depths.member))) {
+            let _e517 = phi_730_;
+            let _e519 = phi_731_;
+            let _e521 = phi_732_;
+            let _e531 = lt_mask_Reprojection(vec2<u32>(_e521.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e538 = lt_mask_Reprojection(vec2<u32>(_e531.pixel.x, _e521.y), _e531.is_valid, _e531.has_moved);
+            let _e542 = lt_mask_Reprojection(_e538.pixel, _e519, _e538.has_moved);
+            let _e546 = lt_mask_Reprojection(_e542.pixel, _e542.is_valid, !(_e517));
+            if _e519 {
+                let _e549 = p.member.previous.eye;
+                let _e557 = p.member.previous.forward;
+                let _e566 = (((((_e88.x - _e549.x) * _e557.x) + ((_e88.y - _e549.y) * _e557.y)) + ((_e88.z - _e549.z) * _e557.z)) > 0f);
+                let _e570 = lt_mask_Reprojection(_e546.pixel, _e566, _e546.has_moved);
+                if _e566 {
+                    let _e573 = p.member.previous.eye;
+                    let _e581 = p.member.previous.forward;
+                    let _e589 = ((((_e88.x - _e573.x) * _e581.x) + ((_e88.y - _e573.y) * _e581.y)) + ((_e88.z - _e573.z) * _e581.z));
+                    let _e591 = ((_e521.y * _e85) + _e521.x);
+                    if (_e591 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e593 = last_depths.member[(0u + _e589)];
-                    let _e595 = p.member.depth_tolerance;
-                    let _e598 = abs(_e587);
-                    let _e599 = abs(_e593);
-                    if ((bitcast<u32>(_e599) & 2147483647u) > 2139095040u) {
-                        phi_787_ = true;
+                    let _e595 = last_depths.member[(0u + _e591)];
+                    let _e597 = p.member.depth_tolerance;
+                    let _e600 = abs(_e589);
+                    let _e601 = abs(_e595);
+                    if ((bitcast<u32>(_e601) & 2147483647u) > 2139095040u) {
+                        phi_815_ = true;
                     } else {
-                        let _e603 = (_e599 > _e598);
-                        if _e603 {
+                        let _e605 = (_e601 > _e600);
+                        if _e605 {
                         }
-                        phi_787_ = _e603;
+                        phi_815_ = _e605;
                     }
-                    let _e605 = phi_787_;
-                    if _e605 {
-                        phi_791_ = _e599;
+                    let _e607 = phi_815_;
+                    if _e607 {
+                        phi_819_ = _e601;
                     } else {
-                        phi_791_ = _e598;
+                        phi_819_ = _e600;
                     }
-                    let _e607 = phi_791_;
-                    phi_795_ = lt_mask_Reprojection(_e568.pixel, (abs((_e587 - _e593)) <= (_e595 * _e607)), _e568.has_moved);
+                    let _e609 = phi_819_;
+                    phi_823_ = lt_mask_Reprojection(_e570.pixel, (abs((_e589 - _e595)) <= (_e597 * _e609)), _e570.has_moved);
                 } else {
-                    phi_795_ = _e568;
+                    phi_823_ = _e570;
                 }
-                let _e615 = phi_795_;
-                if _e615.is_valid {
-                    let _e618 = p.member.flags;
-                    phi_804_ = ((_e618 & 1u) != 0u);
-                    phi_805_ = false;
+                let _e617 = phi_823_;
+                if _e617.is_valid {
+                    let _e620 = p.member.flags;
+                    phi_832_ = ((_e620 & 1u) != 0u);
+                    phi_833_ = false;
                 } else {
-                    phi_804_ = bool();
-                    phi_805_ = true;
+                    phi_832_ = bool();
+                    phi_833_ = true;
                 }
-                let _e622 = phi_804_;
-                let _e624 = phi_805_;
-                phi_807_ = _e622;
-                phi_808_ = _e615;
-                phi_809_ = _e615;
-                phi_810_ = _e624;
+                let _e624 = phi_832_;
+                let _e626 = phi_833_;
+                phi_835_ = _e624;
+                phi_836_ = _e617;
+                phi_837_ = _e617;
+                phi_838_ = _e626;
             } else {
-                phi_807_ = bool();
-                phi_808_ = lt_mask_Reprojection();
-                phi_809_ = lt_mask_Reprojection(_e544.pixel, false, _e544.has_moved);
-                phi_810_ = true;
+                phi_835_ = bool();
+                phi_836_ = lt_mask_Reprojection();
+                phi_837_ = lt_mask_Reprojection(_e546.pixel, false, _e546.has_moved);
+                phi_838_ = true;
             }
-            let _e630 = phi_807_;
-            let _e632 = phi_808_;
-            let _e634 = phi_809_;
-            let _e636 = phi_810_;
-            if _e636 {
-                phi_814_ = false;
-                phi_815_ = _e634;
+            let _e632 = phi_835_;
+            let _e634 = phi_836_;
+            let _e636 = phi_837_;
+            let _e638 = phi_838_;
+            if _e638 {
+                phi_842_ = false;
+                phi_843_ = _e636;
             } else {
-                phi_814_ = _e630;
-                phi_815_ = _e632;
+                phi_842_ = _e632;
+                phi_843_ = _e634;
             }
-            let _e638 = phi_814_;
-            let _e640 = phi_815_;
-            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
-            let _e646 = p.member.flags;
-            if _e644.has_moved {
-                let _e651 = p.member.flags;
-                phi_829_ = ((_e651 & 4u) == 0u);
+            let _e640 = phi_842_;
+            let _e642 = phi_843_;
+            let _e646 = lt_mask_Reprojection(_e642.pixel, _e640, _e642.has_moved);
+            let _e648 = p.member.flags;
+            if _e646.has_moved {
+                let _e653 = p.member.flags;
+                phi_857_ = ((_e653 & 4u) == 0u);
             } else {
-                phi_829_ = false;
+                phi_857_ = false;
             }
-            let _e655 = phi_829_;
-            if ((_e646 & 2u) != 0u) {
+            let _e657 = phi_857_;
+            if ((_e648 & 2u) != 0u) {
                 if false {
-                    phi_842_ = bool();
-                    phi_843_ = true;
+                    phi_870_ = bool();
+                    phi_871_ = true;
                 } else {
                     if true {
-                        phi_840_ = !(_e655);
-                        phi_841_ = false;
+                        phi_868_ = !(_e657);
+                        phi_869_ = false;
                     } else {
-                        phi_840_ = bool();
-                        phi_841_ = true;
+                        phi_868_ = bool();
+                        phi_869_ = true;
                     }
-                    let _e658 = phi_840_;
-                    let _e660 = phi_841_;
-                    phi_842_ = _e658;
-                    phi_843_ = _e660;
+                    let _e660 = phi_868_;
+                    let _e662 = phi_869_;
+                    phi_870_ = _e660;
+                    phi_871_ = _e662;
                 }
-                let _e662 = phi_842_;
-                let _e664 = phi_843_;
-                phi_844_ = _e662;
-                phi_845_ = _e664;
+                let _e664 = phi_870_;
+                let _e666 = phi_871_;
+                phi_872_ = _e664;
+                phi_873_ = _e666;
             } else {
-                phi_844_ = bool();
-                phi_845_ = true;
+                phi_872_ = bool();
+                phi_873_ = true;
             }
-            let _e666 = phi_844_;
-            let _e668 = phi_845_;
-            if _e668 {
-                phi_849_ = false;
+            let _e668 = phi_872_;
+            let _e670 = phi_873_;
+            if _e670 {
+                phi_877_ = false;
             } else {
-                phi_849_ = _e666;
+                phi_877_ = _e668;
             }
-            let _e670 = phi_849_;
-            let _e671 = lt_mask_Neighbourhood(false, true);
-            if _e210 {
-                phi_854_ = _e670;
+            let _e672 = phi_877_;
+            let _e673 = lt_mask_Neighbourhood(false, true);
+            if _e212 {
+                phi_882_ = _e672;
             } else {
-                phi_854_ = true;
+                phi_882_ = true;
             }
-            let _e673 = phi_854_;
-            if _e673 {
-                if _e638 {
-                    if _e644.has_moved {
-                        let _e676 = p.member.moving_pattern;
-                        phi_869_ = _e676;
+            let _e675 = phi_882_;
+            if _e675 {
+                if _e640 {
+                    if _e646.has_moved {
+                        let _e678 = p.member.moving_pattern;
+                        phi_897_ = _e678;
                     } else {
-                        let _e678 = p.member.still_pattern;
-                        phi_869_ = _e678;
+                        let _e680 = p.member.still_pattern;
+                        phi_897_ = _e680;
                     }
-                    let _e680 = phi_869_;
-                    phi_871_ = 0u;
-                    phi_874_ = _e671;
+                    let _e682 = phi_897_;
+                    phi_899_ = 0u;
+                    phi_902_ = _e673;
                     loop {
-                        let _e682 = phi_871_;
-                        let _e684 = phi_874_;
-                        local_1 = _e684;
-                        if (1u <= _e680) {
-                            if (_e680 <= 4u) {
-                                phi_886_ = false;
+                        let _e684 = phi_899_;
+                        let _e686 = phi_902_;
+                        local_1 = _e686;
+                        if (1u <= _e682) {
+                            if (_e682 <= 4u) {
+                                phi_914_ = false;
                             } else {
-                                phi_886_ = true;
+                                phi_914_ = true;
                             }
-                            let _e688 = phi_886_;
-                            phi_887_ = _e688;
+                            let _e690 = phi_914_;
+                            phi_915_ = _e690;
                         } else {
-                            phi_887_ = true;
+                            phi_915_ = true;
                         }
-                        let _e690 = phi_887_;
-                        if _e690 {
-                            switch bitcast<i32>(_e680) {
+                        let _e692 = phi_915_;
+                        if _e692 {
+                            switch bitcast<i32>(_e682) {
                                 case 5: {
-                                    phi_895_ = 4u;
+                                    phi_924_ = 4u;
                                     break;
                                 }
                                 case 6: {
-                                    phi_895_ = 25u;
+                                    phi_924_ = 25u;
+                                    break;
+                                }
+                                case 7: {
+                                    phi_924_ = 13u;
                                     break;
                                 }
                                 default: {
-                                    phi_895_ = 9u;
+                                    phi_924_ = 9u;
                                     break;
                                 }
                             }
-                            let _e693 = phi_895_;
-                            phi_896_ = _e693;
+                            let _e695 = phi_924_;
+                            phi_925_ = _e695;
                         } else {
-                            phi_896_ = 5u;
+                            phi_925_ = 5u;
                         }
-                        let _e695 = phi_896_;
-                        let _e696 = (_e682 < _e695);
-                        if _e696 {
-                            let _e702 = p.member.frame;
-                            let _e706 = p.member.current.size[0u];
-                            let _e708 = p.member.current.size[1u];
-                            switch bitcast<i32>(_e680) {
+                        let _e697 = phi_925_;
+                        let _e698 = (_e684 < _e697);
+                        if _e698 {
+                            let _e704 = p.member.frame;
+                            let _e708 = p.member.current.size[0u];
+                            let _e710 = p.member.current.size[1u];
+                            switch bitcast<i32>(_e682) {
                                 case 1: {
-                                    let _e718 = lt_mask_pattern_plus(_e682);
-                                    phi_971_ = vec2<i32>(_e718.x, _e718.y);
+                                    let _e720 = lt_mask_pattern_plus(_e684);
+                                    phi_1005_ = vec2<i32>(_e720.x, _e720.y);
                                     break;
                                 }
                                 case 2: {
-                                    let _e722 = lt_mask_pattern_cross(_e682);
-                                    phi_971_ = vec2<i32>(_e722.x, _e722.y);
+                                    let _e724 = lt_mask_pattern_cross(_e684);
+                                    phi_1005_ = vec2<i32>(_e724.x, _e724.y);
                                     break;
                                 }
                                 case 3: {
-                                    let _e728 = lt_mask_pattern_plus_or_cross(_e682, ((_e644.pixel.x + _e644.pixel.y) & 1u));
-                                    phi_971_ = vec2<i32>(_e728.x, _e728.y);
+                                    let _e730 = lt_mask_pattern_plus_or_cross(_e684, ((_e646.pixel.x + _e646.pixel.y) & 1u));
+                                    phi_1005_ = vec2<i32>(_e730.x, _e730.y);
                                     break;
                                 }
                                 case 4: {
-                                    let _e733 = lt_mask_pattern_plus_or_cross(_e682, (_e702 & 1u));
-                                    phi_971_ = vec2<i32>(_e733.x, _e733.y);
+                                    let _e735 = lt_mask_pattern_plus_or_cross(_e684, (_e704 & 1u));
+                                    phi_1005_ = vec2<i32>(_e735.x, _e735.y);
                                     break;
                                 }
                                 case 5: {
-                                    switch bitcast<i32>((_e702 & 3u)) {
+                                    switch bitcast<i32>((_e704 & 3u)) {
                                         case 0: {
-                                            phi_955_ = vec2(-1i);
+                                            phi_985_ = vec2(-1i);
                                             break;
                                         }
                                         case 1: {
-                                            phi_955_ = vec2(0i);
+                                            phi_985_ = vec2(0i);
                                             break;
                                         }
                                         case 2: {
-                                            phi_955_ = vec2<i32>(0i, -1i);
+                                            phi_985_ = vec2<i32>(0i, -1i);
                                             break;
                                         }
                                         default: {
-                                            phi_955_ = vec2<i32>(-1i, 0i);
+                                            phi_985_ = vec2<i32>(-1i, 0i);
                                             break;
                                         }
                                     }
-                                    let _e744 = phi_955_;
-                                    phi_971_ = (_e744 + vec2<i32>(bitcast<i32>((_e682 & 1u)), bitcast<i32>(((_e682 >> bitcast<u32>(1i)) & 1u))));
+                                    let _e746 = phi_985_;
+                                    phi_1005_ = (_e746 + vec2<i32>(bitcast<i32>((_e684 & 1u)), bitcast<i32>(((_e684 >> bitcast<u32>(1i)) & 1u))));
                                     break;
                                 }
                                 case 6: {
-                                    phi_971_ = vec2<i32>((bitcast<i32>((_e682 % 5u)) - 2i), (bitcast<i32>(((_e682 / 5u) % 5u)) - 2i));
+                                    phi_1005_ = vec2<i32>((bitcast<i32>((_e684 % 5u)) - 2i), (bitcast<i32>(((_e684 / 5u) % 5u)) - 2i));
+                                    break;
+                                }
+                                case 7: {
+                                    let _e763 = lt_mask_pattern_diamond(_e684);
+                                    phi_1005_ = vec2<i32>(_e763.x, _e763.y);
                                     break;
                                 }
                                 default: {
-                                    phi_971_ = vec2<i32>((bitcast<i32>((_e682 % 3u)) - 1i), (bitcast<i32>(((_e682 / 3u) % 3u)) - 1i));
+                                    phi_1005_ = vec2<i32>((bitcast<i32>((_e684 % 3u)) - 1i), (bitcast<i32>(((_e684 / 3u) % 3u)) - 1i));
                                     break;
                                 }
                             }
-                            let _e762 = phi_971_;
-                            let _e765 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e762.x, _e706);
-                            let _e766 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e762.y, _e708);
-                            let _e768 = ((_e766 * _e83) + _e765);
-                            if (_e768 < arrayLength((&last_bits.member))) {
+                            let _e768 = phi_1005_;
+                            let _e771 = lt_mask_pattern_step_clamped(_e646.pixel.x, _e768.x, _e708);
+                            let _e772 = lt_mask_pattern_step_clamped(_e646.pixel.y, _e768.y, _e710);
+                            let _e774 = ((_e772 * _e85) + _e771);
+                            if (_e774 < arrayLength((&last_bits.member))) {
                             } else {
                                 return;
                             }
-                            let _e772 = last_bits.member[(0u + _e768)];
-                            if ((_e772 & 2u) == 0u) {
-                                phi_994_ = (_e772 & 1u);
+                            let _e778 = last_bits.member[(0u + _e774)];
+                            if ((_e778 & 2u) == 0u) {
+                                phi_1028_ = (_e778 & 1u);
                             } else {
-                                phi_994_ = (_e772 & 7u);
+                                phi_1028_ = (_e778 & 7u);
                             }
-                            let _e778 = phi_994_;
-                            if _e684.any_expands {
-                                phi_1020_ = true;
+                            let _e784 = phi_1028_;
+                            if _e686.any_expands {
+                                phi_1054_ = true;
                             } else {
-                                if ((_e778 & 2u) != 0u) {
-                                    if (((_e778 & 4u) != 0u) != _e206) {
-                                        phi_1011_ = false;
+                                if ((_e784 & 2u) != 0u) {
+                                    if (((_e784 & 4u) != 0u) != _e208) {
+                                        phi_1045_ = false;
                                     } else {
-                                        phi_1011_ = true;
+                                        phi_1045_ = true;
                                     }
-                                    let _e787 = phi_1011_;
-                                    phi_1012_ = _e787;
+                                    let _e793 = phi_1045_;
+                                    phi_1046_ = _e793;
                                 } else {
-                                    phi_1012_ = true;
+                                    phi_1046_ = true;
                                 }
-                                let _e789 = phi_1012_;
-                                if _e789 {
-                                    phi_1019_ = (((_e778 & 1u) != 0u) != _e206);
+                                let _e795 = phi_1046_;
+                                if _e795 {
+                                    phi_1053_ = (((_e784 & 1u) != 0u) != _e208);
                                 } else {
-                                    phi_1019_ = true;
+                                    phi_1053_ = true;
                                 }
-                                let _e794 = phi_1019_;
-                                phi_1020_ = _e794;
+                                let _e800 = phi_1053_;
+                                phi_1054_ = _e800;
                             }
-                            let _e796 = phi_1020_;
-                            if _e684.all_remove {
-                                if (((_e778 & 1u) != 0u) == _e206) {
-                                    if ((_e778 & 2u) != 0u) {
-                                        phi_1038_ = (((_e778 & 4u) != 0u) == _e206);
+                            let _e802 = phi_1054_;
+                            if _e686.all_remove {
+                                if (((_e784 & 1u) != 0u) == _e208) {
+                                    if ((_e784 & 2u) != 0u) {
+                                        phi_1072_ = (((_e784 & 4u) != 0u) == _e208);
                                     } else {
-                                        phi_1038_ = true;
+                                        phi_1072_ = true;
                                     }
-                                    let _e806 = phi_1038_;
-                                    phi_1039_ = _e806;
+                                    let _e812 = phi_1072_;
+                                    phi_1073_ = _e812;
                                 } else {
-                                    phi_1039_ = false;
+                                    phi_1073_ = false;
                                 }
-                                let _e808 = phi_1039_;
-                                phi_1040_ = _e808;
+                                let _e814 = phi_1073_;
+                                phi_1074_ = _e814;
                             } else {
-                                phi_1040_ = false;
+                                phi_1074_ = false;
                             }
-                            let _e810 = phi_1040_;
-                            phi_872_ = (_e682 + 1u);
-                            phi_875_ = lt_mask_Neighbourhood(_e796, _e810);
+                            let _e816 = phi_1074_;
+                            phi_900_ = (_e684 + 1u);
+                            phi_903_ = lt_mask_Neighbourhood(_e802, _e816);
                         } else {
-                            phi_872_ = u32();
-                            phi_875_ = lt_mask_Neighbourhood();
+                            phi_900_ = u32();
+                            phi_903_ = lt_mask_Neighbourhood();
                         }
-                        let _e814 = phi_872_;
-                        let _e816 = phi_875_;
+                        let _e820 = phi_900_;
+                        let _e822 = phi_903_;
                         continue;
                         continuing {
-                            phi_871_ = _e814;
-                            phi_874_ = _e816;
-                            break if !(_e696);
+                            phi_899_ = _e820;
+                            phi_902_ = _e822;
+                            break if !(_e698);
                         }
                     }
-                    let _e1038 = local_1;
-                    phi_1043_ = _e1038;
+                    let _e1044 = local_1;
+                    phi_1077_ = _e1044;
                 } else {
-                    phi_1043_ = _e671;
+                    phi_1077_ = _e673;
                 }
-                let _e819 = phi_1043_;
-                phi_1044_ = _e819;
+                let _e825 = phi_1077_;
+                phi_1078_ = _e825;
             } else {
-                phi_1044_ = _e671;
+                phi_1078_ = _e673;
             }
-            let _e821 = phi_1044_;
-            if (_e91 != 0.5f) {
-                if _e638 {
-                    if _e210 {
-                        phi_1070_ = true;
+            let _e827 = phi_1078_;
+            if (_e93 != 0.5f) {
+                if _e640 {
+                    if _e212 {
+                        phi_1104_ = true;
                     } else {
-                        if _e821.any_expands {
-                            phi_1069_ = false;
+                        if _e827.any_expands {
+                            phi_1103_ = false;
                         } else {
-                            phi_1069_ = true;
+                            phi_1103_ = true;
                         }
-                        let _e826 = phi_1069_;
-                        phi_1070_ = _e826;
+                        let _e832 = phi_1103_;
+                        phi_1104_ = _e832;
                     }
-                    let _e828 = phi_1070_;
-                    if _e828 {
-                        if _e210 {
-                            if _e670 {
-                                if _e821.all_remove {
-                                    phi_1083_ = false;
+                    let _e834 = phi_1104_;
+                    if _e834 {
+                        if _e212 {
+                            if _e672 {
+                                if _e827.all_remove {
+                                    phi_1117_ = false;
                                 } else {
-                                    phi_1083_ = true;
+                                    phi_1117_ = true;
                                 }
-                                let _e830 = phi_1083_;
-                                phi_1084_ = _e830;
+                                let _e836 = phi_1117_;
+                                phi_1118_ = _e836;
                             } else {
-                                phi_1084_ = true;
+                                phi_1118_ = true;
                             }
-                            let _e832 = phi_1084_;
-                            phi_1085_ = _e832;
+                            let _e838 = phi_1118_;
+                            phi_1119_ = _e838;
                         } else {
-                            phi_1085_ = true;
+                            phi_1119_ = true;
                         }
-                        let _e834 = phi_1085_;
-                        if _e834 {
-                            if _e210 {
-                                phi_1092_ = 1u;
+                        let _e840 = phi_1119_;
+                        if _e840 {
+                            if _e212 {
+                                phi_1126_ = 1u;
                             } else {
-                                phi_1092_ = 0u;
+                                phi_1126_ = 0u;
                             }
-                            let _e836 = phi_1092_;
-                            phi_1093_ = _e836;
+                            let _e842 = phi_1126_;
+                            phi_1127_ = _e842;
                         } else {
-                            phi_1093_ = 5u;
+                            phi_1127_ = 5u;
                         }
-                        let _e838 = phi_1093_;
-                        phi_1094_ = _e838;
+                        let _e844 = phi_1127_;
+                        phi_1128_ = _e844;
                     } else {
-                        phi_1094_ = 4u;
+                        phi_1128_ = 4u;
                     }
-                    let _e840 = phi_1094_;
-                    phi_1095_ = _e840;
+                    let _e846 = phi_1128_;
+                    phi_1129_ = _e846;
                 } else {
-                    phi_1095_ = 3u;
+                    phi_1129_ = 3u;
                 }
-                let _e842 = phi_1095_;
-                phi_1096_ = _e842;
+                let _e848 = phi_1129_;
+                phi_1130_ = _e848;
             } else {
-                phi_1096_ = 2u;
+                phi_1130_ = 2u;
             }
-            let _e844 = phi_1096_;
-            if !((_e844 == 0u)) {
-                phi_1104_ = !((_e844 == 5u));
+            let _e850 = phi_1130_;
+            if !((_e850 == 0u)) {
+                phi_1138_ = !((_e850 == 5u));
             } else {
-                phi_1104_ = false;
+                phi_1138_ = false;
             }
-            let _e850 = phi_1104_;
-            if _e850 {
-                if _e206 {
-                    phi_1112_ = (2u | 1u);
+            let _e856 = phi_1138_;
+            if _e856 {
+                if _e208 {
+                    phi_1146_ = (2u | 1u);
                 } else {
-                    phi_1112_ = 2u;
+                    phi_1146_ = 2u;
                 }
-                let _e853 = phi_1112_;
+                let _e859 = phi_1146_;
                 if false {
-                    phi_1117_ = (_e853 | 4u);
+                    phi_1151_ = (_e859 | 4u);
                 } else {
-                    phi_1117_ = _e853;
+                    phi_1151_ = _e859;
                 }
-                let _e856 = phi_1117_;
-                phi_1122_ = _e856;
+                let _e862 = phi_1151_;
+                phi_1156_ = _e862;
             } else {
-                if _e206 {
-                    phi_1121_ = 1u;
+                if _e208 {
+                    phi_1155_ = 1u;
                 } else {
-                    phi_1121_ = 0u;
+                    phi_1155_ = 0u;
                 }
-                let _e858 = phi_1121_;
-                phi_1122_ = _e858;
+                let _e864 = phi_1155_;
+                phi_1156_ = _e864;
             }
-            let _e860 = phi_1122_;
-            if _e206 {
-                phi_1126_ = 0f;
+            let _e866 = phi_1156_;
+            if _e208 {
+                phi_1160_ = 0f;
             } else {
-                phi_1126_ = 1f;
+                phi_1160_ = 1f;
             }
-            let _e862 = phi_1126_;
-            phi_1128_ = mask_Masked(_e862, _e860, _e850);
+            let _e868 = phi_1160_;
+            phi_1162_ = mask_Masked(_e868, _e866, _e856);
         }
-        let _e865 = phi_1128_;
-        visibility.member[_e75.first_primitive] = _e865.visibility;
-        bits.member[_e75.first_primitive] = _e865.bits;
-        let _e873 = samples.member[_e75.first_primitive].normal[0u];
-        let _e875 = global[0u];
-        if (_e873 == _e875) {
-            let _e878 = samples.member[_e75.first_primitive].normal[1u];
-            let _e880 = global[1u];
-            if (_e878 == _e880) {
-                let _e883 = samples.member[_e75.first_primitive].normal[2u];
-                let _e885 = global[2u];
-                phi_1156_ = (_e883 == _e885);
-                phi_1157_ = false;
+        let _e871 = phi_1162_;
+        visibility.member[_e77.first_primitive] = _e871.visibility;
+        bits.member[_e77.first_primitive] = _e871.bits;
+        let _e879 = samples.member[_e77.first_primitive].normal[0u];
+        let _e881 = global[0u];
+        if (_e879 == _e881) {
+            let _e884 = samples.member[_e77.first_primitive].normal[1u];
+            let _e886 = global[1u];
+            if (_e884 == _e886) {
+                let _e889 = samples.member[_e77.first_primitive].normal[2u];
+                let _e891 = global[2u];
+                phi_1190_ = (_e889 == _e891);
+                phi_1191_ = false;
             } else {
-                phi_1156_ = bool();
-                phi_1157_ = true;
+                phi_1190_ = bool();
+                phi_1191_ = true;
             }
-            let _e888 = phi_1156_;
-            let _e890 = phi_1157_;
-            phi_1158_ = _e888;
-            phi_1159_ = _e890;
+            let _e894 = phi_1190_;
+            let _e896 = phi_1191_;
+            phi_1192_ = _e894;
+            phi_1193_ = _e896;
         } else {
-            phi_1158_ = bool();
-            phi_1159_ = true;
+            phi_1192_ = bool();
+            phi_1193_ = true;
         }
-        let _e892 = phi_1158_;
-        let _e894 = phi_1159_;
-        if _e894 {
-            phi_1163_ = false;
+        let _e898 = phi_1192_;
+        let _e900 = phi_1193_;
+        if _e900 {
+            phi_1197_ = false;
         } else {
-            phi_1163_ = _e892;
+            phi_1197_ = _e898;
         }
-        let _e896 = phi_1163_;
-        if !(_e896) {
-            let _e899 = samples.member[_e75.first_primitive].position;
-            let _e901 = p.member.current.eye;
-            let _e912 = p.member.current.forward;
-            phi_1191_ = ((((_e899.x - _e901.x) * _e912.x) + ((_e899.y - _e901.y) * _e912.y)) + ((_e899.z - _e901.z) * _e912.z));
+        let _e902 = phi_1197_;
+        if !(_e902) {
+            let _e905 = samples.member[_e77.first_primitive].position;
+            let _e907 = p.member.current.eye;
+            let _e918 = p.member.current.forward;
+            phi_1225_ = ((((_e905.x - _e907.x) * _e918.x) + ((_e905.y - _e907.y) * _e918.y)) + ((_e905.z - _e907.z) * _e918.z));
         } else {
-            phi_1191_ = 0f;
+            phi_1225_ = 0f;
         }
-        let _e922 = phi_1191_;
-        depths.member[_e75.first_primitive] = _e922;
-        phi_1194_ = _e865.needs_ray;
-        phi_1195_ = _e75.first_primitive;
+        let _e928 = phi_1225_;
+        depths.member[_e77.first_primitive] = _e928;
+        phi_1228_ = _e871.needs_ray;
+        phi_1229_ = _e77.first_primitive;
     } else {
-        phi_1194_ = false;
-        phi_1195_ = 0u;
+        phi_1228_ = false;
+        phi_1229_ = 0u;
     }
-    let _e926 = phi_1194_;
-    let _e928 = phi_1195_;
-    if (_e55 == 0u) {
+    let _e932 = phi_1228_;
+    let _e934 = phi_1229_;
+    if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e926 {
-        let _e932 = atomicAdd((&shared_[0u]), 1u);
-        phi_1206_ = _e932;
+    if _e932 {
+        let _e938 = atomicAdd((&shared_[0u]), 1u);
+        phi_1240_ = _e938;
     } else {
-        phi_1206_ = 0u;
+        phi_1240_ = 0u;
     }
-    let _e934 = phi_1206_;
+    let _e940 = phi_1240_;
     workgroupBarrier();
-    if (_e55 == 0u) {
-        let _e938 = atomicLoad((&shared_[0u]));
-        let _e939 = atomicAdd((&list.member[3u]), _e938);
-        atomicStore((&shared_[1u]), _e939);
+    if (_e57 == 0u) {
+        let _e944 = atomicLoad((&shared_[0u]));
+        let _e945 = atomicAdd((&list.member[3u]), _e944);
+        atomicStore((&shared_[1u]), _e945);
     }
     workgroupBarrier();
-    if _e926 {
-        let _e942 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e942) + _e934)]), _e928);
+    if _e932 {
+        let _e948 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e948) + _e940)]), _e934);
     }
     return;
 }

@@ -114,969 +114,1008 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_168_: lt_bvh_traverse_Tree;
-    var phi_169_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
-    var phi_171_: bool;
-    var phi_176_: lt_bvh_traverse_Tree;
+    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_172_: bool;
+    var phi_173_: lt_bvh_traverse_Tree;
+    var phi_174_: bool;
+    var phi_179_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_169_ = false;
+            phi_171_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_172_ = false;
         } else {
-            phi_168_ = lt_bvh_traverse_Tree();
-            phi_169_ = true;
+            phi_171_ = lt_bvh_traverse_Tree();
+            phi_172_ = true;
         }
-        let _e67 = phi_168_;
-        let _e69 = phi_169_;
-        phi_170_ = _e67;
-        phi_171_ = _e69;
+        let _e69 = phi_171_;
+        let _e71 = phi_172_;
+        phi_173_ = _e69;
+        phi_174_ = _e71;
     } else {
-        phi_170_ = lt_bvh_traverse_Tree();
-        phi_171_ = true;
+        phi_173_ = lt_bvh_traverse_Tree();
+        phi_174_ = true;
     }
-    let _e71 = phi_170_;
-    let _e73 = phi_171_;
-    if _e73 {
-        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e73 = phi_173_;
+    let _e75 = phi_174_;
+    if _e75 {
+        phi_179_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_176_ = _e71;
+        phi_179_ = _e73;
     }
-    let _e78 = phi_176_;
-    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
+    let _e80 = phi_179_;
+    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_194_: vec2<i32>;
+    var phi_197_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_194_ = vec2(0i);
+            phi_197_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_194_ = vec2<i32>(0i, -1i);
+            phi_197_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_194_ = vec2<i32>(-1i, 0i);
+            phi_197_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_194_ = vec2<i32>(1i, 0i);
+            phi_197_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_194_ = vec2<i32>(0i, 1i);
+            phi_197_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e63 = phi_194_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e65 = phi_197_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_212_: vec2<i32>;
+    var phi_215_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_212_ = vec2(0i);
+            phi_215_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_212_ = vec2(-1i);
+            phi_215_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_212_ = vec2<i32>(1i, -1i);
+            phi_215_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_212_ = vec2<i32>(-1i, 1i);
+            phi_215_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_212_ = vec2(1i);
+            phi_215_ = vec2(1i);
             break;
         }
     }
-    let _e63 = phi_212_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e65 = phi_215_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_231_: vec2<i32>;
+    var phi_234_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e57 = lt_mask_pattern_plus(param_5);
-        phi_231_ = vec2<i32>(_e57.x, _e57.y);
+        let _e59 = lt_mask_pattern_plus(param_5);
+        phi_234_ = vec2<i32>(_e59.x, _e59.y);
     } else {
-        let _e61 = lt_mask_pattern_cross(param_5);
-        phi_231_ = vec2<i32>(_e61.x, _e61.y);
+        let _e63 = lt_mask_pattern_cross(param_5);
+        phi_234_ = vec2<i32>(_e63.x, _e63.y);
     }
-    let _e66 = phi_231_;
-    return vec2<i32>(_e66.x, _e66.y);
+    let _e68 = phi_234_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_252_: u32;
-    var phi_253_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_259_: vec2<i32>;
 
-    let _e58 = (bitcast<i32>(param_7) + param_8);
-    if (_e58 < 0i) {
-        phi_253_ = 0u;
-    } else {
-        if (_e58 >= bitcast<i32>(param_9)) {
-            phi_252_ = (param_9 - 1u);
-        } else {
-            phi_252_ = bitcast<u32>(_e58);
+    let _e57 = (param_7 % 13u);
+    switch bitcast<i32>(_e57) {
+        case 9: {
+            phi_259_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e65 = phi_252_;
-        phi_253_ = _e65;
+        case 10: {
+            phi_259_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_259_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_259_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_259_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e67 = phi_253_;
-    return _e67;
+    let _e72 = phi_259_;
+    return vec2<i32>(_e72.x, _e72.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_280_: u32;
+    var phi_281_: u32;
+
+    let _e60 = (bitcast<i32>(param_8) + param_9);
+    if (_e60 < 0i) {
+        phi_281_ = 0u;
+    } else {
+        if (_e60 >= bitcast<i32>(param_10)) {
+            phi_280_ = (param_10 - 1u);
+        } else {
+            phi_280_ = bitcast<u32>(_e60);
+        }
+        let _e67 = phi_280_;
+        phi_281_ = _e67;
+    }
+    let _e69 = phi_281_;
+    return _e69;
 }
 
 fn function_() {
-    var phi_323_: bool;
-    var phi_324_: bool;
-    var phi_325_: bool;
-    var phi_326_: bool;
-    var phi_330_: bool;
-    var phi_374_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_378_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_391_: bool;
-    var phi_577_: f32;
-    var phi_582_: f32;
-    var phi_583_: bool;
-    var phi_584_: f32;
-    var phi_585_: bool;
-    var phi_589_: f32;
+    var phi_351_: bool;
+    var phi_352_: bool;
+    var phi_353_: bool;
+    var phi_354_: bool;
+    var phi_358_: bool;
+    var phi_402_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_406_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_419_: bool;
+    var phi_605_: f32;
+    var phi_610_: f32;
+    var phi_611_: bool;
     var phi_612_: f32;
+    var phi_613_: bool;
     var phi_617_: f32;
-    var phi_618_: bool;
-    var phi_619_: f32;
-    var phi_620_: bool;
-    var phi_624_: f32;
-    var phi_645_: bool;
-    var phi_664_: vec2<u32>;
-    var phi_665_: bool;
-    var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: vec2<u32>;
-    var phi_669_: bool;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_672_: bool;
+    var phi_640_: f32;
+    var phi_645_: f32;
+    var phi_646_: bool;
+    var phi_647_: f32;
+    var phi_648_: bool;
+    var phi_652_: f32;
     var phi_673_: bool;
-    var phi_674_: bool;
-    var phi_675_: vec2<u32>;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_678_: bool;
-    var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: vec2<u32>;
-    var phi_683_: bool;
-    var phi_684_: bool;
-    var phi_685_: bool;
-    var phi_686_: bool;
+    var phi_692_: vec2<u32>;
+    var phi_693_: bool;
+    var phi_694_: bool;
     var phi_695_: bool;
-    var phi_696_: bool;
+    var phi_696_: vec2<u32>;
     var phi_697_: bool;
     var phi_698_: bool;
+    var phi_699_: bool;
+    var phi_700_: bool;
+    var phi_701_: bool;
     var phi_702_: bool;
-    var phi_703_: bool;
-    var phi_704_: vec2<u32>;
-    var phi_787_: bool;
-    var phi_791_: f32;
-    var phi_795_: lt_mask_Reprojection;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_807_: bool;
-    var phi_808_: lt_mask_Reprojection;
-    var phi_809_: lt_mask_Reprojection;
-    var phi_810_: bool;
-    var phi_814_: bool;
-    var phi_815_: lt_mask_Reprojection;
-    var phi_843_: u32;
-    var phi_845_: u32;
-    var phi_848_: lt_mask_Neighbourhood;
-    var phi_860_: bool;
-    var phi_861_: bool;
-    var phi_869_: u32;
-    var phi_870_: u32;
-    var phi_929_: vec2<i32>;
-    var phi_945_: vec2<i32>;
-    var phi_968_: u32;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_993_: bool;
-    var phi_994_: bool;
-    var phi_1012_: bool;
-    var phi_1013_: bool;
-    var phi_1014_: bool;
-    var phi_846_: u32;
-    var phi_849_: lt_mask_Neighbourhood;
-    var phi_1017_: lt_mask_Neighbourhood;
-    var phi_1018_: lt_mask_Neighbourhood;
-    var phi_1019_: lt_mask_Neighbourhood;
-    var phi_1044_: bool;
-    var phi_1045_: bool;
-    var phi_1058_: bool;
-    var phi_1059_: bool;
-    var phi_1060_: bool;
-    var phi_1067_: u32;
-    var phi_1068_: u32;
-    var phi_1069_: u32;
-    var phi_1070_: u32;
-    var phi_1071_: u32;
+    var phi_703_: vec2<u32>;
+    var phi_704_: bool;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_710_: vec2<u32>;
+    var phi_711_: bool;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_723_: bool;
+    var phi_724_: bool;
+    var phi_725_: bool;
+    var phi_726_: bool;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_732_: vec2<u32>;
+    var phi_815_: bool;
+    var phi_819_: f32;
+    var phi_823_: lt_mask_Reprojection;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_835_: bool;
+    var phi_836_: lt_mask_Reprojection;
+    var phi_837_: lt_mask_Reprojection;
+    var phi_838_: bool;
+    var phi_842_: bool;
+    var phi_843_: lt_mask_Reprojection;
+    var phi_871_: u32;
+    var phi_873_: u32;
+    var phi_876_: lt_mask_Neighbourhood;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_898_: u32;
+    var phi_899_: u32;
+    var phi_959_: vec2<i32>;
+    var phi_979_: vec2<i32>;
+    var phi_1002_: u32;
+    var phi_1019_: bool;
+    var phi_1020_: bool;
+    var phi_1027_: bool;
+    var phi_1028_: bool;
+    var phi_1046_: bool;
+    var phi_1047_: bool;
+    var phi_1048_: bool;
+    var phi_874_: u32;
+    var phi_877_: lt_mask_Neighbourhood;
+    var phi_1051_: lt_mask_Neighbourhood;
+    var phi_1052_: lt_mask_Neighbourhood;
+    var phi_1053_: lt_mask_Neighbourhood;
+    var phi_1078_: bool;
     var phi_1079_: bool;
-    var phi_1087_: u32;
-    var phi_1092_: u32;
-    var phi_1096_: u32;
-    var phi_1097_: u32;
-    var phi_1101_: f32;
-    var phi_1103_: mask_Masked;
-    var phi_1131_: bool;
-    var phi_1132_: bool;
-    var phi_1133_: bool;
-    var phi_1134_: bool;
-    var phi_1138_: bool;
-    var phi_1166_: f32;
-    var phi_1169_: bool;
-    var phi_1170_: u32;
-    var phi_1181_: u32;
+    var phi_1092_: bool;
+    var phi_1093_: bool;
+    var phi_1094_: bool;
+    var phi_1101_: u32;
+    var phi_1102_: u32;
+    var phi_1103_: u32;
+    var phi_1104_: u32;
+    var phi_1105_: u32;
+    var phi_1113_: bool;
+    var phi_1121_: u32;
+    var phi_1126_: u32;
+    var phi_1130_: u32;
+    var phi_1131_: u32;
+    var phi_1135_: f32;
+    var phi_1137_: mask_Masked;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1172_: bool;
+    var phi_1200_: f32;
+    var phi_1203_: bool;
+    var phi_1204_: u32;
+    var phi_1215_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e54 = id_1;
-    let _e55 = local_2;
-    let _e72 = p.member.current.size[0u];
-    let _e74 = p.member.current.size[1u];
-    let _e75 = lt_shaders_entry_pixel_index(_e54, _e72, _e74);
-    if (bitcast<i32>(_e75.root) != 0i) {
-        let _e83 = p.member.current.size[0u];
-        let _e86 = past.member[_e75.first_primitive];
-        let _e91 = visibility.member[_e75.first_primitive];
-        let _e95 = p.member.light;
-        let _e98 = samples.member[_e75.first_primitive].normal[0u];
-        let _e100 = global[0u];
-        if (_e98 == _e100) {
-            let _e103 = samples.member[_e75.first_primitive].normal[1u];
-            let _e105 = global[1u];
-            if (_e103 == _e105) {
-                let _e108 = samples.member[_e75.first_primitive].normal[2u];
-                let _e110 = global[2u];
-                phi_323_ = (_e108 == _e110);
-                phi_324_ = false;
+    let _e56 = id_1;
+    let _e57 = local_2;
+    let _e74 = p.member.current.size[0u];
+    let _e76 = p.member.current.size[1u];
+    let _e77 = lt_shaders_entry_pixel_index(_e56, _e74, _e76);
+    if (bitcast<i32>(_e77.root) != 0i) {
+        let _e85 = p.member.current.size[0u];
+        let _e88 = past.member[_e77.first_primitive];
+        let _e93 = visibility.member[_e77.first_primitive];
+        let _e97 = p.member.light;
+        let _e100 = samples.member[_e77.first_primitive].normal[0u];
+        let _e102 = global[0u];
+        if (_e100 == _e102) {
+            let _e105 = samples.member[_e77.first_primitive].normal[1u];
+            let _e107 = global[1u];
+            if (_e105 == _e107) {
+                let _e110 = samples.member[_e77.first_primitive].normal[2u];
+                let _e112 = global[2u];
+                phi_351_ = (_e110 == _e112);
+                phi_352_ = false;
             } else {
-                phi_323_ = bool();
-                phi_324_ = true;
+                phi_351_ = bool();
+                phi_352_ = true;
             }
-            let _e113 = phi_323_;
-            let _e115 = phi_324_;
-            phi_325_ = _e113;
-            phi_326_ = _e115;
+            let _e115 = phi_351_;
+            let _e117 = phi_352_;
+            phi_353_ = _e115;
+            phi_354_ = _e117;
         } else {
-            phi_325_ = bool();
-            phi_326_ = true;
+            phi_353_ = bool();
+            phi_354_ = true;
         }
-        let _e117 = phi_325_;
-        let _e119 = phi_326_;
-        if _e119 {
-            phi_330_ = false;
+        let _e119 = phi_353_;
+        let _e121 = phi_354_;
+        if _e121 {
+            phi_358_ = false;
         } else {
-            phi_330_ = _e117;
+            phi_358_ = _e119;
         }
-        let _e121 = phi_330_;
-        if !(_e121) {
-            let _e124 = samples.member[_e75.first_primitive].normal;
-            let _e126 = samples.member[_e75.first_primitive].position;
-            if ((((_e124.x * (_e95.x - (_e126.x * _e95.w))) + (_e124.y * (_e95.y - (_e126.y * _e95.w)))) + (_e124.z * (_e95.z - (_e126.z * _e95.w)))) > 0f) {
-                let _e150 = samples.member[_e75.first_primitive].flags;
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e158.unnamed.visibility, false), _e158.unnamed_1);
-                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e164.unnamed, ((_e150 & 1u) == 0u));
+        let _e123 = phi_358_;
+        if !(_e123) {
+            let _e126 = samples.member[_e77.first_primitive].normal;
+            let _e128 = samples.member[_e77.first_primitive].position;
+            if ((((_e126.x * (_e97.x - (_e128.x * _e97.w))) + (_e126.y * (_e97.y - (_e128.y * _e97.w)))) + (_e126.z * (_e97.z - (_e128.z * _e97.w)))) > 0f) {
+                let _e152 = samples.member[_e77.first_primitive].flags;
+                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
+                phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
             } else {
-                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                phi_374_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, true);
+                let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
+                phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, true);
             }
-            let _e184 = phi_374_;
-            phi_378_ = _e184;
+            let _e186 = phi_402_;
+            phi_406_ = _e186;
         } else {
-            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
-            phi_378_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, true);
+            let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+            phi_406_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
         }
-        let _e201 = phi_378_;
-        if _e201.unnamed_1 {
-            phi_1103_ = mask_Masked(_e201.unnamed.visibility, 0u, false);
+        let _e203 = phi_406_;
+        if _e203.unnamed_1 {
+            phi_1137_ = mask_Masked(_e203.unnamed.visibility, 0u, false);
         } else {
-            let _e206 = (_e91 < 0.5f);
-            if (_e91 > 0f) {
-                phi_391_ = (_e91 < 1f);
+            let _e208 = (_e93 < 0.5f);
+            if (_e93 > 0f) {
+                phi_419_ = (_e93 < 1f);
             } else {
-                phi_391_ = false;
+                phi_419_ = false;
             }
-            let _e210 = phi_391_;
-            let _e212 = samples.member[_e75.first_primitive].position;
-            let _e216 = p.member.previous.eye;
-            let _e218 = (_e86.x - _e216.x);
-            let _e220 = (_e86.y - _e216.y);
-            let _e222 = (_e86.z - _e216.z);
-            let _e224 = p.member.previous.forward;
-            let _e232 = (((_e218 * _e224.x) + (_e220 * _e224.y)) + (_e222 * _e224.z));
-            let _e234 = p.member.previous.right;
-            let _e244 = p.member.previous.right;
-            let _e259 = p.member.previous.up;
-            let _e269 = p.member.previous.up;
-            let _e284 = p.member.current.eye;
-            let _e287 = (_e212.x - _e284.x);
-            let _e290 = (_e212.y - _e284.y);
-            let _e293 = (_e212.z - _e284.z);
-            let _e295 = p.member.current.forward;
-            let _e303 = (((_e287 * _e295.x) + (_e290 * _e295.y)) + (_e293 * _e295.z));
-            let _e305 = p.member.current.right;
-            let _e315 = p.member.current.right;
-            let _e330 = p.member.current.up;
-            let _e340 = p.member.current.up;
-            let _e359 = p.member.current.size[0u];
-            let _e361 = (((((((_e218 * _e234.x) + (_e220 * _e234.y)) + (_e222 * _e234.z)) / ((((_e244.x * _e244.x) + (_e244.y * _e244.y)) + (_e244.z * _e244.z)) * _e232)) - ((((_e287 * _e305.x) + (_e290 * _e305.y)) + (_e293 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e303))) * 0.5f) * f32(_e359));
-            let _e365 = p.member.current.size[1u];
-            let _e367 = (((((((_e218 * _e259.x) + (_e220 * _e259.y)) + (_e222 * _e259.z)) / ((((_e269.x * _e269.x) + (_e269.y * _e269.y)) + (_e269.z * _e269.z)) * _e232)) - ((((_e287 * _e330.x) + (_e290 * _e330.y)) + (_e293 * _e330.z)) / ((((_e340.x * _e340.x) + (_e340.y * _e340.y)) + (_e340.z * _e340.z)) * _e303))) * -0.5f) * f32(_e365));
-            let _e371 = p.member.current.size[0u];
-            let _e373 = p.member.current.size[1u];
-            let _e377 = ((f32(_e54.x) + 0.5f) + _e361);
-            if (_e377 > -8388608f) {
-                let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
-                if (_e389 > _e377) {
-                    phi_577_ = 1f;
+            let _e212 = phi_419_;
+            let _e214 = samples.member[_e77.first_primitive].position;
+            let _e218 = p.member.previous.eye;
+            let _e220 = (_e88.x - _e218.x);
+            let _e222 = (_e88.y - _e218.y);
+            let _e224 = (_e88.z - _e218.z);
+            let _e226 = p.member.previous.forward;
+            let _e234 = (((_e220 * _e226.x) + (_e222 * _e226.y)) + (_e224 * _e226.z));
+            let _e236 = p.member.previous.right;
+            let _e246 = p.member.previous.right;
+            let _e261 = p.member.previous.up;
+            let _e271 = p.member.previous.up;
+            let _e286 = p.member.current.eye;
+            let _e289 = (_e214.x - _e286.x);
+            let _e292 = (_e214.y - _e286.y);
+            let _e295 = (_e214.z - _e286.z);
+            let _e297 = p.member.current.forward;
+            let _e305 = (((_e289 * _e297.x) + (_e292 * _e297.y)) + (_e295 * _e297.z));
+            let _e307 = p.member.current.right;
+            let _e317 = p.member.current.right;
+            let _e332 = p.member.current.up;
+            let _e342 = p.member.current.up;
+            let _e361 = p.member.current.size[0u];
+            let _e363 = (((((((_e220 * _e236.x) + (_e222 * _e236.y)) + (_e224 * _e236.z)) / ((((_e246.x * _e246.x) + (_e246.y * _e246.y)) + (_e246.z * _e246.z)) * _e234)) - ((((_e289 * _e307.x) + (_e292 * _e307.y)) + (_e295 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e305))) * 0.5f) * f32(_e361));
+            let _e367 = p.member.current.size[1u];
+            let _e369 = (((((((_e220 * _e261.x) + (_e222 * _e261.y)) + (_e224 * _e261.z)) / ((((_e271.x * _e271.x) + (_e271.y * _e271.y)) + (_e271.z * _e271.z)) * _e234)) - ((((_e289 * _e332.x) + (_e292 * _e332.y)) + (_e295 * _e332.z)) / ((((_e342.x * _e342.x) + (_e342.y * _e342.y)) + (_e342.z * _e342.z)) * _e305))) * -0.5f) * f32(_e367));
+            let _e373 = p.member.current.size[0u];
+            let _e375 = p.member.current.size[1u];
+            let _e379 = ((f32(_e56.x) + 0.5f) + _e363);
+            if (_e379 > -8388608f) {
+                let _e391 = f32(select(0i, select(select(i32(_e379), i32(-2147483648), (_e379 < bitcast<f32>(3472883712u))), 2147483647i, (_e379 > bitcast<f32>(1325400063u))), (_e379 == _e379)));
+                if (_e391 > _e379) {
+                    phi_605_ = 1f;
                 } else {
-                    phi_577_ = 0f;
+                    phi_605_ = 0f;
                 }
-                let _e392 = phi_577_;
-                if (_e377 < 8388608f) {
-                    phi_582_ = (_e389 - _e392);
-                    phi_583_ = false;
+                let _e394 = phi_605_;
+                if (_e379 < 8388608f) {
+                    phi_610_ = (_e391 - _e394);
+                    phi_611_ = false;
                 } else {
-                    phi_582_ = f32();
-                    phi_583_ = true;
+                    phi_610_ = f32();
+                    phi_611_ = true;
                 }
-                let _e395 = phi_582_;
-                let _e397 = phi_583_;
-                phi_584_ = _e395;
-                phi_585_ = _e397;
+                let _e397 = phi_610_;
+                let _e399 = phi_611_;
+                phi_612_ = _e397;
+                phi_613_ = _e399;
             } else {
-                phi_584_ = f32();
-                phi_585_ = true;
+                phi_612_ = f32();
+                phi_613_ = true;
             }
-            let _e399 = phi_584_;
-            let _e401 = phi_585_;
-            if _e401 {
-                phi_589_ = _e377;
+            let _e401 = phi_612_;
+            let _e403 = phi_613_;
+            if _e403 {
+                phi_617_ = _e379;
             } else {
-                phi_589_ = _e399;
+                phi_617_ = _e401;
             }
-            let _e403 = phi_589_;
-            let _e406 = ((f32(_e54.y) + 0.5f) + _e367);
-            if (_e406 > -8388608f) {
-                let _e418 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
-                if (_e418 > _e406) {
-                    phi_612_ = 1f;
+            let _e405 = phi_617_;
+            let _e408 = ((f32(_e56.y) + 0.5f) + _e369);
+            if (_e408 > -8388608f) {
+                let _e420 = f32(select(0i, select(select(i32(_e408), i32(-2147483648), (_e408 < bitcast<f32>(3472883712u))), 2147483647i, (_e408 > bitcast<f32>(1325400063u))), (_e408 == _e408)));
+                if (_e420 > _e408) {
+                    phi_640_ = 1f;
                 } else {
-                    phi_612_ = 0f;
+                    phi_640_ = 0f;
                 }
-                let _e421 = phi_612_;
-                if (_e406 < 8388608f) {
-                    phi_617_ = (_e418 - _e421);
-                    phi_618_ = false;
+                let _e423 = phi_640_;
+                if (_e408 < 8388608f) {
+                    phi_645_ = (_e420 - _e423);
+                    phi_646_ = false;
                 } else {
-                    phi_617_ = f32();
-                    phi_618_ = true;
+                    phi_645_ = f32();
+                    phi_646_ = true;
                 }
-                let _e424 = phi_617_;
-                let _e426 = phi_618_;
-                phi_619_ = _e424;
-                phi_620_ = _e426;
+                let _e426 = phi_645_;
+                let _e428 = phi_646_;
+                phi_647_ = _e426;
+                phi_648_ = _e428;
             } else {
-                phi_619_ = f32();
-                phi_620_ = true;
+                phi_647_ = f32();
+                phi_648_ = true;
             }
-            let _e428 = phi_619_;
-            let _e430 = phi_620_;
-            if _e430 {
-                phi_624_ = _e406;
+            let _e430 = phi_647_;
+            let _e432 = phi_648_;
+            if _e432 {
+                phi_652_ = _e408;
             } else {
-                phi_624_ = _e428;
+                phi_652_ = _e430;
             }
-            let _e432 = phi_624_;
-            if (_e403 >= 0f) {
-                if (_e432 >= 0f) {
-                    if (_e403 < f32(_e371)) {
-                        let _e438 = (_e432 < f32(_e373));
-                        if (_e361 == 0f) {
-                            phi_645_ = (_e367 == 0f);
+            let _e434 = phi_652_;
+            if (_e405 >= 0f) {
+                if (_e434 >= 0f) {
+                    if (_e405 < f32(_e373)) {
+                        let _e440 = (_e434 < f32(_e375));
+                        if (_e363 == 0f) {
+                            phi_673_ = (_e369 == 0f);
                         } else {
-                            phi_645_ = false;
+                            phi_673_ = false;
                         }
-                        let _e442 = phi_645_;
-                        if _e438 {
-                            phi_664_ = vec2<u32>(select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))), select(select(u32(_e432), 0u, (_e432 < bitcast<f32>(0u))), 4294967295u, (_e432 > bitcast<f32>(1333788671u))));
-                            phi_665_ = false;
+                        let _e444 = phi_673_;
+                        if _e440 {
+                            phi_692_ = vec2<u32>(select(select(u32(_e405), 0u, (_e405 < bitcast<f32>(0u))), 4294967295u, (_e405 > bitcast<f32>(1333788671u))), select(select(u32(_e434), 0u, (_e434 < bitcast<f32>(0u))), 4294967295u, (_e434 > bitcast<f32>(1333788671u))));
+                            phi_693_ = false;
                         } else {
-                            phi_664_ = vec2<u32>();
-                            phi_665_ = true;
+                            phi_692_ = vec2<u32>();
+                            phi_693_ = true;
                         }
-                        let _e459 = phi_664_;
-                        let _e461 = phi_665_;
-                        phi_666_ = _e442;
-                        phi_667_ = _e438;
-                        phi_668_ = _e459;
-                        phi_669_ = _e442;
-                        phi_670_ = _e438;
-                        phi_671_ = false;
-                        phi_672_ = _e461;
+                        let _e461 = phi_692_;
+                        let _e463 = phi_693_;
+                        phi_694_ = _e444;
+                        phi_695_ = _e440;
+                        phi_696_ = _e461;
+                        phi_697_ = _e444;
+                        phi_698_ = _e440;
+                        phi_699_ = false;
+                        phi_700_ = _e463;
                     } else {
-                        phi_666_ = bool();
-                        phi_667_ = bool();
-                        phi_668_ = vec2<u32>();
-                        phi_669_ = bool();
-                        phi_670_ = bool();
-                        phi_671_ = true;
-                        phi_672_ = false;
+                        phi_694_ = bool();
+                        phi_695_ = bool();
+                        phi_696_ = vec2<u32>();
+                        phi_697_ = bool();
+                        phi_698_ = bool();
+                        phi_699_ = true;
+                        phi_700_ = false;
                     }
-                    let _e463 = phi_666_;
-                    let _e465 = phi_667_;
-                    let _e467 = phi_668_;
-                    let _e469 = phi_669_;
-                    let _e471 = phi_670_;
-                    let _e473 = phi_671_;
-                    let _e475 = phi_672_;
-                    phi_673_ = _e463;
-                    phi_674_ = _e465;
-                    phi_675_ = _e467;
-                    phi_676_ = _e469;
-                    phi_677_ = _e471;
-                    phi_678_ = _e473;
-                    phi_679_ = _e475;
+                    let _e465 = phi_694_;
+                    let _e467 = phi_695_;
+                    let _e469 = phi_696_;
+                    let _e471 = phi_697_;
+                    let _e473 = phi_698_;
+                    let _e475 = phi_699_;
+                    let _e477 = phi_700_;
+                    phi_701_ = _e465;
+                    phi_702_ = _e467;
+                    phi_703_ = _e469;
+                    phi_704_ = _e471;
+                    phi_705_ = _e473;
+                    phi_706_ = _e475;
+                    phi_707_ = _e477;
                 } else {
-                    phi_673_ = bool();
-                    phi_674_ = bool();
-                    phi_675_ = vec2<u32>();
-                    phi_676_ = bool();
-                    phi_677_ = bool();
-                    phi_678_ = true;
-                    phi_679_ = false;
+                    phi_701_ = bool();
+                    phi_702_ = bool();
+                    phi_703_ = vec2<u32>();
+                    phi_704_ = bool();
+                    phi_705_ = bool();
+                    phi_706_ = true;
+                    phi_707_ = false;
                 }
-                let _e477 = phi_673_;
-                let _e479 = phi_674_;
-                let _e481 = phi_675_;
-                let _e483 = phi_676_;
-                let _e485 = phi_677_;
-                let _e487 = phi_678_;
-                let _e489 = phi_679_;
-                phi_680_ = _e477;
-                phi_681_ = _e479;
-                phi_682_ = _e481;
-                phi_683_ = _e483;
-                phi_684_ = _e485;
-                phi_685_ = _e487;
-                phi_686_ = _e489;
+                let _e479 = phi_701_;
+                let _e481 = phi_702_;
+                let _e483 = phi_703_;
+                let _e485 = phi_704_;
+                let _e487 = phi_705_;
+                let _e489 = phi_706_;
+                let _e491 = phi_707_;
+                phi_708_ = _e479;
+                phi_709_ = _e481;
+                phi_710_ = _e483;
+                phi_711_ = _e485;
+                phi_712_ = _e487;
+                phi_713_ = _e489;
+                phi_714_ = _e491;
             } else {
-                phi_680_ = bool();
-                phi_681_ = bool();
-                phi_682_ = vec2<u32>();
-                phi_683_ = bool();
-                phi_684_ = bool();
-                phi_685_ = true;
-                phi_686_ = false;
+                phi_708_ = bool();
+                phi_709_ = bool();
+                phi_710_ = vec2<u32>();
+                phi_711_ = bool();
+                phi_712_ = bool();
+                phi_713_ = true;
+                phi_714_ = false;
             }
-            let _e491 = phi_680_;
-            let _e493 = phi_681_;
-            let _e495 = phi_682_;
-            let _e497 = phi_683_;
-            let _e499 = phi_684_;
-            let _e501 = phi_685_;
-            let _e503 = phi_686_;
-            if _e501 {
-                if (_e361 == 0f) {
-                    phi_695_ = (_e367 == 0f);
+            let _e493 = phi_708_;
+            let _e495 = phi_709_;
+            let _e497 = phi_710_;
+            let _e499 = phi_711_;
+            let _e501 = phi_712_;
+            let _e503 = phi_713_;
+            let _e505 = phi_714_;
+            if _e503 {
+                if (_e363 == 0f) {
+                    phi_723_ = (_e369 == 0f);
                 } else {
-                    phi_695_ = false;
+                    phi_723_ = false;
                 }
-                let _e507 = phi_695_;
-                phi_696_ = _e507;
-                phi_697_ = false;
-                phi_698_ = true;
+                let _e509 = phi_723_;
+                phi_724_ = _e509;
+                phi_725_ = false;
+                phi_726_ = true;
             } else {
-                phi_696_ = _e497;
-                phi_697_ = _e499;
-                phi_698_ = _e503;
+                phi_724_ = _e499;
+                phi_725_ = _e501;
+                phi_726_ = _e505;
             }
-            let _e509 = phi_696_;
-            let _e511 = phi_697_;
-            let _e513 = phi_698_;
-            if _e513 {
-                phi_702_ = _e509;
-                phi_703_ = _e511;
-                phi_704_ = vec2<u32>(_e54.x, _e54.y);
+            let _e511 = phi_724_;
+            let _e513 = phi_725_;
+            let _e515 = phi_726_;
+            if _e515 {
+                phi_730_ = _e511;
+                phi_731_ = _e513;
+                phi_732_ = vec2<u32>(_e56.x, _e56.y);
             } else {
-                phi_702_ = _e491;
-                phi_703_ = _e493;
-                phi_704_ = _e495;
+                phi_730_ = _e493;
+                phi_731_ = _e495;
+                phi_732_ = _e497;
             }
-            let _e515 = phi_702_;
-            let _e517 = phi_703_;
-            let _e519 = phi_704_;
-            let _e529 = lt_mask_Reprojection(vec2<u32>(_e519.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e536 = lt_mask_Reprojection(vec2<u32>(_e529.pixel.x, _e519.y), _e529.is_valid, _e529.has_moved);
-            let _e540 = lt_mask_Reprojection(_e536.pixel, _e517, _e536.has_moved);
-            let _e544 = lt_mask_Reprojection(_e540.pixel, _e540.is_valid, !(_e515));
-            if _e517 {
-                let _e547 = p.member.previous.eye;
-                let _e555 = p.member.previous.forward;
-                let _e564 = (((((_e86.x - _e547.x) * _e555.x) + ((_e86.y - _e547.y) * _e555.y)) + ((_e86.z - _e547.z) * _e555.z)) > 0f);
-                let _e568 = lt_mask_Reprojection(_e544.pixel, _e564, _e544.has_moved);
-                if _e564 {
-                    let _e571 = p.member.previous.eye;
-                    let _e579 = p.member.previous.forward;
-                    let _e587 = ((((_e86.x - _e571.x) * _e579.x) + ((_e86.y - _e571.y) * _e579.y)) + ((_e86.z - _e571.z) * _e579.z));
-                    let _e589 = ((_e519.y * _e83) + _e519.x);
-                    if (_e589 < arrayLength((&last_depths.member))) {
+            let _e517 = phi_730_;
+            let _e519 = phi_731_;
+            let _e521 = phi_732_;
+            let _e531 = lt_mask_Reprojection(vec2<u32>(_e521.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e538 = lt_mask_Reprojection(vec2<u32>(_e531.pixel.x, _e521.y), _e531.is_valid, _e531.has_moved);
+            let _e542 = lt_mask_Reprojection(_e538.pixel, _e519, _e538.has_moved);
+            let _e546 = lt_mask_Reprojection(_e542.pixel, _e542.is_valid, !(_e517));
+            if _e519 {
+                let _e549 = p.member.previous.eye;
+                let _e557 = p.member.previous.forward;
+                let _e566 = (((((_e88.x - _e549.x) * _e557.x) + ((_e88.y - _e549.y) * _e557.y)) + ((_e88.z - _e549.z) * _e557.z)) > 0f);
+                let _e570 = lt_mask_Reprojection(_e546.pixel, _e566, _e546.has_moved);
+                if _e566 {
+                    let _e573 = p.member.previous.eye;
+                    let _e581 = p.member.previous.forward;
+                    let _e589 = ((((_e88.x - _e573.x) * _e581.x) + ((_e88.y - _e573.y) * _e581.y)) + ((_e88.z - _e573.z) * _e581.z));
+                    let _e591 = ((_e521.y * _e85) + _e521.x);
+                    if (_e591 < arrayLength((&last_depths.member))) {
                     } else {
                         return;
                     }
-                    let _e593 = last_depths.member[(0u + _e589)];
-                    let _e595 = p.member.depth_tolerance;
-                    let _e598 = abs(_e587);
-                    let _e599 = abs(_e593);
-                    if ((bitcast<u32>(_e599) & 2147483647u) > 2139095040u) {
-                        phi_787_ = true;
+                    let _e595 = last_depths.member[(0u + _e591)];
+                    let _e597 = p.member.depth_tolerance;
+                    let _e600 = abs(_e589);
+                    let _e601 = abs(_e595);
+                    if ((bitcast<u32>(_e601) & 2147483647u) > 2139095040u) {
+                        phi_815_ = true;
                     } else {
-                        let _e603 = (_e599 > _e598);
-                        if _e603 {
+                        let _e605 = (_e601 > _e600);
+                        if _e605 {
                         }
-                        phi_787_ = _e603;
+                        phi_815_ = _e605;
                     }
-                    let _e605 = phi_787_;
-                    if _e605 {
-                        phi_791_ = _e599;
+                    let _e607 = phi_815_;
+                    if _e607 {
+                        phi_819_ = _e601;
                     } else {
-                        phi_791_ = _e598;
+                        phi_819_ = _e600;
                     }
-                    let _e607 = phi_791_;
-                    phi_795_ = lt_mask_Reprojection(_e568.pixel, (abs((_e587 - _e593)) <= (_e595 * _e607)), _e568.has_moved);
+                    let _e609 = phi_819_;
+                    phi_823_ = lt_mask_Reprojection(_e570.pixel, (abs((_e589 - _e595)) <= (_e597 * _e609)), _e570.has_moved);
                 } else {
-                    phi_795_ = _e568;
+                    phi_823_ = _e570;
                 }
-                let _e615 = phi_795_;
-                if _e615.is_valid {
-                    let _e618 = p.member.flags;
-                    phi_804_ = ((_e618 & 1u) != 0u);
-                    phi_805_ = false;
+                let _e617 = phi_823_;
+                if _e617.is_valid {
+                    let _e620 = p.member.flags;
+                    phi_832_ = ((_e620 & 1u) != 0u);
+                    phi_833_ = false;
                 } else {
-                    phi_804_ = bool();
-                    phi_805_ = true;
+                    phi_832_ = bool();
+                    phi_833_ = true;
                 }
-                let _e622 = phi_804_;
-                let _e624 = phi_805_;
-                phi_807_ = _e622;
-                phi_808_ = _e615;
-                phi_809_ = _e615;
-                phi_810_ = _e624;
+                let _e624 = phi_832_;
+                let _e626 = phi_833_;
+                phi_835_ = _e624;
+                phi_836_ = _e617;
+                phi_837_ = _e617;
+                phi_838_ = _e626;
             } else {
-                phi_807_ = bool();
-                phi_808_ = lt_mask_Reprojection();
-                phi_809_ = lt_mask_Reprojection(_e544.pixel, false, _e544.has_moved);
-                phi_810_ = true;
+                phi_835_ = bool();
+                phi_836_ = lt_mask_Reprojection();
+                phi_837_ = lt_mask_Reprojection(_e546.pixel, false, _e546.has_moved);
+                phi_838_ = true;
             }
-            let _e630 = phi_807_;
-            let _e632 = phi_808_;
-            let _e634 = phi_809_;
-            let _e636 = phi_810_;
-            if _e636 {
-                phi_814_ = false;
-                phi_815_ = _e634;
+            let _e632 = phi_835_;
+            let _e634 = phi_836_;
+            let _e636 = phi_837_;
+            let _e638 = phi_838_;
+            if _e638 {
+                phi_842_ = false;
+                phi_843_ = _e636;
             } else {
-                phi_814_ = _e630;
-                phi_815_ = _e632;
+                phi_842_ = _e632;
+                phi_843_ = _e634;
             }
-            let _e638 = phi_814_;
-            let _e640 = phi_815_;
-            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
-            if _e644.has_moved {
+            let _e640 = phi_842_;
+            let _e642 = phi_843_;
+            let _e646 = lt_mask_Reprojection(_e642.pixel, _e640, _e642.has_moved);
+            if _e646.has_moved {
             }
-            let _e650 = lt_mask_Neighbourhood(false, true);
-            if _e210 {
-                phi_1019_ = _e650;
+            let _e652 = lt_mask_Neighbourhood(false, true);
+            if _e212 {
+                phi_1053_ = _e652;
             } else {
                 if true {
-                    if _e638 {
-                        if _e644.has_moved {
-                            let _e653 = p.member.moving_pattern;
-                            phi_843_ = _e653;
+                    if _e640 {
+                        if _e646.has_moved {
+                            let _e655 = p.member.moving_pattern;
+                            phi_871_ = _e655;
                         } else {
-                            let _e655 = p.member.still_pattern;
-                            phi_843_ = _e655;
+                            let _e657 = p.member.still_pattern;
+                            phi_871_ = _e657;
                         }
-                        let _e657 = phi_843_;
-                        phi_845_ = 0u;
-                        phi_848_ = _e650;
+                        let _e659 = phi_871_;
+                        phi_873_ = 0u;
+                        phi_876_ = _e652;
                         loop {
-                            let _e659 = phi_845_;
-                            let _e661 = phi_848_;
-                            local_1 = _e661;
-                            if (1u <= _e657) {
-                                if (_e657 <= 4u) {
-                                    phi_860_ = false;
+                            let _e661 = phi_873_;
+                            let _e663 = phi_876_;
+                            local_1 = _e663;
+                            if (1u <= _e659) {
+                                if (_e659 <= 4u) {
+                                    phi_888_ = false;
                                 } else {
-                                    phi_860_ = true;
+                                    phi_888_ = true;
                                 }
-                                let _e665 = phi_860_;
-                                phi_861_ = _e665;
+                                let _e667 = phi_888_;
+                                phi_889_ = _e667;
                             } else {
-                                phi_861_ = true;
+                                phi_889_ = true;
                             }
-                            let _e667 = phi_861_;
-                            if _e667 {
-                                switch bitcast<i32>(_e657) {
+                            let _e669 = phi_889_;
+                            if _e669 {
+                                switch bitcast<i32>(_e659) {
                                     case 5: {
-                                        phi_869_ = 4u;
+                                        phi_898_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_869_ = 25u;
+                                        phi_898_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_898_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_869_ = 9u;
+                                        phi_898_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e670 = phi_869_;
-                                phi_870_ = _e670;
+                                let _e672 = phi_898_;
+                                phi_899_ = _e672;
                             } else {
-                                phi_870_ = 5u;
+                                phi_899_ = 5u;
                             }
-                            let _e672 = phi_870_;
-                            let _e673 = (_e659 < _e672);
-                            if _e673 {
-                                let _e679 = p.member.frame;
-                                let _e683 = p.member.current.size[0u];
-                                let _e685 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e657) {
+                            let _e674 = phi_899_;
+                            let _e675 = (_e661 < _e674);
+                            if _e675 {
+                                let _e681 = p.member.frame;
+                                let _e685 = p.member.current.size[0u];
+                                let _e687 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e659) {
                                     case 1: {
-                                        let _e695 = lt_mask_pattern_plus(_e659);
-                                        phi_945_ = vec2<i32>(_e695.x, _e695.y);
+                                        let _e697 = lt_mask_pattern_plus(_e661);
+                                        phi_979_ = vec2<i32>(_e697.x, _e697.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e699 = lt_mask_pattern_cross(_e659);
-                                        phi_945_ = vec2<i32>(_e699.x, _e699.y);
+                                        let _e701 = lt_mask_pattern_cross(_e661);
+                                        phi_979_ = vec2<i32>(_e701.x, _e701.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e705 = lt_mask_pattern_plus_or_cross(_e659, ((_e644.pixel.x + _e644.pixel.y) & 1u));
-                                        phi_945_ = vec2<i32>(_e705.x, _e705.y);
+                                        let _e707 = lt_mask_pattern_plus_or_cross(_e661, ((_e646.pixel.x + _e646.pixel.y) & 1u));
+                                        phi_979_ = vec2<i32>(_e707.x, _e707.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e710 = lt_mask_pattern_plus_or_cross(_e659, (_e679 & 1u));
-                                        phi_945_ = vec2<i32>(_e710.x, _e710.y);
+                                        let _e712 = lt_mask_pattern_plus_or_cross(_e661, (_e681 & 1u));
+                                        phi_979_ = vec2<i32>(_e712.x, _e712.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e679 & 3u)) {
+                                        switch bitcast<i32>((_e681 & 3u)) {
                                             case 0: {
-                                                phi_929_ = vec2(-1i);
+                                                phi_959_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_929_ = vec2(0i);
+                                                phi_959_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_929_ = vec2<i32>(0i, -1i);
+                                                phi_959_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_929_ = vec2<i32>(-1i, 0i);
+                                                phi_959_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e721 = phi_929_;
-                                        phi_945_ = (_e721 + vec2<i32>(bitcast<i32>((_e659 & 1u)), bitcast<i32>(((_e659 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e723 = phi_959_;
+                                        phi_979_ = (_e723 + vec2<i32>(bitcast<i32>((_e661 & 1u)), bitcast<i32>(((_e661 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_945_ = vec2<i32>((bitcast<i32>((_e659 % 5u)) - 2i), (bitcast<i32>(((_e659 / 5u) % 5u)) - 2i));
+                                        phi_979_ = vec2<i32>((bitcast<i32>((_e661 % 5u)) - 2i), (bitcast<i32>(((_e661 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e740 = lt_mask_pattern_diamond(_e661);
+                                        phi_979_ = vec2<i32>(_e740.x, _e740.y);
                                         break;
                                     }
                                     default: {
-                                        phi_945_ = vec2<i32>((bitcast<i32>((_e659 % 3u)) - 1i), (bitcast<i32>(((_e659 / 3u) % 3u)) - 1i));
+                                        phi_979_ = vec2<i32>((bitcast<i32>((_e661 % 3u)) - 1i), (bitcast<i32>(((_e661 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e739 = phi_945_;
-                                let _e742 = lt_mask_pattern_step_clamped(_e644.pixel.x, _e739.x, _e683);
-                                let _e743 = lt_mask_pattern_step_clamped(_e644.pixel.y, _e739.y, _e685);
-                                let _e745 = ((_e743 * _e83) + _e742);
-                                if (_e745 < arrayLength((&last_bits.member))) {
+                                let _e745 = phi_979_;
+                                let _e748 = lt_mask_pattern_step_clamped(_e646.pixel.x, _e745.x, _e685);
+                                let _e749 = lt_mask_pattern_step_clamped(_e646.pixel.y, _e745.y, _e687);
+                                let _e751 = ((_e749 * _e85) + _e748);
+                                if (_e751 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e749 = last_bits.member[(0u + _e745)];
-                                if ((_e749 & 2u) == 0u) {
-                                    phi_968_ = (_e749 & 1u);
+                                let _e755 = last_bits.member[(0u + _e751)];
+                                if ((_e755 & 2u) == 0u) {
+                                    phi_1002_ = (_e755 & 1u);
                                 } else {
-                                    phi_968_ = (_e749 & 7u);
+                                    phi_1002_ = (_e755 & 7u);
                                 }
-                                let _e755 = phi_968_;
-                                if _e661.any_expands {
-                                    phi_994_ = true;
+                                let _e761 = phi_1002_;
+                                if _e663.any_expands {
+                                    phi_1028_ = true;
                                 } else {
-                                    if ((_e755 & 2u) != 0u) {
-                                        if (((_e755 & 4u) != 0u) != _e206) {
-                                            phi_985_ = false;
+                                    if ((_e761 & 2u) != 0u) {
+                                        if (((_e761 & 4u) != 0u) != _e208) {
+                                            phi_1019_ = false;
                                         } else {
-                                            phi_985_ = true;
+                                            phi_1019_ = true;
                                         }
-                                        let _e764 = phi_985_;
-                                        phi_986_ = _e764;
+                                        let _e770 = phi_1019_;
+                                        phi_1020_ = _e770;
                                     } else {
-                                        phi_986_ = true;
+                                        phi_1020_ = true;
                                     }
-                                    let _e766 = phi_986_;
-                                    if _e766 {
-                                        phi_993_ = (((_e755 & 1u) != 0u) != _e206);
+                                    let _e772 = phi_1020_;
+                                    if _e772 {
+                                        phi_1027_ = (((_e761 & 1u) != 0u) != _e208);
                                     } else {
-                                        phi_993_ = true;
+                                        phi_1027_ = true;
                                     }
-                                    let _e771 = phi_993_;
-                                    phi_994_ = _e771;
+                                    let _e777 = phi_1027_;
+                                    phi_1028_ = _e777;
                                 }
-                                let _e773 = phi_994_;
-                                if _e661.all_remove {
-                                    if (((_e755 & 1u) != 0u) == _e206) {
-                                        if ((_e755 & 2u) != 0u) {
-                                            phi_1012_ = (((_e755 & 4u) != 0u) == _e206);
+                                let _e779 = phi_1028_;
+                                if _e663.all_remove {
+                                    if (((_e761 & 1u) != 0u) == _e208) {
+                                        if ((_e761 & 2u) != 0u) {
+                                            phi_1046_ = (((_e761 & 4u) != 0u) == _e208);
                                         } else {
-                                            phi_1012_ = true;
+                                            phi_1046_ = true;
                                         }
-                                        let _e783 = phi_1012_;
-                                        phi_1013_ = _e783;
+                                        let _e789 = phi_1046_;
+                                        phi_1047_ = _e789;
                                     } else {
-                                        phi_1013_ = false;
+                                        phi_1047_ = false;
                                     }
-                                    let _e785 = phi_1013_;
-                                    phi_1014_ = _e785;
+                                    let _e791 = phi_1047_;
+                                    phi_1048_ = _e791;
                                 } else {
-                                    phi_1014_ = false;
+                                    phi_1048_ = false;
                                 }
-                                let _e787 = phi_1014_;
-                                phi_846_ = (_e659 + 1u);
-                                phi_849_ = lt_mask_Neighbourhood(_e773, _e787);
+                                let _e793 = phi_1048_;
+                                phi_874_ = (_e661 + 1u);
+                                phi_877_ = lt_mask_Neighbourhood(_e779, _e793);
                             } else {
-                                phi_846_ = u32();
-                                phi_849_ = lt_mask_Neighbourhood();
+                                phi_874_ = u32();
+                                phi_877_ = lt_mask_Neighbourhood();
                             }
-                            let _e791 = phi_846_;
-                            let _e793 = phi_849_;
+                            let _e797 = phi_874_;
+                            let _e799 = phi_877_;
                             continue;
                             continuing {
-                                phi_845_ = _e791;
-                                phi_848_ = _e793;
-                                break if !(_e673);
+                                phi_873_ = _e797;
+                                phi_876_ = _e799;
+                                break if !(_e675);
                             }
                         }
-                        let _e1008 = local_1;
-                        phi_1017_ = _e1008;
+                        let _e1014 = local_1;
+                        phi_1051_ = _e1014;
                     } else {
-                        phi_1017_ = _e650;
+                        phi_1051_ = _e652;
                     }
-                    let _e796 = phi_1017_;
-                    phi_1018_ = _e796;
+                    let _e802 = phi_1051_;
+                    phi_1052_ = _e802;
                 } else {
-                    phi_1018_ = _e650;
+                    phi_1052_ = _e652;
                 }
-                let _e798 = phi_1018_;
-                phi_1019_ = _e798;
+                let _e804 = phi_1052_;
+                phi_1053_ = _e804;
             }
-            let _e800 = phi_1019_;
-            if (_e91 != 0.5f) {
-                if _e638 {
-                    if _e210 {
-                        phi_1045_ = true;
+            let _e806 = phi_1053_;
+            if (_e93 != 0.5f) {
+                if _e640 {
+                    if _e212 {
+                        phi_1079_ = true;
                     } else {
-                        if _e800.any_expands {
-                            phi_1044_ = false;
+                        if _e806.any_expands {
+                            phi_1078_ = false;
                         } else {
-                            phi_1044_ = true;
+                            phi_1078_ = true;
                         }
-                        let _e805 = phi_1044_;
-                        phi_1045_ = _e805;
+                        let _e811 = phi_1078_;
+                        phi_1079_ = _e811;
                     }
-                    let _e807 = phi_1045_;
-                    if _e807 {
-                        if _e210 {
+                    let _e813 = phi_1079_;
+                    if _e813 {
+                        if _e212 {
                             if false {
-                                if _e800.all_remove {
-                                    phi_1058_ = false;
+                                if _e806.all_remove {
+                                    phi_1092_ = false;
                                 } else {
-                                    phi_1058_ = true;
+                                    phi_1092_ = true;
                                 }
-                                let _e809 = phi_1058_;
-                                phi_1059_ = _e809;
+                                let _e815 = phi_1092_;
+                                phi_1093_ = _e815;
                             } else {
-                                phi_1059_ = true;
+                                phi_1093_ = true;
                             }
-                            let _e811 = phi_1059_;
-                            phi_1060_ = _e811;
+                            let _e817 = phi_1093_;
+                            phi_1094_ = _e817;
                         } else {
-                            phi_1060_ = true;
+                            phi_1094_ = true;
                         }
-                        let _e813 = phi_1060_;
-                        if _e813 {
-                            if _e210 {
-                                phi_1067_ = 1u;
+                        let _e819 = phi_1094_;
+                        if _e819 {
+                            if _e212 {
+                                phi_1101_ = 1u;
                             } else {
-                                phi_1067_ = 0u;
+                                phi_1101_ = 0u;
                             }
-                            let _e815 = phi_1067_;
-                            phi_1068_ = _e815;
+                            let _e821 = phi_1101_;
+                            phi_1102_ = _e821;
                         } else {
-                            phi_1068_ = 5u;
+                            phi_1102_ = 5u;
                         }
-                        let _e817 = phi_1068_;
-                        phi_1069_ = _e817;
+                        let _e823 = phi_1102_;
+                        phi_1103_ = _e823;
                     } else {
-                        phi_1069_ = 4u;
+                        phi_1103_ = 4u;
                     }
-                    let _e819 = phi_1069_;
-                    phi_1070_ = _e819;
+                    let _e825 = phi_1103_;
+                    phi_1104_ = _e825;
                 } else {
-                    phi_1070_ = 3u;
+                    phi_1104_ = 3u;
                 }
-                let _e821 = phi_1070_;
-                phi_1071_ = _e821;
+                let _e827 = phi_1104_;
+                phi_1105_ = _e827;
             } else {
-                phi_1071_ = 2u;
+                phi_1105_ = 2u;
             }
-            let _e823 = phi_1071_;
-            if !((_e823 == 0u)) {
-                phi_1079_ = !((_e823 == 5u));
+            let _e829 = phi_1105_;
+            if !((_e829 == 0u)) {
+                phi_1113_ = !((_e829 == 5u));
             } else {
-                phi_1079_ = false;
+                phi_1113_ = false;
             }
-            let _e829 = phi_1079_;
-            if _e829 {
-                if _e206 {
-                    phi_1087_ = (2u | 1u);
+            let _e835 = phi_1113_;
+            if _e835 {
+                if _e208 {
+                    phi_1121_ = (2u | 1u);
                 } else {
-                    phi_1087_ = 2u;
+                    phi_1121_ = 2u;
                 }
-                let _e832 = phi_1087_;
+                let _e838 = phi_1121_;
                 if false {
-                    phi_1092_ = (_e832 | 4u);
+                    phi_1126_ = (_e838 | 4u);
                 } else {
-                    phi_1092_ = _e832;
+                    phi_1126_ = _e838;
                 }
-                let _e835 = phi_1092_;
-                phi_1097_ = _e835;
+                let _e841 = phi_1126_;
+                phi_1131_ = _e841;
             } else {
-                if _e206 {
-                    phi_1096_ = 1u;
+                if _e208 {
+                    phi_1130_ = 1u;
                 } else {
-                    phi_1096_ = 0u;
+                    phi_1130_ = 0u;
                 }
-                let _e837 = phi_1096_;
-                phi_1097_ = _e837;
+                let _e843 = phi_1130_;
+                phi_1131_ = _e843;
             }
-            let _e839 = phi_1097_;
-            if _e206 {
-                phi_1101_ = 0f;
+            let _e845 = phi_1131_;
+            if _e208 {
+                phi_1135_ = 0f;
             } else {
-                phi_1101_ = 1f;
+                phi_1135_ = 1f;
             }
-            let _e841 = phi_1101_;
-            phi_1103_ = mask_Masked(_e841, _e839, _e829);
+            let _e847 = phi_1135_;
+            phi_1137_ = mask_Masked(_e847, _e845, _e835);
         }
-        let _e844 = phi_1103_;
-        visibility.member[_e75.first_primitive] = _e844.visibility;
-        bits.member[_e75.first_primitive] = _e844.bits;
-        let _e852 = samples.member[_e75.first_primitive].normal[0u];
-        let _e854 = global[0u];
-        if (_e852 == _e854) {
-            let _e857 = samples.member[_e75.first_primitive].normal[1u];
-            let _e859 = global[1u];
-            if (_e857 == _e859) {
-                let _e862 = samples.member[_e75.first_primitive].normal[2u];
-                let _e864 = global[2u];
-                phi_1131_ = (_e862 == _e864);
-                phi_1132_ = false;
+        let _e850 = phi_1137_;
+        visibility.member[_e77.first_primitive] = _e850.visibility;
+        bits.member[_e77.first_primitive] = _e850.bits;
+        let _e858 = samples.member[_e77.first_primitive].normal[0u];
+        let _e860 = global[0u];
+        if (_e858 == _e860) {
+            let _e863 = samples.member[_e77.first_primitive].normal[1u];
+            let _e865 = global[1u];
+            if (_e863 == _e865) {
+                let _e868 = samples.member[_e77.first_primitive].normal[2u];
+                let _e870 = global[2u];
+                phi_1165_ = (_e868 == _e870);
+                phi_1166_ = false;
             } else {
-                phi_1131_ = bool();
-                phi_1132_ = true;
+                phi_1165_ = bool();
+                phi_1166_ = true;
             }
-            let _e867 = phi_1131_;
-            let _e869 = phi_1132_;
-            phi_1133_ = _e867;
-            phi_1134_ = _e869;
+            let _e873 = phi_1165_;
+            let _e875 = phi_1166_;
+            phi_1167_ = _e873;
+            phi_1168_ = _e875;
         } else {
-            phi_1133_ = bool();
-            phi_1134_ = true;
+            phi_1167_ = bool();
+            phi_1168_ = true;
         }
-        let _e871 = phi_1133_;
-        let _e873 = phi_1134_;
-        if _e873 {
-            phi_1138_ = false;
+        let _e877 = phi_1167_;
+        let _e879 = phi_1168_;
+        if _e879 {
+            phi_1172_ = false;
         } else {
-            phi_1138_ = _e871;
+            phi_1172_ = _e877;
         }
-        let _e875 = phi_1138_;
-        if !(_e875) {
-            let _e878 = samples.member[_e75.first_primitive].position;
-            let _e880 = p.member.current.eye;
-            let _e891 = p.member.current.forward;
-            phi_1166_ = ((((_e878.x - _e880.x) * _e891.x) + ((_e878.y - _e880.y) * _e891.y)) + ((_e878.z - _e880.z) * _e891.z));
+        let _e881 = phi_1172_;
+        if !(_e881) {
+            let _e884 = samples.member[_e77.first_primitive].position;
+            let _e886 = p.member.current.eye;
+            let _e897 = p.member.current.forward;
+            phi_1200_ = ((((_e884.x - _e886.x) * _e897.x) + ((_e884.y - _e886.y) * _e897.y)) + ((_e884.z - _e886.z) * _e897.z));
         } else {
-            phi_1166_ = 0f;
+            phi_1200_ = 0f;
         }
-        let _e901 = phi_1166_;
-        depths.member[_e75.first_primitive] = _e901;
-        phi_1169_ = _e844.needs_ray;
-        phi_1170_ = _e75.first_primitive;
+        let _e907 = phi_1200_;
+        depths.member[_e77.first_primitive] = _e907;
+        phi_1203_ = _e850.needs_ray;
+        phi_1204_ = _e77.first_primitive;
     } else {
-        phi_1169_ = false;
-        phi_1170_ = 0u;
+        phi_1203_ = false;
+        phi_1204_ = 0u;
     }
-    let _e905 = phi_1169_;
-    let _e907 = phi_1170_;
-    if (_e55 == 0u) {
+    let _e911 = phi_1203_;
+    let _e913 = phi_1204_;
+    if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e905 {
-        let _e911 = atomicAdd((&shared_[0u]), 1u);
-        phi_1181_ = _e911;
+    if _e911 {
+        let _e917 = atomicAdd((&shared_[0u]), 1u);
+        phi_1215_ = _e917;
     } else {
-        phi_1181_ = 0u;
+        phi_1215_ = 0u;
     }
-    let _e913 = phi_1181_;
+    let _e919 = phi_1215_;
     workgroupBarrier();
-    if (_e55 == 0u) {
-        let _e917 = atomicLoad((&shared_[0u]));
-        let _e918 = atomicAdd((&list.member[3u]), _e917);
-        atomicStore((&shared_[1u]), _e918);
+    if (_e57 == 0u) {
+        let _e923 = atomicLoad((&shared_[0u]));
+        let _e924 = atomicAdd((&list.member[3u]), _e923);
+        atomicStore((&shared_[1u]), _e924);
     }
     workgroupBarrier();
-    if _e905 {
-        let _e921 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e921) + _e913)]), _e907);
+    if _e911 {
+        let _e927 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e927) + _e919)]), _e913);
     }
     return;
 }

@@ -110,887 +110,926 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_42;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_171_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_164_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_163_ = lt_bvh_traverse_Tree();
+            phi_164_ = true;
         }
-        let _e63 = phi_160_;
-        let _e65 = phi_161_;
-        phi_162_ = _e63;
-        phi_163_ = _e65;
+        let _e65 = phi_163_;
+        let _e67 = phi_164_;
+        phi_165_ = _e65;
+        phi_166_ = _e67;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
+        phi_165_ = lt_bvh_traverse_Tree();
+        phi_166_ = true;
     }
-    let _e67 = phi_162_;
-    let _e69 = phi_163_;
-    if _e69 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e69 = phi_165_;
+    let _e71 = phi_166_;
+    if _e71 {
+        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_168_ = _e67;
+        phi_171_ = _e69;
     }
-    let _e74 = phi_168_;
-    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
+    let _e76 = phi_171_;
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_186_: vec2<i32>;
+    var phi_189_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_186_ = vec2(0i);
+            phi_189_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_186_ = vec2<i32>(0i, -1i);
+            phi_189_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_186_ = vec2<i32>(-1i, 0i);
+            phi_189_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_186_ = vec2<i32>(1i, 0i);
+            phi_189_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_186_ = vec2<i32>(0i, 1i);
+            phi_189_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e59 = phi_186_;
-    return vec2<i32>(_e59.x, _e59.y);
+    let _e61 = phi_189_;
+    return vec2<i32>(_e61.x, _e61.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_204_: vec2<i32>;
+    var phi_207_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_204_ = vec2(0i);
+            phi_207_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_204_ = vec2(-1i);
+            phi_207_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_204_ = vec2<i32>(1i, -1i);
+            phi_207_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_204_ = vec2<i32>(-1i, 1i);
+            phi_207_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_204_ = vec2(1i);
+            phi_207_ = vec2(1i);
             break;
         }
     }
-    let _e59 = phi_204_;
-    return vec2<i32>(_e59.x, _e59.y);
+    let _e61 = phi_207_;
+    return vec2<i32>(_e61.x, _e61.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_223_: vec2<i32>;
+    var phi_226_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e53 = lt_mask_pattern_plus(param_5);
-        phi_223_ = vec2<i32>(_e53.x, _e53.y);
+        let _e55 = lt_mask_pattern_plus(param_5);
+        phi_226_ = vec2<i32>(_e55.x, _e55.y);
     } else {
-        let _e57 = lt_mask_pattern_cross(param_5);
-        phi_223_ = vec2<i32>(_e57.x, _e57.y);
+        let _e59 = lt_mask_pattern_cross(param_5);
+        phi_226_ = vec2<i32>(_e59.x, _e59.y);
     }
-    let _e62 = phi_223_;
-    return vec2<i32>(_e62.x, _e62.y);
+    let _e64 = phi_226_;
+    return vec2<i32>(_e64.x, _e64.y);
 }
 
-fn lt_mask_pattern_step_clamped(param_7: u32, param_8: i32, param_9: u32) -> u32 {
-    var phi_244_: u32;
-    var phi_245_: u32;
+fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
+    var phi_251_: vec2<i32>;
 
-    let _e54 = (bitcast<i32>(param_7) + param_8);
-    if (_e54 < 0i) {
-        phi_245_ = 0u;
-    } else {
-        if (_e54 >= bitcast<i32>(param_9)) {
-            phi_244_ = (param_9 - 1u);
-        } else {
-            phi_244_ = bitcast<u32>(_e54);
+    let _e53 = (param_7 % 13u);
+    switch bitcast<i32>(_e53) {
+        case 9: {
+            phi_251_ = vec2<i32>(0i, -2i);
+            break;
         }
-        let _e61 = phi_244_;
-        phi_245_ = _e61;
+        case 10: {
+            phi_251_ = vec2<i32>(-2i, 0i);
+            break;
+        }
+        case 11: {
+            phi_251_ = vec2<i32>(2i, 0i);
+            break;
+        }
+        case 12: {
+            phi_251_ = vec2<i32>(0i, 2i);
+            break;
+        }
+        default: {
+            phi_251_ = vec2<i32>((bitcast<i32>((_e53 % 3u)) - 1i), (bitcast<i32>(((_e53 / 3u) % 3u)) - 1i));
+            break;
+        }
     }
-    let _e63 = phi_245_;
-    return _e63;
+    let _e68 = phi_251_;
+    return vec2<i32>(_e68.x, _e68.y);
+}
+
+fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_272_: u32;
+    var phi_273_: u32;
+
+    let _e56 = (bitcast<i32>(param_8) + param_9);
+    if (_e56 < 0i) {
+        phi_273_ = 0u;
+    } else {
+        if (_e56 >= bitcast<i32>(param_10)) {
+            phi_272_ = (param_10 - 1u);
+        } else {
+            phi_272_ = bitcast<u32>(_e56);
+        }
+        let _e63 = phi_272_;
+        phi_273_ = _e63;
+    }
+    let _e65 = phi_273_;
+    return _e65;
 }
 
 fn function_() {
-    var phi_310_: bool;
-    var phi_311_: bool;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_317_: bool;
-    var phi_361_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_365_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_378_: bool;
-    var phi_564_: f32;
-    var phi_569_: f32;
-    var phi_570_: bool;
-    var phi_571_: f32;
-    var phi_572_: bool;
-    var phi_576_: f32;
+    var phi_338_: bool;
+    var phi_339_: bool;
+    var phi_340_: bool;
+    var phi_341_: bool;
+    var phi_345_: bool;
+    var phi_389_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_393_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_406_: bool;
+    var phi_592_: f32;
+    var phi_597_: f32;
+    var phi_598_: bool;
     var phi_599_: f32;
+    var phi_600_: bool;
     var phi_604_: f32;
-    var phi_605_: bool;
-    var phi_606_: f32;
-    var phi_607_: bool;
-    var phi_611_: f32;
-    var phi_632_: bool;
-    var phi_651_: vec2<u32>;
-    var phi_652_: bool;
-    var phi_653_: bool;
-    var phi_654_: bool;
-    var phi_655_: vec2<u32>;
-    var phi_656_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
+    var phi_627_: f32;
+    var phi_632_: f32;
+    var phi_633_: bool;
+    var phi_634_: f32;
+    var phi_635_: bool;
+    var phi_639_: f32;
     var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: vec2<u32>;
-    var phi_663_: bool;
-    var phi_664_: bool;
-    var phi_665_: bool;
-    var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: bool;
-    var phi_669_: vec2<u32>;
-    var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_672_: bool;
-    var phi_673_: bool;
+    var phi_679_: vec2<u32>;
+    var phi_680_: bool;
+    var phi_681_: bool;
     var phi_682_: bool;
-    var phi_683_: bool;
+    var phi_683_: vec2<u32>;
     var phi_684_: bool;
     var phi_685_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
     var phi_689_: bool;
-    var phi_690_: bool;
-    var phi_691_: vec2<u32>;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_733_: bool;
-    var phi_734_: lt_mask_Reprojection;
-    var phi_735_: lt_mask_Reprojection;
-    var phi_736_: bool;
-    var phi_740_: bool;
-    var phi_741_: lt_mask_Reprojection;
-    var phi_769_: u32;
-    var phi_771_: u32;
-    var phi_774_: lt_mask_Neighbourhood;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_795_: u32;
-    var phi_796_: u32;
-    var phi_855_: vec2<i32>;
-    var phi_871_: vec2<i32>;
-    var phi_894_: u32;
-    var phi_911_: bool;
-    var phi_912_: bool;
-    var phi_919_: bool;
-    var phi_920_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_772_: u32;
-    var phi_775_: lt_mask_Neighbourhood;
-    var phi_943_: lt_mask_Neighbourhood;
-    var phi_944_: lt_mask_Neighbourhood;
-    var phi_945_: lt_mask_Neighbourhood;
-    var phi_970_: bool;
-    var phi_971_: bool;
-    var phi_984_: bool;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_993_: u32;
-    var phi_994_: u32;
-    var phi_995_: u32;
-    var phi_996_: u32;
-    var phi_997_: u32;
+    var phi_690_: vec2<u32>;
+    var phi_691_: bool;
+    var phi_692_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
+    var phi_695_: bool;
+    var phi_696_: bool;
+    var phi_697_: vec2<u32>;
+    var phi_698_: bool;
+    var phi_699_: bool;
+    var phi_700_: bool;
+    var phi_701_: bool;
+    var phi_710_: bool;
+    var phi_711_: bool;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_719_: vec2<u32>;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_761_: bool;
+    var phi_762_: lt_mask_Reprojection;
+    var phi_763_: lt_mask_Reprojection;
+    var phi_764_: bool;
+    var phi_768_: bool;
+    var phi_769_: lt_mask_Reprojection;
+    var phi_797_: u32;
+    var phi_799_: u32;
+    var phi_802_: lt_mask_Neighbourhood;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_824_: u32;
+    var phi_825_: u32;
+    var phi_885_: vec2<i32>;
+    var phi_905_: vec2<i32>;
+    var phi_928_: u32;
+    var phi_945_: bool;
+    var phi_946_: bool;
+    var phi_953_: bool;
+    var phi_954_: bool;
+    var phi_972_: bool;
+    var phi_973_: bool;
+    var phi_974_: bool;
+    var phi_800_: u32;
+    var phi_803_: lt_mask_Neighbourhood;
+    var phi_977_: lt_mask_Neighbourhood;
+    var phi_978_: lt_mask_Neighbourhood;
+    var phi_979_: lt_mask_Neighbourhood;
+    var phi_1004_: bool;
     var phi_1005_: bool;
-    var phi_1013_: u32;
-    var phi_1018_: u32;
-    var phi_1022_: u32;
-    var phi_1023_: u32;
-    var phi_1027_: f32;
-    var phi_1029_: mask_Masked;
-    var phi_1035_: bool;
-    var phi_1036_: u32;
+    var phi_1018_: bool;
+    var phi_1019_: bool;
+    var phi_1020_: bool;
+    var phi_1027_: u32;
+    var phi_1028_: u32;
+    var phi_1029_: u32;
+    var phi_1030_: u32;
+    var phi_1031_: u32;
+    var phi_1039_: bool;
     var phi_1047_: u32;
+    var phi_1052_: u32;
+    var phi_1056_: u32;
+    var phi_1057_: u32;
+    var phi_1061_: f32;
+    var phi_1063_: mask_Masked;
+    var phi_1069_: bool;
+    var phi_1070_: u32;
+    var phi_1081_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e50 = id_1;
-    let _e51 = local_2;
-    let _e64 = p.member.current.size[0u];
-    let _e66 = p.member.current.size[1u];
-    let _e67 = lt_shaders_entry_pixel_index(_e50, _e64, _e66);
-    if (bitcast<i32>(_e67.root) != 0i) {
-        let _e75 = p.member.current.size[0u];
-        let _e78 = past.member[_e67.first_primitive];
-        let _e83 = visibility.member[_e67.first_primitive];
-        let _e87 = p.member.light;
-        let _e90 = samples.member[_e67.first_primitive].normal[0u];
-        let _e92 = global[0u];
-        if (_e90 == _e92) {
-            let _e95 = samples.member[_e67.first_primitive].normal[1u];
-            let _e97 = global[1u];
-            if (_e95 == _e97) {
-                let _e100 = samples.member[_e67.first_primitive].normal[2u];
-                let _e102 = global[2u];
-                phi_310_ = (_e100 == _e102);
-                phi_311_ = false;
+    let _e52 = id_1;
+    let _e53 = local_2;
+    let _e66 = p.member.current.size[0u];
+    let _e68 = p.member.current.size[1u];
+    let _e69 = lt_shaders_entry_pixel_index(_e52, _e66, _e68);
+    if (bitcast<i32>(_e69.root) != 0i) {
+        let _e77 = p.member.current.size[0u];
+        let _e80 = past.member[_e69.first_primitive];
+        let _e85 = visibility.member[_e69.first_primitive];
+        let _e89 = p.member.light;
+        let _e92 = samples.member[_e69.first_primitive].normal[0u];
+        let _e94 = global[0u];
+        if (_e92 == _e94) {
+            let _e97 = samples.member[_e69.first_primitive].normal[1u];
+            let _e99 = global[1u];
+            if (_e97 == _e99) {
+                let _e102 = samples.member[_e69.first_primitive].normal[2u];
+                let _e104 = global[2u];
+                phi_338_ = (_e102 == _e104);
+                phi_339_ = false;
             } else {
-                phi_310_ = bool();
-                phi_311_ = true;
+                phi_338_ = bool();
+                phi_339_ = true;
             }
-            let _e105 = phi_310_;
-            let _e107 = phi_311_;
-            phi_312_ = _e105;
-            phi_313_ = _e107;
+            let _e107 = phi_338_;
+            let _e109 = phi_339_;
+            phi_340_ = _e107;
+            phi_341_ = _e109;
         } else {
-            phi_312_ = bool();
-            phi_313_ = true;
+            phi_340_ = bool();
+            phi_341_ = true;
         }
-        let _e109 = phi_312_;
-        let _e111 = phi_313_;
-        if _e111 {
-            phi_317_ = false;
+        let _e111 = phi_340_;
+        let _e113 = phi_341_;
+        if _e113 {
+            phi_345_ = false;
         } else {
-            phi_317_ = _e109;
+            phi_345_ = _e111;
         }
-        let _e113 = phi_317_;
-        if !(_e113) {
-            let _e116 = samples.member[_e67.first_primitive].normal;
-            let _e118 = samples.member[_e67.first_primitive].position;
-            if ((((_e116.x * (_e87.x - (_e118.x * _e87.w))) + (_e116.y * (_e87.y - (_e118.y * _e87.w)))) + (_e116.z * (_e87.z - (_e118.z * _e87.w)))) > 0f) {
-                let _e142 = samples.member[_e67.first_primitive].flags;
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_361_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, ((_e142 & 1u) == 0u));
+        let _e115 = phi_345_;
+        if !(_e115) {
+            let _e118 = samples.member[_e69.first_primitive].normal;
+            let _e120 = samples.member[_e69.first_primitive].position;
+            if ((((_e118.x * (_e89.x - (_e120.x * _e89.w))) + (_e118.y * (_e89.y - (_e120.y * _e89.w)))) + (_e118.z * (_e89.z - (_e120.z * _e89.w)))) > 0f) {
+                let _e144 = samples.member[_e69.first_primitive].flags;
+                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
+                phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, ((_e144 & 1u) == 0u));
             } else {
-                let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-                phi_361_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
+                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+                phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
             }
-            let _e176 = phi_361_;
-            phi_365_ = _e176;
+            let _e178 = phi_389_;
+            phi_393_ = _e178;
         } else {
-            let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
-            phi_365_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, true);
+            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
+            phi_393_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
         }
-        let _e193 = phi_365_;
-        if _e193.unnamed_1 {
-            phi_1029_ = mask_Masked(_e193.unnamed.visibility, 0u, false);
+        let _e195 = phi_393_;
+        if _e195.unnamed_1 {
+            phi_1063_ = mask_Masked(_e195.unnamed.visibility, 0u, false);
         } else {
-            let _e198 = (_e83 < 0.5f);
-            if (_e83 > 0f) {
-                phi_378_ = (_e83 < 1f);
+            let _e200 = (_e85 < 0.5f);
+            if (_e85 > 0f) {
+                phi_406_ = (_e85 < 1f);
             } else {
-                phi_378_ = false;
+                phi_406_ = false;
             }
-            let _e202 = phi_378_;
-            let _e204 = samples.member[_e67.first_primitive].position;
-            let _e208 = p.member.previous.eye;
-            let _e210 = (_e78.x - _e208.x);
-            let _e212 = (_e78.y - _e208.y);
-            let _e214 = (_e78.z - _e208.z);
-            let _e216 = p.member.previous.forward;
-            let _e224 = (((_e210 * _e216.x) + (_e212 * _e216.y)) + (_e214 * _e216.z));
-            let _e226 = p.member.previous.right;
-            let _e236 = p.member.previous.right;
-            let _e251 = p.member.previous.up;
-            let _e261 = p.member.previous.up;
-            let _e276 = p.member.current.eye;
-            let _e279 = (_e204.x - _e276.x);
-            let _e282 = (_e204.y - _e276.y);
-            let _e285 = (_e204.z - _e276.z);
-            let _e287 = p.member.current.forward;
-            let _e295 = (((_e279 * _e287.x) + (_e282 * _e287.y)) + (_e285 * _e287.z));
-            let _e297 = p.member.current.right;
-            let _e307 = p.member.current.right;
-            let _e322 = p.member.current.up;
-            let _e332 = p.member.current.up;
-            let _e351 = p.member.current.size[0u];
-            let _e353 = (((((((_e210 * _e226.x) + (_e212 * _e226.y)) + (_e214 * _e226.z)) / ((((_e236.x * _e236.x) + (_e236.y * _e236.y)) + (_e236.z * _e236.z)) * _e224)) - ((((_e279 * _e297.x) + (_e282 * _e297.y)) + (_e285 * _e297.z)) / ((((_e307.x * _e307.x) + (_e307.y * _e307.y)) + (_e307.z * _e307.z)) * _e295))) * 0.5f) * f32(_e351));
-            let _e357 = p.member.current.size[1u];
-            let _e359 = (((((((_e210 * _e251.x) + (_e212 * _e251.y)) + (_e214 * _e251.z)) / ((((_e261.x * _e261.x) + (_e261.y * _e261.y)) + (_e261.z * _e261.z)) * _e224)) - ((((_e279 * _e322.x) + (_e282 * _e322.y)) + (_e285 * _e322.z)) / ((((_e332.x * _e332.x) + (_e332.y * _e332.y)) + (_e332.z * _e332.z)) * _e295))) * -0.5f) * f32(_e357));
-            let _e363 = p.member.current.size[0u];
-            let _e365 = p.member.current.size[1u];
-            let _e369 = ((f32(_e50.x) + 0.5f) + _e353);
-            if (_e369 > -8388608f) {
-                let _e381 = f32(select(0i, select(select(i32(_e369), i32(-2147483648), (_e369 < bitcast<f32>(3472883712u))), 2147483647i, (_e369 > bitcast<f32>(1325400063u))), (_e369 == _e369)));
-                if (_e381 > _e369) {
-                    phi_564_ = 1f;
+            let _e204 = phi_406_;
+            let _e206 = samples.member[_e69.first_primitive].position;
+            let _e210 = p.member.previous.eye;
+            let _e212 = (_e80.x - _e210.x);
+            let _e214 = (_e80.y - _e210.y);
+            let _e216 = (_e80.z - _e210.z);
+            let _e218 = p.member.previous.forward;
+            let _e226 = (((_e212 * _e218.x) + (_e214 * _e218.y)) + (_e216 * _e218.z));
+            let _e228 = p.member.previous.right;
+            let _e238 = p.member.previous.right;
+            let _e253 = p.member.previous.up;
+            let _e263 = p.member.previous.up;
+            let _e278 = p.member.current.eye;
+            let _e281 = (_e206.x - _e278.x);
+            let _e284 = (_e206.y - _e278.y);
+            let _e287 = (_e206.z - _e278.z);
+            let _e289 = p.member.current.forward;
+            let _e297 = (((_e281 * _e289.x) + (_e284 * _e289.y)) + (_e287 * _e289.z));
+            let _e299 = p.member.current.right;
+            let _e309 = p.member.current.right;
+            let _e324 = p.member.current.up;
+            let _e334 = p.member.current.up;
+            let _e353 = p.member.current.size[0u];
+            let _e355 = (((((((_e212 * _e228.x) + (_e214 * _e228.y)) + (_e216 * _e228.z)) / ((((_e238.x * _e238.x) + (_e238.y * _e238.y)) + (_e238.z * _e238.z)) * _e226)) - ((((_e281 * _e299.x) + (_e284 * _e299.y)) + (_e287 * _e299.z)) / ((((_e309.x * _e309.x) + (_e309.y * _e309.y)) + (_e309.z * _e309.z)) * _e297))) * 0.5f) * f32(_e353));
+            let _e359 = p.member.current.size[1u];
+            let _e361 = (((((((_e212 * _e253.x) + (_e214 * _e253.y)) + (_e216 * _e253.z)) / ((((_e263.x * _e263.x) + (_e263.y * _e263.y)) + (_e263.z * _e263.z)) * _e226)) - ((((_e281 * _e324.x) + (_e284 * _e324.y)) + (_e287 * _e324.z)) / ((((_e334.x * _e334.x) + (_e334.y * _e334.y)) + (_e334.z * _e334.z)) * _e297))) * -0.5f) * f32(_e359));
+            let _e365 = p.member.current.size[0u];
+            let _e367 = p.member.current.size[1u];
+            let _e371 = ((f32(_e52.x) + 0.5f) + _e355);
+            if (_e371 > -8388608f) {
+                let _e383 = f32(select(0i, select(select(i32(_e371), i32(-2147483648), (_e371 < bitcast<f32>(3472883712u))), 2147483647i, (_e371 > bitcast<f32>(1325400063u))), (_e371 == _e371)));
+                if (_e383 > _e371) {
+                    phi_592_ = 1f;
                 } else {
-                    phi_564_ = 0f;
+                    phi_592_ = 0f;
                 }
-                let _e384 = phi_564_;
-                if (_e369 < 8388608f) {
-                    phi_569_ = (_e381 - _e384);
-                    phi_570_ = false;
+                let _e386 = phi_592_;
+                if (_e371 < 8388608f) {
+                    phi_597_ = (_e383 - _e386);
+                    phi_598_ = false;
                 } else {
-                    phi_569_ = f32();
-                    phi_570_ = true;
+                    phi_597_ = f32();
+                    phi_598_ = true;
                 }
-                let _e387 = phi_569_;
-                let _e389 = phi_570_;
-                phi_571_ = _e387;
-                phi_572_ = _e389;
+                let _e389 = phi_597_;
+                let _e391 = phi_598_;
+                phi_599_ = _e389;
+                phi_600_ = _e391;
             } else {
-                phi_571_ = f32();
-                phi_572_ = true;
+                phi_599_ = f32();
+                phi_600_ = true;
             }
-            let _e391 = phi_571_;
-            let _e393 = phi_572_;
-            if _e393 {
-                phi_576_ = _e369;
+            let _e393 = phi_599_;
+            let _e395 = phi_600_;
+            if _e395 {
+                phi_604_ = _e371;
             } else {
-                phi_576_ = _e391;
+                phi_604_ = _e393;
             }
-            let _e395 = phi_576_;
-            let _e398 = ((f32(_e50.y) + 0.5f) + _e359);
-            if (_e398 > -8388608f) {
-                let _e410 = f32(select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398)));
-                if (_e410 > _e398) {
-                    phi_599_ = 1f;
+            let _e397 = phi_604_;
+            let _e400 = ((f32(_e52.y) + 0.5f) + _e361);
+            if (_e400 > -8388608f) {
+                let _e412 = f32(select(0i, select(select(i32(_e400), i32(-2147483648), (_e400 < bitcast<f32>(3472883712u))), 2147483647i, (_e400 > bitcast<f32>(1325400063u))), (_e400 == _e400)));
+                if (_e412 > _e400) {
+                    phi_627_ = 1f;
                 } else {
-                    phi_599_ = 0f;
+                    phi_627_ = 0f;
                 }
-                let _e413 = phi_599_;
-                if (_e398 < 8388608f) {
-                    phi_604_ = (_e410 - _e413);
-                    phi_605_ = false;
+                let _e415 = phi_627_;
+                if (_e400 < 8388608f) {
+                    phi_632_ = (_e412 - _e415);
+                    phi_633_ = false;
                 } else {
-                    phi_604_ = f32();
-                    phi_605_ = true;
+                    phi_632_ = f32();
+                    phi_633_ = true;
                 }
-                let _e416 = phi_604_;
-                let _e418 = phi_605_;
-                phi_606_ = _e416;
-                phi_607_ = _e418;
+                let _e418 = phi_632_;
+                let _e420 = phi_633_;
+                phi_634_ = _e418;
+                phi_635_ = _e420;
             } else {
-                phi_606_ = f32();
-                phi_607_ = true;
+                phi_634_ = f32();
+                phi_635_ = true;
             }
-            let _e420 = phi_606_;
-            let _e422 = phi_607_;
-            if _e422 {
-                phi_611_ = _e398;
+            let _e422 = phi_634_;
+            let _e424 = phi_635_;
+            if _e424 {
+                phi_639_ = _e400;
             } else {
-                phi_611_ = _e420;
+                phi_639_ = _e422;
             }
-            let _e424 = phi_611_;
-            if (_e395 >= 0f) {
-                if (_e424 >= 0f) {
-                    if (_e395 < f32(_e363)) {
-                        let _e430 = (_e424 < f32(_e365));
-                        if (_e353 == 0f) {
-                            phi_632_ = (_e359 == 0f);
+            let _e426 = phi_639_;
+            if (_e397 >= 0f) {
+                if (_e426 >= 0f) {
+                    if (_e397 < f32(_e365)) {
+                        let _e432 = (_e426 < f32(_e367));
+                        if (_e355 == 0f) {
+                            phi_660_ = (_e361 == 0f);
                         } else {
-                            phi_632_ = false;
+                            phi_660_ = false;
                         }
-                        let _e434 = phi_632_;
-                        if _e430 {
-                            phi_651_ = vec2<u32>(select(select(u32(_e395), 0u, (_e395 < bitcast<f32>(0u))), 4294967295u, (_e395 > bitcast<f32>(1333788671u))), select(select(u32(_e424), 0u, (_e424 < bitcast<f32>(0u))), 4294967295u, (_e424 > bitcast<f32>(1333788671u))));
-                            phi_652_ = false;
+                        let _e436 = phi_660_;
+                        if _e432 {
+                            phi_679_ = vec2<u32>(select(select(u32(_e397), 0u, (_e397 < bitcast<f32>(0u))), 4294967295u, (_e397 > bitcast<f32>(1333788671u))), select(select(u32(_e426), 0u, (_e426 < bitcast<f32>(0u))), 4294967295u, (_e426 > bitcast<f32>(1333788671u))));
+                            phi_680_ = false;
                         } else {
-                            phi_651_ = vec2<u32>();
-                            phi_652_ = true;
+                            phi_679_ = vec2<u32>();
+                            phi_680_ = true;
                         }
-                        let _e451 = phi_651_;
-                        let _e453 = phi_652_;
-                        phi_653_ = _e434;
-                        phi_654_ = _e430;
-                        phi_655_ = _e451;
-                        phi_656_ = _e434;
-                        phi_657_ = _e430;
-                        phi_658_ = false;
-                        phi_659_ = _e453;
+                        let _e453 = phi_679_;
+                        let _e455 = phi_680_;
+                        phi_681_ = _e436;
+                        phi_682_ = _e432;
+                        phi_683_ = _e453;
+                        phi_684_ = _e436;
+                        phi_685_ = _e432;
+                        phi_686_ = false;
+                        phi_687_ = _e455;
                     } else {
-                        phi_653_ = bool();
-                        phi_654_ = bool();
-                        phi_655_ = vec2<u32>();
-                        phi_656_ = bool();
-                        phi_657_ = bool();
-                        phi_658_ = true;
-                        phi_659_ = false;
+                        phi_681_ = bool();
+                        phi_682_ = bool();
+                        phi_683_ = vec2<u32>();
+                        phi_684_ = bool();
+                        phi_685_ = bool();
+                        phi_686_ = true;
+                        phi_687_ = false;
                     }
-                    let _e455 = phi_653_;
-                    let _e457 = phi_654_;
-                    let _e459 = phi_655_;
-                    let _e461 = phi_656_;
-                    let _e463 = phi_657_;
-                    let _e465 = phi_658_;
-                    let _e467 = phi_659_;
-                    phi_660_ = _e455;
-                    phi_661_ = _e457;
-                    phi_662_ = _e459;
-                    phi_663_ = _e461;
-                    phi_664_ = _e463;
-                    phi_665_ = _e465;
-                    phi_666_ = _e467;
+                    let _e457 = phi_681_;
+                    let _e459 = phi_682_;
+                    let _e461 = phi_683_;
+                    let _e463 = phi_684_;
+                    let _e465 = phi_685_;
+                    let _e467 = phi_686_;
+                    let _e469 = phi_687_;
+                    phi_688_ = _e457;
+                    phi_689_ = _e459;
+                    phi_690_ = _e461;
+                    phi_691_ = _e463;
+                    phi_692_ = _e465;
+                    phi_693_ = _e467;
+                    phi_694_ = _e469;
                 } else {
-                    phi_660_ = bool();
-                    phi_661_ = bool();
-                    phi_662_ = vec2<u32>();
-                    phi_663_ = bool();
-                    phi_664_ = bool();
-                    phi_665_ = true;
-                    phi_666_ = false;
+                    phi_688_ = bool();
+                    phi_689_ = bool();
+                    phi_690_ = vec2<u32>();
+                    phi_691_ = bool();
+                    phi_692_ = bool();
+                    phi_693_ = true;
+                    phi_694_ = false;
                 }
-                let _e469 = phi_660_;
-                let _e471 = phi_661_;
-                let _e473 = phi_662_;
-                let _e475 = phi_663_;
-                let _e477 = phi_664_;
-                let _e479 = phi_665_;
-                let _e481 = phi_666_;
-                phi_667_ = _e469;
-                phi_668_ = _e471;
-                phi_669_ = _e473;
-                phi_670_ = _e475;
-                phi_671_ = _e477;
-                phi_672_ = _e479;
-                phi_673_ = _e481;
+                let _e471 = phi_688_;
+                let _e473 = phi_689_;
+                let _e475 = phi_690_;
+                let _e477 = phi_691_;
+                let _e479 = phi_692_;
+                let _e481 = phi_693_;
+                let _e483 = phi_694_;
+                phi_695_ = _e471;
+                phi_696_ = _e473;
+                phi_697_ = _e475;
+                phi_698_ = _e477;
+                phi_699_ = _e479;
+                phi_700_ = _e481;
+                phi_701_ = _e483;
             } else {
-                phi_667_ = bool();
-                phi_668_ = bool();
-                phi_669_ = vec2<u32>();
-                phi_670_ = bool();
-                phi_671_ = bool();
-                phi_672_ = true;
-                phi_673_ = false;
+                phi_695_ = bool();
+                phi_696_ = bool();
+                phi_697_ = vec2<u32>();
+                phi_698_ = bool();
+                phi_699_ = bool();
+                phi_700_ = true;
+                phi_701_ = false;
             }
-            let _e483 = phi_667_;
-            let _e485 = phi_668_;
-            let _e487 = phi_669_;
-            let _e489 = phi_670_;
-            let _e491 = phi_671_;
-            let _e493 = phi_672_;
-            let _e495 = phi_673_;
-            if _e493 {
-                if (_e353 == 0f) {
-                    phi_682_ = (_e359 == 0f);
+            let _e485 = phi_695_;
+            let _e487 = phi_696_;
+            let _e489 = phi_697_;
+            let _e491 = phi_698_;
+            let _e493 = phi_699_;
+            let _e495 = phi_700_;
+            let _e497 = phi_701_;
+            if _e495 {
+                if (_e355 == 0f) {
+                    phi_710_ = (_e361 == 0f);
                 } else {
-                    phi_682_ = false;
+                    phi_710_ = false;
                 }
-                let _e499 = phi_682_;
-                phi_683_ = _e499;
-                phi_684_ = false;
-                phi_685_ = true;
+                let _e501 = phi_710_;
+                phi_711_ = _e501;
+                phi_712_ = false;
+                phi_713_ = true;
             } else {
-                phi_683_ = _e489;
-                phi_684_ = _e491;
-                phi_685_ = _e495;
+                phi_711_ = _e491;
+                phi_712_ = _e493;
+                phi_713_ = _e497;
             }
-            let _e501 = phi_683_;
-            let _e503 = phi_684_;
-            let _e505 = phi_685_;
-            if _e505 {
-                phi_689_ = _e501;
-                phi_690_ = _e503;
-                phi_691_ = vec2<u32>(_e50.x, _e50.y);
+            let _e503 = phi_711_;
+            let _e505 = phi_712_;
+            let _e507 = phi_713_;
+            if _e507 {
+                phi_717_ = _e503;
+                phi_718_ = _e505;
+                phi_719_ = vec2<u32>(_e52.x, _e52.y);
             } else {
-                phi_689_ = _e483;
-                phi_690_ = _e485;
-                phi_691_ = _e487;
+                phi_717_ = _e485;
+                phi_718_ = _e487;
+                phi_719_ = _e489;
             }
-            let _e507 = phi_689_;
-            let _e509 = phi_690_;
-            let _e511 = phi_691_;
-            let _e521 = lt_mask_Reprojection(vec2<u32>(_e511.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e528 = lt_mask_Reprojection(vec2<u32>(_e521.pixel.x, _e511.y), _e521.is_valid, _e521.has_moved);
-            let _e532 = lt_mask_Reprojection(_e528.pixel, _e509, _e528.has_moved);
-            let _e536 = lt_mask_Reprojection(_e532.pixel, _e532.is_valid, !(_e507));
-            if _e509 {
-                let _e539 = p.member.previous.eye;
-                let _e547 = p.member.previous.forward;
-                let _e556 = (((((_e78.x - _e539.x) * _e547.x) + ((_e78.y - _e539.y) * _e547.y)) + ((_e78.z - _e539.z) * _e547.z)) > 0f);
-                let _e560 = lt_mask_Reprojection(_e536.pixel, _e556, _e536.has_moved);
-                if _e556 {
-                    let _e562 = p.member.flags;
-                    phi_730_ = ((_e562 & 1u) != 0u);
-                    phi_731_ = false;
+            let _e509 = phi_717_;
+            let _e511 = phi_718_;
+            let _e513 = phi_719_;
+            let _e523 = lt_mask_Reprojection(vec2<u32>(_e513.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e530 = lt_mask_Reprojection(vec2<u32>(_e523.pixel.x, _e513.y), _e523.is_valid, _e523.has_moved);
+            let _e534 = lt_mask_Reprojection(_e530.pixel, _e511, _e530.has_moved);
+            let _e538 = lt_mask_Reprojection(_e534.pixel, _e534.is_valid, !(_e509));
+            if _e511 {
+                let _e541 = p.member.previous.eye;
+                let _e549 = p.member.previous.forward;
+                let _e558 = (((((_e80.x - _e541.x) * _e549.x) + ((_e80.y - _e541.y) * _e549.y)) + ((_e80.z - _e541.z) * _e549.z)) > 0f);
+                let _e562 = lt_mask_Reprojection(_e538.pixel, _e558, _e538.has_moved);
+                if _e558 {
+                    let _e564 = p.member.flags;
+                    phi_758_ = ((_e564 & 1u) != 0u);
+                    phi_759_ = false;
                 } else {
-                    phi_730_ = bool();
-                    phi_731_ = true;
+                    phi_758_ = bool();
+                    phi_759_ = true;
                 }
-                let _e566 = phi_730_;
-                let _e568 = phi_731_;
-                phi_733_ = _e566;
-                phi_734_ = _e560;
-                phi_735_ = _e560;
-                phi_736_ = _e568;
+                let _e568 = phi_758_;
+                let _e570 = phi_759_;
+                phi_761_ = _e568;
+                phi_762_ = _e562;
+                phi_763_ = _e562;
+                phi_764_ = _e570;
             } else {
-                phi_733_ = bool();
-                phi_734_ = lt_mask_Reprojection();
-                phi_735_ = lt_mask_Reprojection(_e536.pixel, false, _e536.has_moved);
-                phi_736_ = true;
+                phi_761_ = bool();
+                phi_762_ = lt_mask_Reprojection();
+                phi_763_ = lt_mask_Reprojection(_e538.pixel, false, _e538.has_moved);
+                phi_764_ = true;
             }
-            let _e574 = phi_733_;
-            let _e576 = phi_734_;
-            let _e578 = phi_735_;
-            let _e580 = phi_736_;
-            if _e580 {
-                phi_740_ = false;
-                phi_741_ = _e578;
+            let _e576 = phi_761_;
+            let _e578 = phi_762_;
+            let _e580 = phi_763_;
+            let _e582 = phi_764_;
+            if _e582 {
+                phi_768_ = false;
+                phi_769_ = _e580;
             } else {
-                phi_740_ = _e574;
-                phi_741_ = _e576;
+                phi_768_ = _e576;
+                phi_769_ = _e578;
             }
-            let _e582 = phi_740_;
-            let _e584 = phi_741_;
-            let _e588 = lt_mask_Reprojection(_e584.pixel, _e582, _e584.has_moved);
-            if _e588.has_moved {
+            let _e584 = phi_768_;
+            let _e586 = phi_769_;
+            let _e590 = lt_mask_Reprojection(_e586.pixel, _e584, _e586.has_moved);
+            if _e590.has_moved {
             }
-            let _e594 = lt_mask_Neighbourhood(false, true);
-            if _e202 {
-                phi_945_ = _e594;
+            let _e596 = lt_mask_Neighbourhood(false, true);
+            if _e204 {
+                phi_979_ = _e596;
             } else {
                 if true {
-                    if _e582 {
-                        if _e588.has_moved {
-                            let _e597 = p.member.moving_pattern;
-                            phi_769_ = _e597;
+                    if _e584 {
+                        if _e590.has_moved {
+                            let _e599 = p.member.moving_pattern;
+                            phi_797_ = _e599;
                         } else {
-                            let _e599 = p.member.still_pattern;
-                            phi_769_ = _e599;
+                            let _e601 = p.member.still_pattern;
+                            phi_797_ = _e601;
                         }
-                        let _e601 = phi_769_;
-                        phi_771_ = 0u;
-                        phi_774_ = _e594;
+                        let _e603 = phi_797_;
+                        phi_799_ = 0u;
+                        phi_802_ = _e596;
                         loop {
-                            let _e603 = phi_771_;
-                            let _e605 = phi_774_;
-                            local_1 = _e605;
-                            if (1u <= _e601) {
-                                if (_e601 <= 4u) {
-                                    phi_786_ = false;
+                            let _e605 = phi_799_;
+                            let _e607 = phi_802_;
+                            local_1 = _e607;
+                            if (1u <= _e603) {
+                                if (_e603 <= 4u) {
+                                    phi_814_ = false;
                                 } else {
-                                    phi_786_ = true;
+                                    phi_814_ = true;
                                 }
-                                let _e609 = phi_786_;
-                                phi_787_ = _e609;
+                                let _e611 = phi_814_;
+                                phi_815_ = _e611;
                             } else {
-                                phi_787_ = true;
+                                phi_815_ = true;
                             }
-                            let _e611 = phi_787_;
-                            if _e611 {
-                                switch bitcast<i32>(_e601) {
+                            let _e613 = phi_815_;
+                            if _e613 {
+                                switch bitcast<i32>(_e603) {
                                     case 5: {
-                                        phi_795_ = 4u;
+                                        phi_824_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_795_ = 25u;
+                                        phi_824_ = 25u;
+                                        break;
+                                    }
+                                    case 7: {
+                                        phi_824_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_795_ = 9u;
+                                        phi_824_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e614 = phi_795_;
-                                phi_796_ = _e614;
+                                let _e616 = phi_824_;
+                                phi_825_ = _e616;
                             } else {
-                                phi_796_ = 5u;
+                                phi_825_ = 5u;
                             }
-                            let _e616 = phi_796_;
-                            let _e617 = (_e603 < _e616);
-                            if _e617 {
-                                let _e623 = p.member.frame;
-                                let _e627 = p.member.current.size[0u];
-                                let _e629 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e601) {
+                            let _e618 = phi_825_;
+                            let _e619 = (_e605 < _e618);
+                            if _e619 {
+                                let _e625 = p.member.frame;
+                                let _e629 = p.member.current.size[0u];
+                                let _e631 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e603) {
                                     case 1: {
-                                        let _e639 = lt_mask_pattern_plus(_e603);
-                                        phi_871_ = vec2<i32>(_e639.x, _e639.y);
+                                        let _e641 = lt_mask_pattern_plus(_e605);
+                                        phi_905_ = vec2<i32>(_e641.x, _e641.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e643 = lt_mask_pattern_cross(_e603);
-                                        phi_871_ = vec2<i32>(_e643.x, _e643.y);
+                                        let _e645 = lt_mask_pattern_cross(_e605);
+                                        phi_905_ = vec2<i32>(_e645.x, _e645.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e649 = lt_mask_pattern_plus_or_cross(_e603, ((_e588.pixel.x + _e588.pixel.y) & 1u));
-                                        phi_871_ = vec2<i32>(_e649.x, _e649.y);
+                                        let _e651 = lt_mask_pattern_plus_or_cross(_e605, ((_e590.pixel.x + _e590.pixel.y) & 1u));
+                                        phi_905_ = vec2<i32>(_e651.x, _e651.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e654 = lt_mask_pattern_plus_or_cross(_e603, (_e623 & 1u));
-                                        phi_871_ = vec2<i32>(_e654.x, _e654.y);
+                                        let _e656 = lt_mask_pattern_plus_or_cross(_e605, (_e625 & 1u));
+                                        phi_905_ = vec2<i32>(_e656.x, _e656.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e623 & 3u)) {
+                                        switch bitcast<i32>((_e625 & 3u)) {
                                             case 0: {
-                                                phi_855_ = vec2(-1i);
+                                                phi_885_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_855_ = vec2(0i);
+                                                phi_885_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_855_ = vec2<i32>(0i, -1i);
+                                                phi_885_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_855_ = vec2<i32>(-1i, 0i);
+                                                phi_885_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e665 = phi_855_;
-                                        phi_871_ = (_e665 + vec2<i32>(bitcast<i32>((_e603 & 1u)), bitcast<i32>(((_e603 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e667 = phi_885_;
+                                        phi_905_ = (_e667 + vec2<i32>(bitcast<i32>((_e605 & 1u)), bitcast<i32>(((_e605 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_871_ = vec2<i32>((bitcast<i32>((_e603 % 5u)) - 2i), (bitcast<i32>(((_e603 / 5u) % 5u)) - 2i));
+                                        phi_905_ = vec2<i32>((bitcast<i32>((_e605 % 5u)) - 2i), (bitcast<i32>(((_e605 / 5u) % 5u)) - 2i));
+                                        break;
+                                    }
+                                    case 7: {
+                                        let _e684 = lt_mask_pattern_diamond(_e605);
+                                        phi_905_ = vec2<i32>(_e684.x, _e684.y);
                                         break;
                                     }
                                     default: {
-                                        phi_871_ = vec2<i32>((bitcast<i32>((_e603 % 3u)) - 1i), (bitcast<i32>(((_e603 / 3u) % 3u)) - 1i));
+                                        phi_905_ = vec2<i32>((bitcast<i32>((_e605 % 3u)) - 1i), (bitcast<i32>(((_e605 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e683 = phi_871_;
-                                let _e686 = lt_mask_pattern_step_clamped(_e588.pixel.x, _e683.x, _e627);
-                                let _e687 = lt_mask_pattern_step_clamped(_e588.pixel.y, _e683.y, _e629);
-                                let _e689 = ((_e687 * _e75) + _e686);
-                                if (_e689 < arrayLength((&last_bits.member))) {
+                                let _e689 = phi_905_;
+                                let _e692 = lt_mask_pattern_step_clamped(_e590.pixel.x, _e689.x, _e629);
+                                let _e693 = lt_mask_pattern_step_clamped(_e590.pixel.y, _e689.y, _e631);
+                                let _e695 = ((_e693 * _e77) + _e692);
+                                if (_e695 < arrayLength((&last_bits.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e693 = last_bits.member[(0u + _e689)];
-                                if ((_e693 & 2u) == 0u) {
-                                    phi_894_ = (_e693 & 1u);
+                                let _e699 = last_bits.member[(0u + _e695)];
+                                if ((_e699 & 2u) == 0u) {
+                                    phi_928_ = (_e699 & 1u);
                                 } else {
-                                    phi_894_ = (_e693 & 7u);
+                                    phi_928_ = (_e699 & 7u);
                                 }
-                                let _e699 = phi_894_;
-                                if _e605.any_expands {
-                                    phi_920_ = true;
+                                let _e705 = phi_928_;
+                                if _e607.any_expands {
+                                    phi_954_ = true;
                                 } else {
-                                    if ((_e699 & 2u) != 0u) {
-                                        if (((_e699 & 4u) != 0u) != _e198) {
-                                            phi_911_ = false;
+                                    if ((_e705 & 2u) != 0u) {
+                                        if (((_e705 & 4u) != 0u) != _e200) {
+                                            phi_945_ = false;
                                         } else {
-                                            phi_911_ = true;
+                                            phi_945_ = true;
                                         }
-                                        let _e708 = phi_911_;
-                                        phi_912_ = _e708;
+                                        let _e714 = phi_945_;
+                                        phi_946_ = _e714;
                                     } else {
-                                        phi_912_ = true;
+                                        phi_946_ = true;
                                     }
-                                    let _e710 = phi_912_;
-                                    if _e710 {
-                                        phi_919_ = (((_e699 & 1u) != 0u) != _e198);
+                                    let _e716 = phi_946_;
+                                    if _e716 {
+                                        phi_953_ = (((_e705 & 1u) != 0u) != _e200);
                                     } else {
-                                        phi_919_ = true;
+                                        phi_953_ = true;
                                     }
-                                    let _e715 = phi_919_;
-                                    phi_920_ = _e715;
+                                    let _e721 = phi_953_;
+                                    phi_954_ = _e721;
                                 }
-                                let _e717 = phi_920_;
-                                if _e605.all_remove {
-                                    if (((_e699 & 1u) != 0u) == _e198) {
-                                        if ((_e699 & 2u) != 0u) {
-                                            phi_938_ = (((_e699 & 4u) != 0u) == _e198);
+                                let _e723 = phi_954_;
+                                if _e607.all_remove {
+                                    if (((_e705 & 1u) != 0u) == _e200) {
+                                        if ((_e705 & 2u) != 0u) {
+                                            phi_972_ = (((_e705 & 4u) != 0u) == _e200);
                                         } else {
-                                            phi_938_ = true;
+                                            phi_972_ = true;
                                         }
-                                        let _e727 = phi_938_;
-                                        phi_939_ = _e727;
+                                        let _e733 = phi_972_;
+                                        phi_973_ = _e733;
                                     } else {
-                                        phi_939_ = false;
+                                        phi_973_ = false;
                                     }
-                                    let _e729 = phi_939_;
-                                    phi_940_ = _e729;
+                                    let _e735 = phi_973_;
+                                    phi_974_ = _e735;
                                 } else {
-                                    phi_940_ = false;
+                                    phi_974_ = false;
                                 }
-                                let _e731 = phi_940_;
-                                phi_772_ = (_e603 + 1u);
-                                phi_775_ = lt_mask_Neighbourhood(_e717, _e731);
+                                let _e737 = phi_974_;
+                                phi_800_ = (_e605 + 1u);
+                                phi_803_ = lt_mask_Neighbourhood(_e723, _e737);
                             } else {
-                                phi_772_ = u32();
-                                phi_775_ = lt_mask_Neighbourhood();
+                                phi_800_ = u32();
+                                phi_803_ = lt_mask_Neighbourhood();
                             }
-                            let _e735 = phi_772_;
-                            let _e737 = phi_775_;
+                            let _e741 = phi_800_;
+                            let _e743 = phi_803_;
                             continue;
                             continuing {
-                                phi_771_ = _e735;
-                                phi_774_ = _e737;
-                                break if !(_e617);
+                                phi_799_ = _e741;
+                                phi_802_ = _e743;
+                                break if !(_e619);
                             }
                         }
-                        let _e895 = local_1;
-                        phi_943_ = _e895;
+                        let _e901 = local_1;
+                        phi_977_ = _e901;
                     } else {
-                        phi_943_ = _e594;
+                        phi_977_ = _e596;
                     }
-                    let _e740 = phi_943_;
-                    phi_944_ = _e740;
+                    let _e746 = phi_977_;
+                    phi_978_ = _e746;
                 } else {
-                    phi_944_ = _e594;
+                    phi_978_ = _e596;
                 }
-                let _e742 = phi_944_;
-                phi_945_ = _e742;
+                let _e748 = phi_978_;
+                phi_979_ = _e748;
             }
-            let _e744 = phi_945_;
-            if (_e83 != 0.5f) {
-                if _e582 {
-                    if _e202 {
-                        phi_971_ = true;
+            let _e750 = phi_979_;
+            if (_e85 != 0.5f) {
+                if _e584 {
+                    if _e204 {
+                        phi_1005_ = true;
                     } else {
-                        if _e744.any_expands {
-                            phi_970_ = false;
+                        if _e750.any_expands {
+                            phi_1004_ = false;
                         } else {
-                            phi_970_ = true;
+                            phi_1004_ = true;
                         }
-                        let _e749 = phi_970_;
-                        phi_971_ = _e749;
+                        let _e755 = phi_1004_;
+                        phi_1005_ = _e755;
                     }
-                    let _e751 = phi_971_;
-                    if _e751 {
-                        if _e202 {
+                    let _e757 = phi_1005_;
+                    if _e757 {
+                        if _e204 {
                             if false {
-                                if _e744.all_remove {
-                                    phi_984_ = false;
+                                if _e750.all_remove {
+                                    phi_1018_ = false;
                                 } else {
-                                    phi_984_ = true;
+                                    phi_1018_ = true;
                                 }
-                                let _e753 = phi_984_;
-                                phi_985_ = _e753;
+                                let _e759 = phi_1018_;
+                                phi_1019_ = _e759;
                             } else {
-                                phi_985_ = true;
+                                phi_1019_ = true;
                             }
-                            let _e755 = phi_985_;
-                            phi_986_ = _e755;
+                            let _e761 = phi_1019_;
+                            phi_1020_ = _e761;
                         } else {
-                            phi_986_ = true;
+                            phi_1020_ = true;
                         }
-                        let _e757 = phi_986_;
-                        if _e757 {
-                            if _e202 {
-                                phi_993_ = 1u;
+                        let _e763 = phi_1020_;
+                        if _e763 {
+                            if _e204 {
+                                phi_1027_ = 1u;
                             } else {
-                                phi_993_ = 0u;
+                                phi_1027_ = 0u;
                             }
-                            let _e759 = phi_993_;
-                            phi_994_ = _e759;
+                            let _e765 = phi_1027_;
+                            phi_1028_ = _e765;
                         } else {
-                            phi_994_ = 5u;
+                            phi_1028_ = 5u;
                         }
-                        let _e761 = phi_994_;
-                        phi_995_ = _e761;
+                        let _e767 = phi_1028_;
+                        phi_1029_ = _e767;
                     } else {
-                        phi_995_ = 4u;
+                        phi_1029_ = 4u;
                     }
-                    let _e763 = phi_995_;
-                    phi_996_ = _e763;
+                    let _e769 = phi_1029_;
+                    phi_1030_ = _e769;
                 } else {
-                    phi_996_ = 3u;
+                    phi_1030_ = 3u;
                 }
-                let _e765 = phi_996_;
-                phi_997_ = _e765;
+                let _e771 = phi_1030_;
+                phi_1031_ = _e771;
             } else {
-                phi_997_ = 2u;
+                phi_1031_ = 2u;
             }
-            let _e767 = phi_997_;
-            if !((_e767 == 0u)) {
-                phi_1005_ = !((_e767 == 5u));
+            let _e773 = phi_1031_;
+            if !((_e773 == 0u)) {
+                phi_1039_ = !((_e773 == 5u));
             } else {
-                phi_1005_ = false;
+                phi_1039_ = false;
             }
-            let _e773 = phi_1005_;
-            if _e773 {
-                if _e198 {
-                    phi_1013_ = (2u | 1u);
+            let _e779 = phi_1039_;
+            if _e779 {
+                if _e200 {
+                    phi_1047_ = (2u | 1u);
                 } else {
-                    phi_1013_ = 2u;
+                    phi_1047_ = 2u;
                 }
-                let _e776 = phi_1013_;
+                let _e782 = phi_1047_;
                 if false {
-                    phi_1018_ = (_e776 | 4u);
+                    phi_1052_ = (_e782 | 4u);
                 } else {
-                    phi_1018_ = _e776;
+                    phi_1052_ = _e782;
                 }
-                let _e779 = phi_1018_;
-                phi_1023_ = _e779;
+                let _e785 = phi_1052_;
+                phi_1057_ = _e785;
             } else {
-                if _e198 {
-                    phi_1022_ = 1u;
+                if _e200 {
+                    phi_1056_ = 1u;
                 } else {
-                    phi_1022_ = 0u;
+                    phi_1056_ = 0u;
                 }
-                let _e781 = phi_1022_;
-                phi_1023_ = _e781;
+                let _e787 = phi_1056_;
+                phi_1057_ = _e787;
             }
-            let _e783 = phi_1023_;
-            if _e198 {
-                phi_1027_ = 0f;
+            let _e789 = phi_1057_;
+            if _e200 {
+                phi_1061_ = 0f;
             } else {
-                phi_1027_ = 1f;
+                phi_1061_ = 1f;
             }
-            let _e785 = phi_1027_;
-            phi_1029_ = mask_Masked(_e785, _e783, _e773);
+            let _e791 = phi_1061_;
+            phi_1063_ = mask_Masked(_e791, _e789, _e779);
         }
-        let _e788 = phi_1029_;
-        visibility.member[_e67.first_primitive] = _e788.visibility;
-        bits.member[_e67.first_primitive] = _e788.bits;
-        phi_1035_ = _e788.needs_ray;
-        phi_1036_ = _e67.first_primitive;
+        let _e794 = phi_1063_;
+        visibility.member[_e69.first_primitive] = _e794.visibility;
+        bits.member[_e69.first_primitive] = _e794.bits;
+        phi_1069_ = _e794.needs_ray;
+        phi_1070_ = _e69.first_primitive;
     } else {
-        phi_1035_ = false;
-        phi_1036_ = 0u;
+        phi_1069_ = false;
+        phi_1070_ = 0u;
     }
-    let _e795 = phi_1035_;
-    let _e797 = phi_1036_;
-    if (_e51 == 0u) {
+    let _e801 = phi_1069_;
+    let _e803 = phi_1070_;
+    if (_e53 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e795 {
-        let _e801 = atomicAdd((&shared_[0u]), 1u);
-        phi_1047_ = _e801;
+    if _e801 {
+        let _e807 = atomicAdd((&shared_[0u]), 1u);
+        phi_1081_ = _e807;
     } else {
-        phi_1047_ = 0u;
+        phi_1081_ = 0u;
     }
-    let _e803 = phi_1047_;
+    let _e809 = phi_1081_;
     workgroupBarrier();
-    if (_e51 == 0u) {
-        let _e807 = atomicLoad((&shared_[0u]));
-        let _e808 = atomicAdd((&list.member[3u]), _e807);
-        atomicStore((&shared_[1u]), _e808);
+    if (_e53 == 0u) {
+        let _e813 = atomicLoad((&shared_[0u]));
+        let _e814 = atomicAdd((&list.member[3u]), _e813);
+        atomicStore((&shared_[1u]), _e814);
     }
     workgroupBarrier();
-    if _e795 {
-        let _e811 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e811) + _e803)]), _e797);
+    if _e801 {
+        let _e817 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e817) + _e809)]), _e803);
     }
     return;
 }

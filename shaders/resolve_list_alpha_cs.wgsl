@@ -158,54 +158,54 @@ var<storage> materials: type_37;
 var<storage> alpha_texels: type_13;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_222_: f32;
-    var phi_227_: f32;
-    var phi_228_: bool;
-    var phi_229_: f32;
-    var phi_230_: bool;
-    var phi_234_: f32;
-    var phi_260_: f32;
-    var phi_265_: f32;
-    var phi_266_: bool;
-    var phi_267_: f32;
-    var phi_268_: bool;
-    var phi_272_: f32;
+    var phi_221_: f32;
+    var phi_226_: f32;
+    var phi_227_: bool;
+    var phi_228_: f32;
+    var phi_229_: bool;
+    var phi_233_: f32;
+    var phi_259_: f32;
+    var phi_264_: f32;
+    var phi_265_: bool;
+    var phi_266_: f32;
+    var phi_267_: bool;
+    var phi_271_: f32;
+    var phi_279_: f32;
     var phi_280_: f32;
     var phi_281_: f32;
-    var phi_282_: f32;
+    var phi_290_: f32;
     var phi_291_: f32;
-    var phi_292_: f32;
-    var phi_310_: u32;
-    var phi_324_: u32;
-    var phi_331_: u32;
-    var phi_336_: u32;
-    var phi_342_: u32;
-    var phi_347_: u32;
-    var phi_349_: texture_Axis;
-    var phi_377_: f32;
-    var phi_382_: f32;
-    var phi_383_: bool;
-    var phi_384_: f32;
-    var phi_385_: bool;
-    var phi_389_: f32;
-    var phi_415_: f32;
-    var phi_420_: f32;
-    var phi_421_: bool;
-    var phi_422_: f32;
-    var phi_423_: bool;
-    var phi_427_: f32;
+    var phi_309_: u32;
+    var phi_323_: u32;
+    var phi_330_: u32;
+    var phi_335_: u32;
+    var phi_341_: u32;
+    var phi_346_: u32;
+    var phi_348_: texture_Axis;
+    var phi_376_: f32;
+    var phi_381_: f32;
+    var phi_382_: bool;
+    var phi_383_: f32;
+    var phi_384_: bool;
+    var phi_388_: f32;
+    var phi_414_: f32;
+    var phi_419_: f32;
+    var phi_420_: bool;
+    var phi_421_: f32;
+    var phi_422_: bool;
+    var phi_426_: f32;
+    var phi_434_: f32;
     var phi_435_: f32;
     var phi_436_: f32;
-    var phi_437_: f32;
+    var phi_445_: f32;
     var phi_446_: f32;
-    var phi_447_: f32;
-    var phi_465_: u32;
-    var phi_479_: u32;
-    var phi_486_: u32;
-    var phi_491_: u32;
-    var phi_497_: u32;
-    var phi_502_: u32;
-    var phi_504_: texture_Axis;
+    var phi_464_: u32;
+    var phi_478_: u32;
+    var phi_485_: u32;
+    var phi_490_: u32;
+    var phi_496_: u32;
+    var phi_501_: u32;
+    var phi_503_: texture_Axis;
 
     let _e70 = (*param).size;
     let _e71 = (_e70 & 65535u);
@@ -219,286 +219,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e97 > param_1) {
-                phi_222_ = 1f;
+                phi_221_ = 1f;
             } else {
-                phi_222_ = 0f;
+                phi_221_ = 0f;
             }
-            let _e100 = phi_222_;
+            let _e100 = phi_221_;
             if (param_1 < 8388608f) {
-                phi_227_ = (_e97 - _e100);
-                phi_228_ = false;
+                phi_226_ = (_e97 - _e100);
+                phi_227_ = false;
             } else {
-                phi_227_ = f32();
-                phi_228_ = true;
+                phi_226_ = f32();
+                phi_227_ = true;
             }
-            let _e103 = phi_227_;
-            let _e105 = phi_228_;
-            phi_229_ = _e103;
-            phi_230_ = _e105;
+            let _e103 = phi_226_;
+            let _e105 = phi_227_;
+            phi_228_ = _e103;
+            phi_229_ = _e105;
         } else {
-            phi_229_ = f32();
-            phi_230_ = true;
+            phi_228_ = f32();
+            phi_229_ = true;
         }
-        let _e107 = phi_229_;
-        let _e109 = phi_230_;
+        let _e107 = phi_228_;
+        let _e109 = phi_229_;
         if _e109 {
-            phi_234_ = param_1;
+            phi_233_ = param_1;
         } else {
-            phi_234_ = _e107;
+            phi_233_ = _e107;
         }
-        let _e111 = phi_234_;
-        phi_282_ = (param_1 - _e111);
+        let _e111 = phi_233_;
+        phi_281_ = (param_1 - _e111);
     } else {
         if (_e84 == 1u) {
             let _e114 = (param_1 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_260_ = 1f;
+                    phi_259_ = 1f;
                 } else {
-                    phi_260_ = 0f;
+                    phi_259_ = 0f;
                 }
-                let _e129 = phi_260_;
+                let _e129 = phi_259_;
                 if (_e114 < 8388608f) {
-                    phi_265_ = (_e126 - _e129);
-                    phi_266_ = false;
+                    phi_264_ = (_e126 - _e129);
+                    phi_265_ = false;
                 } else {
-                    phi_265_ = f32();
-                    phi_266_ = true;
+                    phi_264_ = f32();
+                    phi_265_ = true;
                 }
-                let _e132 = phi_265_;
-                let _e134 = phi_266_;
-                phi_267_ = _e132;
-                phi_268_ = _e134;
+                let _e132 = phi_264_;
+                let _e134 = phi_265_;
+                phi_266_ = _e132;
+                phi_267_ = _e134;
             } else {
-                phi_267_ = f32();
-                phi_268_ = true;
+                phi_266_ = f32();
+                phi_267_ = true;
             }
-            let _e136 = phi_267_;
-            let _e138 = phi_268_;
+            let _e136 = phi_266_;
+            let _e138 = phi_267_;
             if _e138 {
-                phi_272_ = _e114;
+                phi_271_ = _e114;
             } else {
-                phi_272_ = _e136;
+                phi_271_ = _e136;
             }
-            let _e140 = phi_272_;
+            let _e140 = phi_271_;
             let _e142 = (param_1 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_280_ = (2f - _e142);
+                phi_279_ = (2f - _e142);
             } else {
-                phi_280_ = _e142;
+                phi_279_ = _e142;
             }
-            let _e146 = phi_280_;
-            phi_281_ = _e146;
+            let _e146 = phi_279_;
+            phi_280_ = _e146;
         } else {
-            phi_281_ = param_1;
+            phi_280_ = param_1;
         }
-        let _e148 = phi_281_;
-        phi_282_ = _e148;
+        let _e148 = phi_280_;
+        phi_281_ = _e148;
     }
-    let _e150 = phi_282_;
+    let _e150 = phi_281_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_291_ = _e150;
+            phi_290_ = _e150;
         } else {
-            phi_291_ = 1f;
+            phi_290_ = 1f;
         }
-        let _e154 = phi_291_;
-        phi_292_ = _e154;
+        let _e154 = phi_290_;
+        phi_291_ = _e154;
     } else {
-        phi_292_ = 0f;
+        phi_291_ = 0f;
     }
-    let _e156 = phi_292_;
+    let _e156 = phi_291_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_310_ = _e157;
+            phi_309_ = _e157;
         } else {
-            phi_310_ = _e166;
+            phi_309_ = _e166;
         }
-        let _e169 = phi_310_;
-        phi_349_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_309_;
+        phi_348_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_324_ = _e71;
+            phi_323_ = _e71;
         } else {
-            phi_324_ = _e178;
+            phi_323_ = _e178;
         }
-        let _e181 = phi_324_;
+        let _e181 = phi_323_;
         if (_e84 == 0u) {
-            phi_331_ = _e157;
+            phi_330_ = _e157;
         } else {
-            phi_331_ = 0u;
+            phi_330_ = 0u;
         }
-        let _e186 = phi_331_;
+        let _e186 = phi_330_;
         if (_e84 == 0u) {
-            phi_336_ = 0u;
+            phi_335_ = 0u;
         } else {
-            phi_336_ = _e157;
+            phi_335_ = _e157;
         }
-        let _e189 = phi_336_;
+        let _e189 = phi_335_;
         if (_e181 == 0u) {
-            phi_342_ = _e186;
+            phi_341_ = _e186;
         } else {
-            phi_342_ = (_e181 - 1u);
+            phi_341_ = (_e181 - 1u);
         }
-        let _e193 = phi_342_;
+        let _e193 = phi_341_;
         if (_e181 > _e157) {
-            phi_347_ = _e189;
+            phi_346_ = _e189;
         } else {
-            phi_347_ = _e181;
+            phi_346_ = _e181;
         }
-        let _e196 = phi_347_;
-        phi_349_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_346_;
+        phi_348_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_349_;
+    let _e199 = phi_348_;
     let _e201 = (*param).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
         if (param_2 > -8388608f) {
             let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e217 > param_2) {
-                phi_377_ = 1f;
+                phi_376_ = 1f;
             } else {
-                phi_377_ = 0f;
+                phi_376_ = 0f;
             }
-            let _e220 = phi_377_;
+            let _e220 = phi_376_;
             if (param_2 < 8388608f) {
-                phi_382_ = (_e217 - _e220);
-                phi_383_ = false;
+                phi_381_ = (_e217 - _e220);
+                phi_382_ = false;
             } else {
-                phi_382_ = f32();
-                phi_383_ = true;
+                phi_381_ = f32();
+                phi_382_ = true;
             }
-            let _e223 = phi_382_;
-            let _e225 = phi_383_;
-            phi_384_ = _e223;
-            phi_385_ = _e225;
+            let _e223 = phi_381_;
+            let _e225 = phi_382_;
+            phi_383_ = _e223;
+            phi_384_ = _e225;
         } else {
-            phi_384_ = f32();
-            phi_385_ = true;
+            phi_383_ = f32();
+            phi_384_ = true;
         }
-        let _e227 = phi_384_;
-        let _e229 = phi_385_;
+        let _e227 = phi_383_;
+        let _e229 = phi_384_;
         if _e229 {
-            phi_389_ = param_2;
+            phi_388_ = param_2;
         } else {
-            phi_389_ = _e227;
+            phi_388_ = _e227;
         }
-        let _e231 = phi_389_;
-        phi_437_ = (param_2 - _e231);
+        let _e231 = phi_388_;
+        phi_436_ = (param_2 - _e231);
     } else {
         if (_e204 == 1u) {
             let _e234 = (param_2 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_415_ = 1f;
+                    phi_414_ = 1f;
                 } else {
-                    phi_415_ = 0f;
+                    phi_414_ = 0f;
                 }
-                let _e249 = phi_415_;
+                let _e249 = phi_414_;
                 if (_e234 < 8388608f) {
-                    phi_420_ = (_e246 - _e249);
-                    phi_421_ = false;
+                    phi_419_ = (_e246 - _e249);
+                    phi_420_ = false;
                 } else {
-                    phi_420_ = f32();
-                    phi_421_ = true;
+                    phi_419_ = f32();
+                    phi_420_ = true;
                 }
-                let _e252 = phi_420_;
-                let _e254 = phi_421_;
-                phi_422_ = _e252;
-                phi_423_ = _e254;
+                let _e252 = phi_419_;
+                let _e254 = phi_420_;
+                phi_421_ = _e252;
+                phi_422_ = _e254;
             } else {
-                phi_422_ = f32();
-                phi_423_ = true;
+                phi_421_ = f32();
+                phi_422_ = true;
             }
-            let _e256 = phi_422_;
-            let _e258 = phi_423_;
+            let _e256 = phi_421_;
+            let _e258 = phi_422_;
             if _e258 {
-                phi_427_ = _e234;
+                phi_426_ = _e234;
             } else {
-                phi_427_ = _e256;
+                phi_426_ = _e256;
             }
-            let _e260 = phi_427_;
+            let _e260 = phi_426_;
             let _e262 = (param_2 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_435_ = (2f - _e262);
+                phi_434_ = (2f - _e262);
             } else {
-                phi_435_ = _e262;
+                phi_434_ = _e262;
             }
-            let _e266 = phi_435_;
-            phi_436_ = _e266;
+            let _e266 = phi_434_;
+            phi_435_ = _e266;
         } else {
-            phi_436_ = param_2;
+            phi_435_ = param_2;
         }
-        let _e268 = phi_436_;
-        phi_437_ = _e268;
+        let _e268 = phi_435_;
+        phi_436_ = _e268;
     }
-    let _e270 = phi_437_;
+    let _e270 = phi_436_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_446_ = _e270;
+            phi_445_ = _e270;
         } else {
-            phi_446_ = 1f;
+            phi_445_ = 1f;
         }
-        let _e274 = phi_446_;
-        phi_447_ = _e274;
+        let _e274 = phi_445_;
+        phi_446_ = _e274;
     } else {
-        phi_447_ = 0f;
+        phi_446_ = 0f;
     }
-    let _e276 = phi_447_;
+    let _e276 = phi_446_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_465_ = _e277;
+            phi_464_ = _e277;
         } else {
-            phi_465_ = _e286;
+            phi_464_ = _e286;
         }
-        let _e289 = phi_465_;
-        phi_504_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_464_;
+        phi_503_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_479_ = _e75;
+            phi_478_ = _e75;
         } else {
-            phi_479_ = _e298;
+            phi_478_ = _e298;
         }
-        let _e301 = phi_479_;
+        let _e301 = phi_478_;
         if (_e204 == 0u) {
-            phi_486_ = _e277;
+            phi_485_ = _e277;
         } else {
-            phi_486_ = 0u;
+            phi_485_ = 0u;
         }
-        let _e306 = phi_486_;
+        let _e306 = phi_485_;
         if (_e204 == 0u) {
-            phi_491_ = 0u;
+            phi_490_ = 0u;
         } else {
-            phi_491_ = _e277;
+            phi_490_ = _e277;
         }
-        let _e309 = phi_491_;
+        let _e309 = phi_490_;
         if (_e301 == 0u) {
-            phi_497_ = _e306;
+            phi_496_ = _e306;
         } else {
-            phi_497_ = (_e301 - 1u);
+            phi_496_ = (_e301 - 1u);
         }
-        let _e313 = phi_497_;
+        let _e313 = phi_496_;
         if (_e301 > _e277) {
-            phi_502_ = _e309;
+            phi_501_ = _e309;
         } else {
-            phi_502_ = _e301;
+            phi_501_ = _e301;
         }
-        let _e316 = phi_502_;
-        phi_504_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_501_;
+        phi_503_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_504_;
+    let _e319 = phi_503_;
     let _e323 = (*param).offset;
     let _e330 = (*param).offset;
     let _e337 = (*param).offset;
@@ -507,56 +507,57 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_563_: bool;
-    var phi_567_: f32;
+    var phi_562_: bool;
+    var phi_566_: f32;
 
     if (param_3 != param_3) {
-        phi_563_ = true;
+        phi_562_ = true;
     } else {
         let _e69 = (param_4 >= param_3);
         if _e69 {
         }
-        phi_563_ = _e69;
+        phi_562_ = _e69;
     }
-    let _e71 = phi_563_;
+    let _e71 = phi_562_;
     if _e71 {
-        phi_567_ = param_4;
+        phi_566_ = param_4;
     } else {
-        phi_567_ = param_3;
+        phi_566_ = param_3;
     }
-    let _e73 = phi_567_;
+    let _e73 = phi_566_;
     return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_579_: bool;
-    var phi_583_: f32;
+    var phi_578_: bool;
+    var phi_582_: f32;
 
     if (param_5 != param_5) {
-        phi_579_ = true;
+        phi_578_ = true;
     } else {
         let _e69 = (param_6 <= param_5);
         if _e69 {
         }
-        phi_579_ = _e69;
+        phi_578_ = _e69;
     }
-    let _e71 = phi_579_;
+    let _e71 = phi_578_;
     if _e71 {
-        phi_583_ = param_6;
+        phi_582_ = param_6;
     } else {
-        phi_583_ = param_5;
+        phi_582_ = param_5;
     }
-    let _e73 = phi_583_;
+    let _e73 = phi_582_;
     return _e73;
 }
 
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_673_: f32;
+    var phi_672_: f32;
+    var phi_727_: bool;
     var phi_728_: bool;
     var phi_729_: bool;
-    var phi_730_: bool;
+    var phi_733_: bool;
     var phi_734_: bool;
     var phi_735_: bool;
     var phi_736_: bool;
@@ -574,137 +575,137 @@ fn function_() {
     var phi_748_: bool;
     var phi_749_: bool;
     var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_755_: bool;
-    var phi_759_: bool;
-    var phi_829_: f32;
-    var phi_836_: f32;
-    var phi_843_: f32;
-    var phi_850_: f32;
-    var phi_857_: f32;
-    var phi_864_: f32;
-    var phi_881_: f32;
-    var phi_886_: f32;
-    var phi_891_: f32;
+    var phi_754_: bool;
+    var phi_758_: bool;
+    var phi_828_: f32;
+    var phi_835_: f32;
+    var phi_842_: f32;
+    var phi_849_: f32;
+    var phi_856_: f32;
+    var phi_863_: f32;
+    var phi_880_: f32;
+    var phi_885_: f32;
+    var phi_890_: f32;
+    var phi_918_: bool;
     var phi_919_: bool;
-    var phi_920_: bool;
+    var phi_927_: u32;
     var phi_928_: u32;
-    var phi_929_: u32;
+    var phi_939_: vec3<f32>;
     var phi_940_: vec3<f32>;
-    var phi_941_: vec3<f32>;
-    var phi_954_: u32;
-    var phi_959_: u32;
-    var phi_964_: u32;
+    var phi_953_: u32;
+    var phi_958_: u32;
+    var phi_963_: u32;
+    var phi_1077_: bool;
     var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1110_: u32;
-    var phi_1112_: u32;
-    var phi_1193_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1220_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1247_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1253_: u32;
-    var phi_1256_: u32;
-    var phi_1270_: u32;
-    var phi_1280_: u32;
-    var phi_1290_: u32;
-    var phi_1308_: u32;
-    var phi_1318_: u32;
-    var phi_1328_: u32;
-    var phi_1364_: u32;
-    var phi_1377_: u32;
+    var phi_1109_: u32;
+    var phi_1111_: u32;
+    var phi_1192_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1219_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1246_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1252_: u32;
+    var phi_1255_: u32;
+    var phi_1269_: u32;
+    var phi_1279_: u32;
+    var phi_1289_: u32;
+    var phi_1307_: u32;
+    var phi_1317_: u32;
+    var phi_1327_: u32;
+    var phi_1363_: u32;
+    var phi_1376_: u32;
+    var phi_1381_: u32;
     var phi_1382_: u32;
     var phi_1383_: u32;
-    var phi_1384_: u32;
-    var phi_1254_: u32;
-    var phi_1257_: u32;
+    var phi_1253_: u32;
+    var phi_1256_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1442_: u32;
+    var phi_1441_: u32;
+    var phi_1486_: vec3<f32>;
     var phi_1487_: vec3<f32>;
-    var phi_1488_: vec3<f32>;
+    var phi_1516_: vec3<f32>;
     var phi_1517_: vec3<f32>;
-    var phi_1518_: vec3<f32>;
+    var phi_1546_: vec3<f32>;
     var phi_1547_: vec3<f32>;
-    var phi_1548_: vec3<f32>;
+    var phi_1565_: bool;
     var phi_1566_: bool;
-    var phi_1567_: bool;
+    var phi_1570_: f32;
     var phi_1571_: f32;
     var phi_1572_: f32;
     var phi_1573_: f32;
-    var phi_1574_: f32;
-    var phi_1582_: f32;
+    var phi_1581_: f32;
+    var phi_1591_: bool;
     var phi_1592_: bool;
-    var phi_1593_: bool;
+    var phi_1596_: f32;
     var phi_1597_: f32;
     var phi_1598_: f32;
     var phi_1599_: f32;
-    var phi_1600_: f32;
-    var phi_1608_: f32;
+    var phi_1607_: f32;
+    var phi_1617_: bool;
     var phi_1618_: bool;
-    var phi_1619_: bool;
+    var phi_1622_: f32;
     var phi_1623_: f32;
     var phi_1624_: f32;
     var phi_1625_: f32;
-    var phi_1626_: f32;
-    var phi_1634_: f32;
-    var phi_1649_: f32;
-    var phi_1650_: bool;
-    var phi_1651_: f32;
-    var phi_1652_: bool;
-    var phi_1653_: f32;
-    var phi_1654_: bool;
-    var phi_1672_: f32;
+    var phi_1633_: f32;
+    var phi_1648_: f32;
+    var phi_1649_: bool;
+    var phi_1650_: f32;
+    var phi_1651_: bool;
+    var phi_1652_: f32;
+    var phi_1653_: bool;
+    var phi_1671_: f32;
+    var phi_1672_: bool;
     var phi_1673_: bool;
-    var phi_1674_: bool;
-    var phi_1675_: f32;
+    var phi_1674_: f32;
+    var phi_1675_: bool;
     var phi_1676_: bool;
-    var phi_1677_: bool;
-    var phi_1681_: bool;
-    var phi_1682_: f32;
-    var phi_1683_: bool;
+    var phi_1680_: bool;
+    var phi_1681_: f32;
+    var phi_1682_: bool;
+    var phi_1710_: vec3<f32>;
     var phi_1711_: vec3<f32>;
-    var phi_1712_: vec3<f32>;
+    var phi_1736_: vec3<f32>;
     var phi_1737_: vec3<f32>;
-    var phi_1738_: vec3<f32>;
+    var phi_1762_: vec3<f32>;
     var phi_1763_: vec3<f32>;
-    var phi_1764_: vec3<f32>;
-    var phi_1820_: f32;
-    var phi_1829_: f32;
-    var phi_1838_: f32;
-    var phi_1847_: f32;
-    var phi_1854_: f32;
-    var phi_1861_: f32;
-    var phi_1874_: f32;
-    var phi_1883_: f32;
-    var phi_1892_: f32;
-    var phi_1901_: f32;
-    var phi_1908_: f32;
-    var phi_1915_: f32;
-    var phi_1932_: f32;
-    var phi_1937_: f32;
-    var phi_1942_: f32;
-    var phi_1950_: f32;
-    var phi_1955_: f32;
-    var phi_1960_: f32;
-    var phi_1972_: f32;
-    var phi_1977_: f32;
-    var phi_1982_: f32;
-    var phi_1987_: f32;
-    var phi_1992_: lt_bvh_triangle_Intersection;
-    var phi_1993_: bool;
-    var phi_1994_: lt_bvh_triangle_Intersection;
-    var phi_1995_: bool;
-    var phi_1999_: lt_bvh_triangle_Intersection;
-    var phi_2000_: bool;
-    var phi_2001_: lt_bvh_triangle_Intersection;
+    var phi_1819_: f32;
+    var phi_1828_: f32;
+    var phi_1837_: f32;
+    var phi_1846_: f32;
+    var phi_1853_: f32;
+    var phi_1860_: f32;
+    var phi_1873_: f32;
+    var phi_1882_: f32;
+    var phi_1891_: f32;
+    var phi_1900_: f32;
+    var phi_1907_: f32;
+    var phi_1914_: f32;
+    var phi_1931_: f32;
+    var phi_1936_: f32;
+    var phi_1941_: f32;
+    var phi_1949_: f32;
+    var phi_1954_: f32;
+    var phi_1959_: f32;
+    var phi_1971_: f32;
+    var phi_1976_: f32;
+    var phi_1981_: f32;
+    var phi_1986_: f32;
+    var phi_1991_: lt_bvh_triangle_Intersection;
+    var phi_1992_: bool;
+    var phi_1993_: lt_bvh_triangle_Intersection;
+    var phi_1994_: bool;
+    var phi_1998_: lt_bvh_triangle_Intersection;
+    var phi_1999_: bool;
+    var phi_2000_: lt_bvh_triangle_Intersection;
+    var phi_2001_: bool;
     var phi_2002_: bool;
-    var phi_2003_: bool;
-    var phi_2007_: bool;
-    var phi_2011_: lt_bvh_triangle_Intersection;
-    var phi_2225_: f32;
+    var phi_2006_: bool;
+    var phi_2010_: lt_bvh_triangle_Intersection;
+    var phi_2224_: f32;
+    var phi_2227_: bool;
     var phi_2228_: bool;
-    var phi_2229_: bool;
+    var phi_2232_: bool;
     var phi_2233_: bool;
     var phi_2234_: bool;
     var phi_2235_: bool;
@@ -716,35 +717,34 @@ fn function_() {
     var phi_2241_: bool;
     var phi_2242_: bool;
     var phi_2243_: bool;
-    var phi_2244_: bool;
+    var phi_2247_: bool;
     var phi_2248_: bool;
+    var phi_1442_: u32;
     var phi_2249_: bool;
-    var phi_1443_: u32;
     var phi_2250_: bool;
     var phi_2251_: bool;
-    var phi_2252_: bool;
     var local_5: bool;
+    var phi_2293_: bool;
     var phi_2294_: bool;
-    var phi_2295_: bool;
+    var phi_2325_: u32;
     var phi_2326_: u32;
-    var phi_2327_: u32;
+    var phi_2327_: bool;
     var phi_2328_: bool;
+    var phi_1112_: u32;
     var phi_2329_: bool;
-    var phi_1113_: u32;
     var phi_2330_: bool;
     var phi_2331_: bool;
     var phi_2332_: bool;
-    var phi_2333_: bool;
     var local_6: bool;
+    var phi_2336_: bool;
     var phi_2337_: bool;
-    var phi_2338_: bool;
-    var phi_2342_: bool;
+    var phi_2341_: bool;
+    var phi_2345_: bool;
     var phi_2346_: bool;
     var phi_2347_: bool;
     var phi_2348_: bool;
-    var phi_2349_: bool;
-    var phi_2353_: bool;
-    var phi_2357_: f32;
+    var phi_2352_: bool;
+    var phi_2356_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -783,11 +783,11 @@ fn function_() {
         let _e129 = (_e113.y + (_e115.y * _e119));
         let _e131 = (_e113.z + (_e115.z * _e119));
         if (_e111.w == 0f) {
-            phi_673_ = 300000000000000000000000000000000000000f;
+            phi_672_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_673_ = 1f;
+            phi_672_ = 1f;
         }
-        let _e135 = phi_673_;
+        let _e135 = phi_672_;
         let _e143 = (_e111.x - (_e127 * _e111.w));
         let _e144 = (_e111.y - (_e129 * _e111.w));
         let _e145 = (_e111.z - (_e131 * _e111.w));
@@ -801,106 +801,106 @@ fn function_() {
                         if (_e151 < 1000000000000000f) {
                             if (_e152 < 1000000000000000f) {
                                 if (_e150 > 0f) {
-                                    phi_729_ = bool();
-                                    phi_730_ = true;
+                                    phi_728_ = bool();
+                                    phi_729_ = true;
                                 } else {
                                     let _e160 = (_e151 > 0f);
                                     if _e160 {
-                                        phi_728_ = bool();
+                                        phi_727_ = bool();
                                     } else {
-                                        phi_728_ = (_e152 > 0f);
+                                        phi_727_ = (_e152 > 0f);
                                     }
-                                    let _e163 = phi_728_;
-                                    phi_729_ = _e163;
-                                    phi_730_ = _e160;
+                                    let _e163 = phi_727_;
+                                    phi_728_ = _e163;
+                                    phi_729_ = _e160;
                                 }
-                                let _e165 = phi_729_;
-                                let _e167 = phi_730_;
+                                let _e165 = phi_728_;
+                                let _e167 = phi_729_;
                                 if _e167 {
-                                    phi_734_ = true;
+                                    phi_733_ = true;
                                 } else {
-                                    phi_734_ = _e165;
+                                    phi_733_ = _e165;
                                 }
-                                let _e169 = phi_734_;
-                                phi_735_ = _e169;
-                                phi_736_ = false;
+                                let _e169 = phi_733_;
+                                phi_734_ = _e169;
+                                phi_735_ = false;
                             } else {
-                                phi_735_ = bool();
-                                phi_736_ = true;
+                                phi_734_ = bool();
+                                phi_735_ = true;
                             }
-                            let _e171 = phi_735_;
-                            let _e173 = phi_736_;
-                            phi_737_ = _e171;
-                            phi_738_ = false;
-                            phi_739_ = _e173;
+                            let _e171 = phi_734_;
+                            let _e173 = phi_735_;
+                            phi_736_ = _e171;
+                            phi_737_ = false;
+                            phi_738_ = _e173;
                         } else {
-                            phi_737_ = bool();
-                            phi_738_ = true;
-                            phi_739_ = false;
+                            phi_736_ = bool();
+                            phi_737_ = true;
+                            phi_738_ = false;
                         }
-                        let _e175 = phi_737_;
-                        let _e177 = phi_738_;
-                        let _e179 = phi_739_;
-                        phi_740_ = _e175;
-                        phi_741_ = _e177;
-                        phi_742_ = _e179;
+                        let _e175 = phi_736_;
+                        let _e177 = phi_737_;
+                        let _e179 = phi_738_;
+                        phi_739_ = _e175;
+                        phi_740_ = _e177;
+                        phi_741_ = _e179;
                     } else {
-                        phi_740_ = bool();
-                        phi_741_ = true;
-                        phi_742_ = false;
+                        phi_739_ = bool();
+                        phi_740_ = true;
+                        phi_741_ = false;
                     }
-                    let _e181 = phi_740_;
-                    let _e183 = phi_741_;
-                    let _e185 = phi_742_;
-                    phi_743_ = _e181;
-                    phi_744_ = _e183;
-                    phi_745_ = _e185;
+                    let _e181 = phi_739_;
+                    let _e183 = phi_740_;
+                    let _e185 = phi_741_;
+                    phi_742_ = _e181;
+                    phi_743_ = _e183;
+                    phi_744_ = _e185;
                 } else {
-                    phi_743_ = bool();
-                    phi_744_ = true;
-                    phi_745_ = false;
+                    phi_742_ = bool();
+                    phi_743_ = true;
+                    phi_744_ = false;
                 }
-                let _e187 = phi_743_;
-                let _e189 = phi_744_;
-                let _e191 = phi_745_;
-                phi_746_ = _e187;
-                phi_747_ = _e189;
-                phi_748_ = _e191;
+                let _e187 = phi_742_;
+                let _e189 = phi_743_;
+                let _e191 = phi_744_;
+                phi_745_ = _e187;
+                phi_746_ = _e189;
+                phi_747_ = _e191;
             } else {
-                phi_746_ = bool();
-                phi_747_ = true;
-                phi_748_ = false;
+                phi_745_ = bool();
+                phi_746_ = true;
+                phi_747_ = false;
             }
-            let _e193 = phi_746_;
-            let _e195 = phi_747_;
-            let _e197 = phi_748_;
-            phi_749_ = _e193;
-            phi_750_ = _e195;
-            phi_751_ = _e197;
+            let _e193 = phi_745_;
+            let _e195 = phi_746_;
+            let _e197 = phi_747_;
+            phi_748_ = _e193;
+            phi_749_ = _e195;
+            phi_750_ = _e197;
         } else {
-            phi_749_ = bool();
-            phi_750_ = true;
-            phi_751_ = false;
+            phi_748_ = bool();
+            phi_749_ = true;
+            phi_750_ = false;
         }
-        let _e199 = phi_749_;
-        let _e201 = phi_750_;
-        let _e203 = phi_751_;
+        let _e199 = phi_748_;
+        let _e201 = phi_749_;
+        let _e203 = phi_750_;
         if _e201 {
-            phi_755_ = true;
+            phi_754_ = true;
         } else {
-            phi_755_ = _e203;
+            phi_754_ = _e203;
         }
-        let _e205 = phi_755_;
+        let _e205 = phi_754_;
         if _e205 {
-            phi_759_ = false;
+            phi_758_ = false;
         } else {
-            phi_759_ = _e199;
+            phi_758_ = _e199;
         }
-        let _e207 = phi_759_;
+        let _e207 = phi_758_;
         if _e207 {
             let _e208 = (0u >= _e75);
             if _e208 {
-                phi_2347_ = bool();
+                phi_2346_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
@@ -917,41 +917,41 @@ fn function_() {
                 let _e273 = core_intrinsics_maximum_number_nsz_f32_(_e272, abs(_e145));
                 let _e274 = (_e273 * 0.0000000000009094947f);
                 if (abs(_e143) < _e274) {
-                    phi_829_ = _e274;
+                    phi_828_ = _e274;
                 } else {
-                    phi_829_ = abs(_e143);
+                    phi_828_ = abs(_e143);
                 }
-                let _e279 = phi_829_;
+                let _e279 = phi_828_;
                 if (_e143 < 0f) {
-                    phi_836_ = (-1f / _e279);
+                    phi_835_ = (-1f / _e279);
                 } else {
-                    phi_836_ = (1f / _e279);
+                    phi_835_ = (1f / _e279);
                 }
-                let _e284 = phi_836_;
+                let _e284 = phi_835_;
                 if (abs(_e144) < _e274) {
-                    phi_843_ = _e274;
+                    phi_842_ = _e274;
                 } else {
-                    phi_843_ = abs(_e144);
+                    phi_842_ = abs(_e144);
                 }
-                let _e289 = phi_843_;
+                let _e289 = phi_842_;
                 if (_e144 < 0f) {
-                    phi_850_ = (-1f / _e289);
+                    phi_849_ = (-1f / _e289);
                 } else {
-                    phi_850_ = (1f / _e289);
+                    phi_849_ = (1f / _e289);
                 }
-                let _e294 = phi_850_;
+                let _e294 = phi_849_;
                 if (abs(_e145) < _e274) {
-                    phi_857_ = _e274;
+                    phi_856_ = _e274;
                 } else {
-                    phi_857_ = abs(_e145);
+                    phi_856_ = abs(_e145);
                 }
-                let _e299 = phi_857_;
+                let _e299 = phi_856_;
                 if (_e145 < 0f) {
-                    phi_864_ = (-1f / _e299);
+                    phi_863_ = (-1f / _e299);
                 } else {
-                    phi_864_ = (1f / _e299);
+                    phi_863_ = (1f / _e299);
                 }
-                let _e304 = phi_864_;
+                let _e304 = phi_863_;
                 let _e308 = abs((bitcast<f32>(_e214) - _e127));
                 let _e309 = abs((bitcast<f32>(_e218) - _e129));
                 let _e310 = abs((bitcast<f32>(_e222) - _e131));
@@ -959,23 +959,23 @@ fn function_() {
                 let _e315 = abs(((bitcast<f32>(_e230) + (bitcast<f32>((((_e238 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e129));
                 let _e316 = abs(((bitcast<f32>(_e234) + (bitcast<f32>((((_e238 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e131));
                 if (_e308 > _e314) {
-                    phi_881_ = _e308;
+                    phi_880_ = _e308;
                 } else {
-                    phi_881_ = _e314;
+                    phi_880_ = _e314;
                 }
-                let _e319 = phi_881_;
+                let _e319 = phi_880_;
                 if (_e309 > _e315) {
-                    phi_886_ = _e309;
+                    phi_885_ = _e309;
                 } else {
-                    phi_886_ = _e315;
+                    phi_885_ = _e315;
                 }
-                let _e322 = phi_886_;
+                let _e322 = phi_885_;
                 if (_e310 > _e316) {
-                    phi_891_ = _e310;
+                    phi_890_ = _e310;
                 } else {
-                    phi_891_ = _e316;
+                    phi_890_ = _e316;
                 }
-                let _e325 = phi_891_;
+                let _e325 = phi_890_;
                 let _e326 = core_intrinsics_maximum_number_nsz_f32_(_e319, _e322);
                 let _e327 = core_intrinsics_maximum_number_nsz_f32_(_e326, _e325);
                 let _e331 = (_e327 * 0.0000019073486f);
@@ -991,60 +991,60 @@ fn function_() {
                 let _e344 = abs(_e145);
                 if (_e342 >= _e343) {
                     if (_e342 >= _e344) {
-                        phi_919_ = false;
+                        phi_918_ = false;
                     } else {
-                        phi_919_ = true;
+                        phi_918_ = true;
                     }
-                    let _e348 = phi_919_;
-                    phi_920_ = _e348;
+                    let _e348 = phi_918_;
+                    phi_919_ = _e348;
                 } else {
-                    phi_920_ = true;
+                    phi_919_ = true;
                 }
-                let _e350 = phi_920_;
+                let _e350 = phi_919_;
                 if _e350 {
                     if (_e343 >= _e344) {
-                        phi_928_ = 1u;
+                        phi_927_ = 1u;
                     } else {
-                        phi_928_ = 2u;
+                        phi_927_ = 2u;
                     }
-                    let _e353 = phi_928_;
-                    phi_929_ = _e353;
+                    let _e353 = phi_927_;
+                    phi_928_ = _e353;
                 } else {
-                    phi_929_ = 0u;
+                    phi_928_ = 0u;
                 }
-                let _e355 = phi_929_;
+                let _e355 = phi_928_;
                 if (_e355 == 0u) {
-                    phi_941_ = vec3<f32>(_e144, _e145, _e143);
+                    phi_940_ = vec3<f32>(_e144, _e145, _e143);
                 } else {
                     if (_e355 == 1u) {
-                        phi_940_ = vec3<f32>(_e145, _e143, _e144);
+                        phi_939_ = vec3<f32>(_e145, _e143, _e144);
                     } else {
-                        phi_940_ = vec3<f32>(_e143, _e144, _e145);
+                        phi_939_ = vec3<f32>(_e143, _e144, _e145);
                     }
-                    let _e361 = phi_940_;
-                    phi_941_ = _e361;
+                    let _e361 = phi_939_;
+                    phi_940_ = _e361;
                 }
-                let _e363 = phi_941_;
+                let _e363 = phi_940_;
                 let _e366 = (_e363.x / _e363.z);
                 let _e369 = (_e363.y / _e363.z);
                 if (_e284 < 0f) {
-                    phi_954_ = 0u;
+                    phi_953_ = 0u;
                 } else {
-                    phi_954_ = 1u;
+                    phi_953_ = 1u;
                 }
-                let _e374 = phi_954_;
+                let _e374 = phi_953_;
                 if (_e294 < 0f) {
-                    phi_959_ = 0u;
+                    phi_958_ = 0u;
                 } else {
-                    phi_959_ = 2u;
+                    phi_958_ = 2u;
                 }
-                let _e377 = phi_959_;
+                let _e377 = phi_958_;
                 if (_e304 < 0f) {
-                    phi_964_ = 0u;
+                    phi_963_ = 0u;
                 } else {
-                    phi_964_ = 4u;
+                    phi_963_ = 4u;
                 }
-                let _e380 = phi_964_;
+                let _e380 = phi_963_;
                 let _e382 = ((_e374 | _e377) | _e380);
                 let _e383 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
                 local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e383.first[0], _e383.first[1], _e383.first[2], _e383.first[3], _e383.first[4], _e383.first[5], _e383.first[6], _e383.first[7], _e383.first[8], _e383.first[9], _e383.first[10], _e383.first[11], _e383.first[12], _e383.first[13], _e383.first[14], _e383.first[15], _e383.first[16], _e383.first[17], _e383.first[18], _e383.first[19], _e383.first[20], _e383.first[21], _e383.first[22], _e383.first[23], _e383.first[24], _e383.first[25], _e383.first[26], _e383.first[27], _e383.first[28], _e383.first[29], _e383.first[30], _e383.first[31]), array<u32, 32>(_e383.mask[0], _e383.mask[1], _e383.mask[2], _e383.mask[3], _e383.mask[4], _e383.mask[5], _e383.mask[6], _e383.mask[7], _e383.mask[8], _e383.mask[9], _e383.mask[10], _e383.mask[11], _e383.mask[12], _e383.mask[13], _e383.mask[14], _e383.mask[15], _e383.mask[16], _e383.mask[17], _e383.mask[18], _e383.mask[19], _e383.mask[20], _e383.mask[21], _e383.mask[22], _e383.mask[23], _e383.mask[24], _e383.mask[25], _e383.mask[26], _e383.mask[27], _e383.mask[28], _e383.mask[29], _e383.mask[30], _e383.mask[31]), _e383.len, _e383.group, _e383.group_mask);
@@ -1052,7 +1052,7 @@ fn function_() {
                 if ((_e457 & 4278190080u) == 0u) {
                     let _e461 = local_1.len;
                     if (_e461 == 0u) {
-                        phi_1078_ = false;
+                        phi_1077_ = false;
                     } else {
                         let _e465 = local_1.len;
                         local_1.len = (_e465 - 1u);
@@ -1070,14 +1070,14 @@ fn function_() {
                         }
                         let _e481 = local_1.mask[(0u + _e476)];
                         local_1.group_mask = _e481;
-                        phi_1078_ = true;
+                        phi_1077_ = true;
                     }
-                    let _e484 = phi_1078_;
-                    phi_1079_ = _e484;
+                    let _e484 = phi_1077_;
+                    phi_1078_ = _e484;
                 } else {
-                    phi_1079_ = true;
+                    phi_1078_ = true;
                 }
-                let _e486 = phi_1079_;
+                let _e486 = phi_1078_;
                 if _e486 {
                     let _e488 = local_1.group_mask;
                     let _e494 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e488)), 32u, (_e488 == 0u)));
@@ -1085,14 +1085,14 @@ fn function_() {
                     let _e512 = local_1.group_mask;
                     local_1.group_mask = (_e512 & ~((1u << bitcast<u32>((_e494 & 31u)))));
                     let _e515 = local_1.group;
-                    phi_1110_ = (_e515 + countOneBits(((_e498 & ~((4294967295u << bitcast<u32>((((_e494 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    phi_1109_ = (_e515 + countOneBits(((_e498 & ~((4294967295u << bitcast<u32>((((_e494 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1110_ = 4294967295u;
+                    phi_1109_ = 4294967295u;
                 }
-                let _e518 = phi_1110_;
-                phi_1112_ = _e518;
+                let _e518 = phi_1109_;
+                phi_1111_ = _e518;
                 loop {
-                    let _e520 = phi_1112_;
+                    let _e520 = phi_1111_;
                     if (_e520 != 4294967295u) {
                         if (_e520 < _e75) {
                         } else {
@@ -1113,45 +1113,45 @@ fn function_() {
                             let _e591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e591.unnamed.root, _e580.w), _e591.unnamed_1);
                             let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e597.unnamed, lt_bvh_traverse_Tree(_e580.x, _e597.unnamed_1.first_primitive));
-                            phi_1193_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e603.unnamed_1.root, _e580.y));
+                            phi_1192_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e603.unnamed_1.root, _e580.y));
                         } else {
                             let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e619.unnamed.root, _e580.y), _e619.unnamed_1);
                             let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e580.z, _e625.unnamed_1.first_primitive));
-                            phi_1193_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e631.unnamed_1.root, _e580.w));
+                            phi_1192_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e631.unnamed_1.root, _e580.w));
                         }
-                        let _e639 = phi_1193_;
+                        let _e639 = phi_1192_;
                         let _e649 = nodes.member[(0u + _e520)].y;
                         if (_e294 < 0f) {
                             let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e649.w), _e660.unnamed_1);
                             let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e649.x, _e666.unnamed_1.first_primitive));
-                            phi_1220_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e649.y));
+                            phi_1219_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e649.y));
                         } else {
                             let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.unnamed.root, _e649.y), _e688.unnamed_1);
                             let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e649.z, _e694.unnamed_1.first_primitive));
-                            phi_1220_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e700.unnamed_1.root, _e649.w));
+                            phi_1219_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e700.unnamed_1.root, _e649.w));
                         }
-                        let _e708 = phi_1220_;
+                        let _e708 = phi_1219_;
                         let _e718 = nodes.member[(0u + _e520)].z;
                         if (_e304 < 0f) {
                             let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e718.w), _e729.unnamed_1);
                             let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e718.x, _e735.unnamed_1.first_primitive));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e718.y));
+                            phi_1246_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e718.y));
                         } else {
                             let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.unnamed.root, _e718.y), _e757.unnamed_1);
                             let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e718.z, _e763.unnamed_1.first_primitive));
-                            phi_1247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e718.w));
+                            phi_1246_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e718.w));
                         }
-                        let _e777 = phi_1247_;
-                        phi_1253_ = 0u;
-                        phi_1256_ = 0u;
+                        let _e777 = phi_1246_;
+                        phi_1252_ = 0u;
+                        phi_1255_ = 0u;
                         loop {
-                            let _e787 = phi_1253_;
-                            let _e789 = phi_1256_;
+                            let _e787 = phi_1252_;
+                            let _e789 = phi_1255_;
                             local_2 = _e789;
                             local_3 = _e789;
                             local_4 = _e789;
@@ -1160,43 +1160,43 @@ fn function_() {
                                 let _e792 = (_e787 >> bitcast<u32>(2i));
                                 let _e793 = (_e787 & 3u);
                                 if (_e792 == 0u) {
-                                    phi_1270_ = _e639.unnamed.root;
+                                    phi_1269_ = _e639.unnamed.root;
                                 } else {
-                                    phi_1270_ = _e639.unnamed.first_primitive;
+                                    phi_1269_ = _e639.unnamed.first_primitive;
                                 }
-                                let _e796 = phi_1270_;
+                                let _e796 = phi_1269_;
                                 if (_e792 == 0u) {
-                                    phi_1280_ = _e708.unnamed.root;
+                                    phi_1279_ = _e708.unnamed.root;
                                 } else {
-                                    phi_1280_ = _e708.unnamed.first_primitive;
+                                    phi_1279_ = _e708.unnamed.first_primitive;
                                 }
-                                let _e805 = phi_1280_;
+                                let _e805 = phi_1279_;
                                 if (_e792 == 0u) {
-                                    phi_1290_ = _e777.unnamed.root;
+                                    phi_1289_ = _e777.unnamed.root;
                                 } else {
-                                    phi_1290_ = _e777.unnamed.first_primitive;
+                                    phi_1289_ = _e777.unnamed.first_primitive;
                                 }
-                                let _e814 = phi_1290_;
+                                let _e814 = phi_1289_;
                                 let _e827 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e796 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e332)), ((f32(((_e805 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e333)));
                                 let _e828 = core_intrinsics_maximum_number_nsz_f32_(_e827, ((f32(((_e814 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e334)));
                                 if (_e792 == 0u) {
-                                    phi_1308_ = _e639.unnamed_1.root;
+                                    phi_1307_ = _e639.unnamed_1.root;
                                 } else {
-                                    phi_1308_ = _e639.unnamed_1.first_primitive;
+                                    phi_1307_ = _e639.unnamed_1.first_primitive;
                                 }
-                                let _e831 = phi_1308_;
+                                let _e831 = phi_1307_;
                                 if (_e792 == 0u) {
-                                    phi_1318_ = _e708.unnamed_1.root;
+                                    phi_1317_ = _e708.unnamed_1.root;
                                 } else {
-                                    phi_1318_ = _e708.unnamed_1.first_primitive;
+                                    phi_1317_ = _e708.unnamed_1.first_primitive;
                                 }
-                                let _e840 = phi_1318_;
+                                let _e840 = phi_1317_;
                                 if (_e792 == 0u) {
-                                    phi_1328_ = _e777.unnamed_1.root;
+                                    phi_1327_ = _e777.unnamed_1.root;
                                 } else {
-                                    phi_1328_ = _e777.unnamed_1.first_primitive;
+                                    phi_1327_ = _e777.unnamed_1.first_primitive;
                                 }
-                                let _e849 = phi_1328_;
+                                let _e849 = phi_1327_;
                                 let _e862 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e831 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e332)), ((f32(((_e840 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e333)));
                                 let _e863 = core_intrinsics_minimum_number_nsz_f32_(_e862, ((f32(((_e849 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e334)));
                                 if (_e828 <= _e863) {
@@ -1204,47 +1204,47 @@ fn function_() {
                                         if (_e863 >= 0f) {
                                             if (_e792 == 0u) {
                                                 let _e870 = nodes.member[(0u + _e520)].links[2u];
-                                                phi_1364_ = _e870;
+                                                phi_1363_ = _e870;
                                             } else {
                                                 let _e873 = nodes.member[(0u + _e520)].links[3u];
-                                                phi_1364_ = _e873;
+                                                phi_1363_ = _e873;
                                             }
-                                            let _e875 = phi_1364_;
+                                            let _e875 = phi_1363_;
                                             let _e880 = ((_e875 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u);
                                             let _e881 = (_e880 & 31u);
                                             if (_e881 >= 24u) {
-                                                phi_1377_ = (24u + ((_e881 - 24u) ^ _e382));
+                                                phi_1376_ = (24u + ((_e881 - 24u) ^ _e382));
                                             } else {
-                                                phi_1377_ = _e881;
+                                                phi_1376_ = _e881;
                                             }
-                                            let _e887 = phi_1377_;
-                                            phi_1382_ = (_e789 | ((_e880 >> bitcast<u32>(5i)) << bitcast<u32>((_e887 & 31u))));
+                                            let _e887 = phi_1376_;
+                                            phi_1381_ = (_e789 | ((_e880 >> bitcast<u32>(5i)) << bitcast<u32>((_e887 & 31u))));
                                         } else {
-                                            phi_1382_ = _e789;
+                                            phi_1381_ = _e789;
                                         }
-                                        let _e895 = phi_1382_;
-                                        phi_1383_ = _e895;
+                                        let _e895 = phi_1381_;
+                                        phi_1382_ = _e895;
                                     } else {
-                                        phi_1383_ = _e789;
+                                        phi_1382_ = _e789;
                                     }
-                                    let _e897 = phi_1383_;
-                                    phi_1384_ = _e897;
+                                    let _e897 = phi_1382_;
+                                    phi_1383_ = _e897;
                                 } else {
-                                    phi_1384_ = _e789;
+                                    phi_1383_ = _e789;
                                 }
-                                let _e899 = phi_1384_;
-                                phi_1254_ = (_e787 + 1u);
-                                phi_1257_ = _e899;
+                                let _e899 = phi_1383_;
+                                phi_1253_ = (_e787 + 1u);
+                                phi_1256_ = _e899;
                             } else {
-                                phi_1254_ = u32();
-                                phi_1257_ = u32();
+                                phi_1253_ = u32();
+                                phi_1256_ = u32();
                             }
-                            let _e902 = phi_1254_;
-                            let _e904 = phi_1257_;
+                            let _e902 = phi_1253_;
+                            let _e904 = phi_1256_;
                             continue;
                             continuing {
-                                phi_1253_ = _e902;
-                                phi_1256_ = _e904;
+                                phi_1252_ = _e902;
+                                phi_1255_ = _e904;
                                 break if !(_e790);
                             }
                         }
@@ -1281,17 +1281,17 @@ fn function_() {
                             local_1.group_mask = ((_e948 & 4278190080u) | (_e912 >> bitcast<u32>(24i)));
                         }
                         let _e953 = local_4;
-                        phi_1442_ = (_e953 & 16777215u);
+                        phi_1441_ = (_e953 & 16777215u);
                         loop {
-                            let _e956 = phi_1442_;
+                            let _e956 = phi_1441_;
                             let _e957 = (_e956 == 0u);
                             local_5 = _e957;
                             local_9 = _e957;
                             if _e957 {
-                                phi_1443_ = u32();
+                                phi_1442_ = u32();
+                                phi_2249_ = false;
                                 phi_2250_ = false;
                                 phi_2251_ = false;
-                                phi_2252_ = false;
                             } else {
                                 let _e960 = nodes.member[(0u + _e520)].links[1u];
                                 let _e965 = ((0u + _e960) + select(firstTrailingBit(_e956), 32u, (_e956 == 0u)));
@@ -1304,17 +1304,17 @@ fn function_() {
                                 let _e976 = (_e972.y - _e129);
                                 let _e978 = (_e972.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1488_ = vec3<f32>(_e976, _e978, _e974);
+                                    phi_1487_ = vec3<f32>(_e976, _e978, _e974);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1487_ = vec3<f32>(_e978, _e974, _e976);
+                                        phi_1486_ = vec3<f32>(_e978, _e974, _e976);
                                     } else {
-                                        phi_1487_ = (_e972 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1486_ = (_e972 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e986 = phi_1487_;
-                                    phi_1488_ = _e986;
+                                    let _e986 = phi_1486_;
+                                    phi_1487_ = _e986;
                                 }
-                                let _e988 = phi_1488_;
+                                let _e988 = phi_1487_;
                                 let _e992 = (_e988.x - (_e366 * _e988.z));
                                 let _e996 = (_e988.y - (_e369 * _e988.z));
                                 let _e998 = triangles.member[(0u + _e965)].v1_;
@@ -1322,17 +1322,17 @@ fn function_() {
                                 let _e1002 = (_e998.y - _e129);
                                 let _e1004 = (_e998.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1518_ = vec3<f32>(_e1002, _e1004, _e1000);
+                                    phi_1517_ = vec3<f32>(_e1002, _e1004, _e1000);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1517_ = vec3<f32>(_e1004, _e1000, _e1002);
+                                        phi_1516_ = vec3<f32>(_e1004, _e1000, _e1002);
                                     } else {
-                                        phi_1517_ = (_e998 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1516_ = (_e998 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1012 = phi_1517_;
-                                    phi_1518_ = _e1012;
+                                    let _e1012 = phi_1516_;
+                                    phi_1517_ = _e1012;
                                 }
-                                let _e1014 = phi_1518_;
+                                let _e1014 = phi_1517_;
                                 let _e1018 = (_e1014.x - (_e366 * _e1014.z));
                                 let _e1022 = (_e1014.y - (_e369 * _e1014.z));
                                 let _e1024 = triangles.member[(0u + _e965)].v2_;
@@ -1340,246 +1340,246 @@ fn function_() {
                                 let _e1028 = (_e1024.y - _e129);
                                 let _e1030 = (_e1024.z - _e131);
                                 if (_e355 == 0u) {
-                                    phi_1548_ = vec3<f32>(_e1028, _e1030, _e1026);
+                                    phi_1547_ = vec3<f32>(_e1028, _e1030, _e1026);
                                 } else {
                                     if (_e355 == 1u) {
-                                        phi_1547_ = vec3<f32>(_e1030, _e1026, _e1028);
+                                        phi_1546_ = vec3<f32>(_e1030, _e1026, _e1028);
                                     } else {
-                                        phi_1547_ = (_e1024 - vec3<f32>(_e127, _e129, _e131));
+                                        phi_1546_ = (_e1024 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1038 = phi_1547_;
-                                    phi_1548_ = _e1038;
+                                    let _e1038 = phi_1546_;
+                                    phi_1547_ = _e1038;
                                 }
-                                let _e1040 = phi_1548_;
+                                let _e1040 = phi_1547_;
                                 let _e1044 = (_e1040.x - (_e366 * _e1040.z));
                                 let _e1048 = (_e1040.y - (_e369 * _e1040.z));
                                 if (_e1018 < _e1044) {
-                                    phi_1567_ = true;
+                                    phi_1566_ = true;
                                 } else {
                                     if (_e1018 == _e1044) {
-                                        phi_1566_ = (_e1022 < _e1048);
+                                        phi_1565_ = (_e1022 < _e1048);
                                     } else {
-                                        phi_1566_ = false;
+                                        phi_1565_ = false;
                                     }
-                                    let _e1053 = phi_1566_;
-                                    phi_1567_ = _e1053;
+                                    let _e1053 = phi_1565_;
+                                    phi_1566_ = _e1053;
                                 }
-                                let _e1055 = phi_1567_;
+                                let _e1055 = phi_1566_;
                                 if _e1055 {
-                                    phi_1571_ = _e1048;
-                                    phi_1572_ = _e1044;
-                                    phi_1573_ = _e1022;
-                                    phi_1574_ = _e1018;
+                                    phi_1570_ = _e1048;
+                                    phi_1571_ = _e1044;
+                                    phi_1572_ = _e1022;
+                                    phi_1573_ = _e1018;
                                 } else {
-                                    phi_1571_ = _e1022;
-                                    phi_1572_ = _e1018;
-                                    phi_1573_ = _e1048;
-                                    phi_1574_ = _e1044;
+                                    phi_1570_ = _e1022;
+                                    phi_1571_ = _e1018;
+                                    phi_1572_ = _e1048;
+                                    phi_1573_ = _e1044;
                                 }
-                                let _e1057 = phi_1571_;
-                                let _e1059 = phi_1572_;
-                                let _e1061 = phi_1573_;
-                                let _e1063 = phi_1574_;
+                                let _e1057 = phi_1570_;
+                                let _e1059 = phi_1571_;
+                                let _e1061 = phi_1572_;
+                                let _e1063 = phi_1573_;
                                 let _e1066 = ((_e1063 * _e1057) - (_e1061 * _e1059));
                                 if _e1055 {
-                                    phi_1582_ = -(_e1066);
+                                    phi_1581_ = -(_e1066);
                                 } else {
-                                    phi_1582_ = _e1066;
+                                    phi_1581_ = _e1066;
                                 }
-                                let _e1069 = phi_1582_;
+                                let _e1069 = phi_1581_;
                                 if (_e1044 < _e992) {
-                                    phi_1593_ = true;
+                                    phi_1592_ = true;
                                 } else {
                                     if (_e1044 == _e992) {
-                                        phi_1592_ = (_e1048 < _e996);
+                                        phi_1591_ = (_e1048 < _e996);
                                     } else {
-                                        phi_1592_ = false;
+                                        phi_1591_ = false;
                                     }
-                                    let _e1074 = phi_1592_;
-                                    phi_1593_ = _e1074;
+                                    let _e1074 = phi_1591_;
+                                    phi_1592_ = _e1074;
                                 }
-                                let _e1076 = phi_1593_;
+                                let _e1076 = phi_1592_;
                                 if _e1076 {
-                                    phi_1597_ = _e996;
-                                    phi_1598_ = _e992;
-                                    phi_1599_ = _e1048;
-                                    phi_1600_ = _e1044;
+                                    phi_1596_ = _e996;
+                                    phi_1597_ = _e992;
+                                    phi_1598_ = _e1048;
+                                    phi_1599_ = _e1044;
                                 } else {
-                                    phi_1597_ = _e1048;
-                                    phi_1598_ = _e1044;
-                                    phi_1599_ = _e996;
-                                    phi_1600_ = _e992;
+                                    phi_1596_ = _e1048;
+                                    phi_1597_ = _e1044;
+                                    phi_1598_ = _e996;
+                                    phi_1599_ = _e992;
                                 }
-                                let _e1078 = phi_1597_;
-                                let _e1080 = phi_1598_;
-                                let _e1082 = phi_1599_;
-                                let _e1084 = phi_1600_;
+                                let _e1078 = phi_1596_;
+                                let _e1080 = phi_1597_;
+                                let _e1082 = phi_1598_;
+                                let _e1084 = phi_1599_;
                                 let _e1087 = ((_e1084 * _e1078) - (_e1082 * _e1080));
                                 if _e1076 {
-                                    phi_1608_ = -(_e1087);
+                                    phi_1607_ = -(_e1087);
                                 } else {
-                                    phi_1608_ = _e1087;
+                                    phi_1607_ = _e1087;
                                 }
-                                let _e1090 = phi_1608_;
+                                let _e1090 = phi_1607_;
                                 if (_e992 < _e1018) {
-                                    phi_1619_ = true;
+                                    phi_1618_ = true;
                                 } else {
                                     if (_e992 == _e1018) {
-                                        phi_1618_ = (_e996 < _e1022);
+                                        phi_1617_ = (_e996 < _e1022);
                                     } else {
-                                        phi_1618_ = false;
+                                        phi_1617_ = false;
                                     }
-                                    let _e1095 = phi_1618_;
-                                    phi_1619_ = _e1095;
+                                    let _e1095 = phi_1617_;
+                                    phi_1618_ = _e1095;
                                 }
-                                let _e1097 = phi_1619_;
+                                let _e1097 = phi_1618_;
                                 if _e1097 {
-                                    phi_1623_ = _e1022;
-                                    phi_1624_ = _e1018;
-                                    phi_1625_ = _e996;
-                                    phi_1626_ = _e992;
+                                    phi_1622_ = _e1022;
+                                    phi_1623_ = _e1018;
+                                    phi_1624_ = _e996;
+                                    phi_1625_ = _e992;
                                 } else {
-                                    phi_1623_ = _e996;
-                                    phi_1624_ = _e992;
-                                    phi_1625_ = _e1022;
-                                    phi_1626_ = _e1018;
+                                    phi_1622_ = _e996;
+                                    phi_1623_ = _e992;
+                                    phi_1624_ = _e1022;
+                                    phi_1625_ = _e1018;
                                 }
-                                let _e1099 = phi_1623_;
-                                let _e1101 = phi_1624_;
-                                let _e1103 = phi_1625_;
-                                let _e1105 = phi_1626_;
+                                let _e1099 = phi_1622_;
+                                let _e1101 = phi_1623_;
+                                let _e1103 = phi_1624_;
+                                let _e1105 = phi_1625_;
                                 let _e1108 = ((_e1105 * _e1099) - (_e1103 * _e1101));
                                 if _e1097 {
-                                    phi_1634_ = -(_e1108);
+                                    phi_1633_ = -(_e1108);
                                 } else {
-                                    phi_1634_ = _e1108;
+                                    phi_1633_ = _e1108;
                                 }
-                                let _e1111 = phi_1634_;
+                                let _e1111 = phi_1633_;
                                 if (_e1069 >= 0f) {
                                     if (_e1090 >= 0f) {
                                         if (_e1111 >= 0f) {
-                                            phi_1649_ = ((_e1069 + _e1090) + _e1111);
-                                            phi_1650_ = false;
+                                            phi_1648_ = ((_e1069 + _e1090) + _e1111);
+                                            phi_1649_ = false;
                                         } else {
-                                            phi_1649_ = f32();
-                                            phi_1650_ = true;
+                                            phi_1648_ = f32();
+                                            phi_1649_ = true;
                                         }
-                                        let _e1118 = phi_1649_;
-                                        let _e1120 = phi_1650_;
-                                        phi_1651_ = _e1118;
-                                        phi_1652_ = _e1120;
+                                        let _e1118 = phi_1648_;
+                                        let _e1120 = phi_1649_;
+                                        phi_1650_ = _e1118;
+                                        phi_1651_ = _e1120;
                                     } else {
-                                        phi_1651_ = f32();
-                                        phi_1652_ = true;
+                                        phi_1650_ = f32();
+                                        phi_1651_ = true;
                                     }
-                                    let _e1122 = phi_1651_;
-                                    let _e1124 = phi_1652_;
-                                    phi_1653_ = _e1122;
-                                    phi_1654_ = _e1124;
+                                    let _e1122 = phi_1650_;
+                                    let _e1124 = phi_1651_;
+                                    phi_1652_ = _e1122;
+                                    phi_1653_ = _e1124;
                                 } else {
-                                    phi_1653_ = f32();
-                                    phi_1654_ = true;
+                                    phi_1652_ = f32();
+                                    phi_1653_ = true;
                                 }
-                                let _e1126 = phi_1653_;
-                                let _e1128 = phi_1654_;
+                                let _e1126 = phi_1652_;
+                                let _e1128 = phi_1653_;
                                 if _e1128 {
                                     if (_e1069 <= 0f) {
                                         if (_e1090 <= 0f) {
                                             let _e1131 = (_e1111 <= 0f);
                                             if _e1131 {
                                             }
-                                            phi_1672_ = ((_e1069 + _e1090) + _e1111);
-                                            phi_1673_ = false;
-                                            phi_1674_ = _e1131;
+                                            phi_1671_ = ((_e1069 + _e1090) + _e1111);
+                                            phi_1672_ = false;
+                                            phi_1673_ = _e1131;
                                         } else {
-                                            phi_1672_ = f32();
-                                            phi_1673_ = true;
-                                            phi_1674_ = false;
+                                            phi_1671_ = f32();
+                                            phi_1672_ = true;
+                                            phi_1673_ = false;
                                         }
-                                        let _e1135 = phi_1672_;
-                                        let _e1137 = phi_1673_;
-                                        let _e1139 = phi_1674_;
-                                        phi_1675_ = _e1135;
-                                        phi_1676_ = _e1137;
-                                        phi_1677_ = _e1139;
+                                        let _e1135 = phi_1671_;
+                                        let _e1137 = phi_1672_;
+                                        let _e1139 = phi_1673_;
+                                        phi_1674_ = _e1135;
+                                        phi_1675_ = _e1137;
+                                        phi_1676_ = _e1139;
                                     } else {
-                                        phi_1675_ = f32();
-                                        phi_1676_ = true;
-                                        phi_1677_ = false;
+                                        phi_1674_ = f32();
+                                        phi_1675_ = true;
+                                        phi_1676_ = false;
                                     }
-                                    let _e1141 = phi_1675_;
-                                    let _e1143 = phi_1676_;
-                                    let _e1145 = phi_1677_;
+                                    let _e1141 = phi_1674_;
+                                    let _e1143 = phi_1675_;
+                                    let _e1145 = phi_1676_;
                                     if _e1143 {
-                                        phi_1681_ = false;
+                                        phi_1680_ = false;
                                     } else {
-                                        phi_1681_ = _e1145;
+                                        phi_1680_ = _e1145;
                                     }
-                                    let _e1147 = phi_1681_;
-                                    phi_1682_ = _e1141;
-                                    phi_1683_ = _e1147;
+                                    let _e1147 = phi_1680_;
+                                    phi_1681_ = _e1141;
+                                    phi_1682_ = _e1147;
                                 } else {
-                                    phi_1682_ = _e1126;
-                                    phi_1683_ = true;
+                                    phi_1681_ = _e1126;
+                                    phi_1682_ = true;
                                 }
-                                let _e1149 = phi_1682_;
-                                let _e1151 = phi_1683_;
+                                let _e1149 = phi_1681_;
+                                let _e1151 = phi_1682_;
                                 if _e1151 {
                                     let _e1152 = (_e1149 == 0f);
                                     if _e1152 {
-                                        phi_1999_ = lt_bvh_triangle_Intersection();
-                                        phi_2000_ = false;
+                                        phi_1998_ = lt_bvh_triangle_Intersection();
+                                        phi_1999_ = false;
                                     } else {
                                         let _e1154 = triangles.member[(0u + _e965)].v0_;
                                         let _e1156 = (_e1154.x - _e127);
                                         let _e1158 = (_e1154.y - _e129);
                                         let _e1160 = (_e1154.z - _e131);
                                         if (_e355 == 0u) {
-                                            phi_1712_ = vec3<f32>(_e1158, _e1160, _e1156);
+                                            phi_1711_ = vec3<f32>(_e1158, _e1160, _e1156);
                                         } else {
                                             if (_e355 == 1u) {
-                                                phi_1711_ = vec3<f32>(_e1160, _e1156, _e1158);
+                                                phi_1710_ = vec3<f32>(_e1160, _e1156, _e1158);
                                             } else {
-                                                phi_1711_ = (_e1154 - vec3<f32>(_e127, _e129, _e131));
+                                                phi_1710_ = (_e1154 - vec3<f32>(_e127, _e129, _e131));
                                             }
-                                            let _e1168 = phi_1711_;
-                                            phi_1712_ = _e1168;
+                                            let _e1168 = phi_1710_;
+                                            phi_1711_ = _e1168;
                                         }
-                                        let _e1170 = phi_1712_;
+                                        let _e1170 = phi_1711_;
                                         let _e1172 = triangles.member[(0u + _e965)].v1_;
                                         let _e1174 = triangles.member[(0u + _e965)].v0_;
                                         let _e1177 = (_e1172.x - _e1174.x);
                                         let _e1180 = (_e1172.y - _e1174.y);
                                         let _e1183 = (_e1172.z - _e1174.z);
                                         if (_e355 == 0u) {
-                                            phi_1738_ = vec3<f32>(_e1180, _e1183, _e1177);
+                                            phi_1737_ = vec3<f32>(_e1180, _e1183, _e1177);
                                         } else {
                                             if (_e355 == 1u) {
-                                                phi_1737_ = vec3<f32>(_e1183, _e1177, _e1180);
+                                                phi_1736_ = vec3<f32>(_e1183, _e1177, _e1180);
                                             } else {
-                                                phi_1737_ = (_e1172 - _e1174);
+                                                phi_1736_ = (_e1172 - _e1174);
                                             }
-                                            let _e1190 = phi_1737_;
-                                            phi_1738_ = _e1190;
+                                            let _e1190 = phi_1736_;
+                                            phi_1737_ = _e1190;
                                         }
-                                        let _e1192 = phi_1738_;
+                                        let _e1192 = phi_1737_;
                                         let _e1194 = triangles.member[(0u + _e965)].v2_;
                                         let _e1196 = triangles.member[(0u + _e965)].v0_;
                                         let _e1199 = (_e1194.x - _e1196.x);
                                         let _e1202 = (_e1194.y - _e1196.y);
                                         let _e1205 = (_e1194.z - _e1196.z);
                                         if (_e355 == 0u) {
-                                            phi_1764_ = vec3<f32>(_e1202, _e1205, _e1199);
+                                            phi_1763_ = vec3<f32>(_e1202, _e1205, _e1199);
                                         } else {
                                             if (_e355 == 1u) {
-                                                phi_1763_ = vec3<f32>(_e1205, _e1199, _e1202);
+                                                phi_1762_ = vec3<f32>(_e1205, _e1199, _e1202);
                                             } else {
-                                                phi_1763_ = (_e1194 - _e1196);
+                                                phi_1762_ = (_e1194 - _e1196);
                                             }
-                                            let _e1212 = phi_1763_;
-                                            phi_1764_ = _e1212;
+                                            let _e1212 = phi_1762_;
+                                            phi_1763_ = _e1212;
                                         }
-                                        let _e1214 = phi_1764_;
+                                        let _e1214 = phi_1763_;
                                         let _e1221 = ((_e1192.y * _e1214.z) - (_e1192.z * _e1214.y));
                                         let _e1228 = ((_e1192.z * _e1214.x) - (_e1192.x * _e1214.z));
                                         let _e1235 = ((_e1192.x * _e1214.y) - (_e1192.y * _e1214.x));
@@ -1589,81 +1589,81 @@ fn function_() {
                                                 let _e1253 = triangles.member[(0u + _e965)].v0_;
                                                 let _e1255 = triangles.member[(0u + _e965)].v1_;
                                                 if (_e1253.x < _e1255.x) {
-                                                    phi_1820_ = _e1253.x;
+                                                    phi_1819_ = _e1253.x;
                                                 } else {
-                                                    phi_1820_ = _e1255.x;
+                                                    phi_1819_ = _e1255.x;
                                                 }
-                                                let _e1262 = phi_1820_;
+                                                let _e1262 = phi_1819_;
                                                 if (_e1253.y < _e1255.y) {
-                                                    phi_1829_ = _e1253.y;
+                                                    phi_1828_ = _e1253.y;
                                                 } else {
-                                                    phi_1829_ = _e1255.y;
+                                                    phi_1828_ = _e1255.y;
                                                 }
-                                                let _e1269 = phi_1829_;
+                                                let _e1269 = phi_1828_;
                                                 if (_e1253.z < _e1255.z) {
-                                                    phi_1838_ = _e1253.z;
+                                                    phi_1837_ = _e1253.z;
                                                 } else {
-                                                    phi_1838_ = _e1255.z;
+                                                    phi_1837_ = _e1255.z;
                                                 }
-                                                let _e1276 = phi_1838_;
+                                                let _e1276 = phi_1837_;
                                                 let _e1278 = triangles.member[(0u + _e965)].v2_;
                                                 if (_e1262 < _e1278.x) {
-                                                    phi_1847_ = _e1262;
+                                                    phi_1846_ = _e1262;
                                                 } else {
-                                                    phi_1847_ = _e1278.x;
+                                                    phi_1846_ = _e1278.x;
                                                 }
-                                                let _e1283 = phi_1847_;
+                                                let _e1283 = phi_1846_;
                                                 if (_e1269 < _e1278.y) {
-                                                    phi_1854_ = _e1269;
+                                                    phi_1853_ = _e1269;
                                                 } else {
-                                                    phi_1854_ = _e1278.y;
+                                                    phi_1853_ = _e1278.y;
                                                 }
-                                                let _e1288 = phi_1854_;
+                                                let _e1288 = phi_1853_;
                                                 if (_e1276 < _e1278.z) {
-                                                    phi_1861_ = _e1276;
+                                                    phi_1860_ = _e1276;
                                                 } else {
-                                                    phi_1861_ = _e1278.z;
+                                                    phi_1860_ = _e1278.z;
                                                 }
-                                                let _e1293 = phi_1861_;
+                                                let _e1293 = phi_1860_;
                                                 let _e1295 = triangles.member[(0u + _e965)].v0_;
                                                 let _e1297 = triangles.member[(0u + _e965)].v1_;
                                                 if (_e1295.x > _e1297.x) {
-                                                    phi_1874_ = _e1295.x;
+                                                    phi_1873_ = _e1295.x;
                                                 } else {
-                                                    phi_1874_ = _e1297.x;
+                                                    phi_1873_ = _e1297.x;
                                                 }
-                                                let _e1304 = phi_1874_;
+                                                let _e1304 = phi_1873_;
                                                 if (_e1295.y > _e1297.y) {
-                                                    phi_1883_ = _e1295.y;
+                                                    phi_1882_ = _e1295.y;
                                                 } else {
-                                                    phi_1883_ = _e1297.y;
+                                                    phi_1882_ = _e1297.y;
                                                 }
-                                                let _e1311 = phi_1883_;
+                                                let _e1311 = phi_1882_;
                                                 if (_e1295.z > _e1297.z) {
-                                                    phi_1892_ = _e1295.z;
+                                                    phi_1891_ = _e1295.z;
                                                 } else {
-                                                    phi_1892_ = _e1297.z;
+                                                    phi_1891_ = _e1297.z;
                                                 }
-                                                let _e1318 = phi_1892_;
+                                                let _e1318 = phi_1891_;
                                                 let _e1320 = triangles.member[(0u + _e965)].v2_;
                                                 if (_e1304 > _e1320.x) {
-                                                    phi_1901_ = _e1304;
+                                                    phi_1900_ = _e1304;
                                                 } else {
-                                                    phi_1901_ = _e1320.x;
+                                                    phi_1900_ = _e1320.x;
                                                 }
-                                                let _e1325 = phi_1901_;
+                                                let _e1325 = phi_1900_;
                                                 if (_e1311 > _e1320.y) {
-                                                    phi_1908_ = _e1311;
+                                                    phi_1907_ = _e1311;
                                                 } else {
-                                                    phi_1908_ = _e1320.y;
+                                                    phi_1907_ = _e1320.y;
                                                 }
-                                                let _e1330 = phi_1908_;
+                                                let _e1330 = phi_1907_;
                                                 if (_e1318 > _e1320.z) {
-                                                    phi_1915_ = _e1318;
+                                                    phi_1914_ = _e1318;
                                                 } else {
-                                                    phi_1915_ = _e1320.z;
+                                                    phi_1914_ = _e1320.z;
                                                 }
-                                                let _e1335 = phi_1915_;
+                                                let _e1335 = phi_1914_;
                                                 let _e1339 = ((_e1283 - _e127) * _e284);
                                                 let _e1340 = ((_e1288 - _e129) * _e294);
                                                 let _e1341 = ((_e1293 - _e131) * _e304);
@@ -1671,123 +1671,123 @@ fn function_() {
                                                 let _e1346 = ((_e1330 - _e129) * _e294);
                                                 let _e1347 = ((_e1335 - _e131) * _e304);
                                                 if (_e1339 < _e1345) {
-                                                    phi_1932_ = _e1339;
+                                                    phi_1931_ = _e1339;
                                                 } else {
-                                                    phi_1932_ = _e1345;
+                                                    phi_1931_ = _e1345;
                                                 }
-                                                let _e1350 = phi_1932_;
+                                                let _e1350 = phi_1931_;
                                                 if (_e1340 < _e1346) {
-                                                    phi_1937_ = _e1340;
+                                                    phi_1936_ = _e1340;
                                                 } else {
-                                                    phi_1937_ = _e1346;
+                                                    phi_1936_ = _e1346;
                                                 }
-                                                let _e1353 = phi_1937_;
+                                                let _e1353 = phi_1936_;
                                                 if (_e1341 < _e1347) {
-                                                    phi_1942_ = _e1341;
+                                                    phi_1941_ = _e1341;
                                                 } else {
-                                                    phi_1942_ = _e1347;
+                                                    phi_1941_ = _e1347;
                                                 }
-                                                let _e1356 = phi_1942_;
+                                                let _e1356 = phi_1941_;
                                                 if (_e1339 > _e1345) {
-                                                    phi_1950_ = _e1339;
+                                                    phi_1949_ = _e1339;
                                                 } else {
-                                                    phi_1950_ = _e1345;
+                                                    phi_1949_ = _e1345;
                                                 }
-                                                let _e1362 = phi_1950_;
+                                                let _e1362 = phi_1949_;
                                                 if (_e1340 > _e1346) {
-                                                    phi_1955_ = _e1340;
+                                                    phi_1954_ = _e1340;
                                                 } else {
-                                                    phi_1955_ = _e1346;
+                                                    phi_1954_ = _e1346;
                                                 }
-                                                let _e1365 = phi_1955_;
+                                                let _e1365 = phi_1954_;
                                                 if (_e1341 > _e1347) {
-                                                    phi_1960_ = _e1341;
+                                                    phi_1959_ = _e1341;
                                                 } else {
-                                                    phi_1960_ = _e1347;
+                                                    phi_1959_ = _e1347;
                                                 }
-                                                let _e1368 = phi_1960_;
+                                                let _e1368 = phi_1959_;
                                                 let _e1372 = core_intrinsics_maximum_number_nsz_f32_((_e1350 - _e339), (_e1353 - _e340));
                                                 let _e1373 = core_intrinsics_maximum_number_nsz_f32_(_e1372, (_e1356 - _e341));
                                                 let _e1374 = core_intrinsics_minimum_number_nsz_f32_((_e1362 + _e339), (_e1365 + _e340));
                                                 let _e1375 = core_intrinsics_minimum_number_nsz_f32_(_e1374, (_e1368 + _e341));
                                                 if (_e1373 > -300000000000000000000000000000000000000f) {
-                                                    phi_1972_ = _e1373;
+                                                    phi_1971_ = _e1373;
                                                 } else {
-                                                    phi_1972_ = -300000000000000000000000000000000000000f;
+                                                    phi_1971_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1378 = phi_1972_;
+                                                let _e1378 = phi_1971_;
                                                 if (_e1375 < 300000000000000000000000000000000000000f) {
-                                                    phi_1977_ = _e1375;
+                                                    phi_1976_ = _e1375;
                                                 } else {
-                                                    phi_1977_ = 300000000000000000000000000000000000000f;
+                                                    phi_1976_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1381 = phi_1977_;
+                                                let _e1381 = phi_1976_;
                                                 if (_e1249 < _e1378) {
-                                                    phi_1982_ = _e1378;
+                                                    phi_1981_ = _e1378;
                                                 } else {
-                                                    phi_1982_ = _e1249;
+                                                    phi_1981_ = _e1249;
                                                 }
-                                                let _e1384 = phi_1982_;
+                                                let _e1384 = phi_1981_;
                                                 if (_e1384 > _e1381) {
-                                                    phi_1987_ = _e1381;
+                                                    phi_1986_ = _e1381;
                                                 } else {
-                                                    phi_1987_ = _e1384;
+                                                    phi_1986_ = _e1384;
                                                 }
-                                                let _e1387 = phi_1987_;
-                                                phi_1992_ = lt_bvh_triangle_Intersection(_e1387, (_e1090 / _e1149), (_e1111 / _e1149), (_e1378 <= _e1381));
-                                                phi_1993_ = false;
+                                                let _e1387 = phi_1986_;
+                                                phi_1991_ = lt_bvh_triangle_Intersection(_e1387, (_e1090 / _e1149), (_e1111 / _e1149), (_e1378 <= _e1381));
+                                                phi_1992_ = false;
                                             } else {
-                                                phi_1992_ = lt_bvh_triangle_Intersection();
-                                                phi_1993_ = true;
+                                                phi_1991_ = lt_bvh_triangle_Intersection();
+                                                phi_1992_ = true;
                                             }
-                                            let _e1393 = phi_1992_;
-                                            let _e1395 = phi_1993_;
-                                            phi_1994_ = _e1393;
-                                            phi_1995_ = _e1395;
+                                            let _e1393 = phi_1991_;
+                                            let _e1395 = phi_1992_;
+                                            phi_1993_ = _e1393;
+                                            phi_1994_ = _e1395;
                                         } else {
-                                            phi_1994_ = lt_bvh_triangle_Intersection();
-                                            phi_1995_ = true;
+                                            phi_1993_ = lt_bvh_triangle_Intersection();
+                                            phi_1994_ = true;
                                         }
-                                        let _e1397 = phi_1994_;
-                                        let _e1399 = phi_1995_;
+                                        let _e1397 = phi_1993_;
+                                        let _e1399 = phi_1994_;
                                         if _e1399 {
                                         }
-                                        phi_1999_ = _e1397;
-                                        phi_2000_ = _e1399;
+                                        phi_1998_ = _e1397;
+                                        phi_1999_ = _e1399;
                                     }
-                                    let _e1401 = phi_1999_;
-                                    let _e1403 = phi_2000_;
-                                    phi_2001_ = _e1401;
-                                    phi_2002_ = _e1152;
-                                    phi_2003_ = _e1403;
+                                    let _e1401 = phi_1998_;
+                                    let _e1403 = phi_1999_;
+                                    phi_2000_ = _e1401;
+                                    phi_2001_ = _e1152;
+                                    phi_2002_ = _e1403;
                                 } else {
-                                    phi_2001_ = lt_bvh_triangle_Intersection();
-                                    phi_2002_ = true;
-                                    phi_2003_ = false;
+                                    phi_2000_ = lt_bvh_triangle_Intersection();
+                                    phi_2001_ = true;
+                                    phi_2002_ = false;
                                 }
-                                let _e1405 = phi_2001_;
-                                let _e1407 = phi_2002_;
-                                let _e1409 = phi_2003_;
+                                let _e1405 = phi_2000_;
+                                let _e1407 = phi_2001_;
+                                let _e1409 = phi_2002_;
                                 if _e1407 {
-                                    phi_2007_ = true;
+                                    phi_2006_ = true;
                                 } else {
-                                    phi_2007_ = _e1409;
+                                    phi_2006_ = _e1409;
                                 }
-                                let _e1411 = phi_2007_;
+                                let _e1411 = phi_2006_;
                                 if _e1411 {
-                                    phi_2011_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                    phi_2010_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2011_ = _e1405;
+                                    phi_2010_ = _e1405;
                                 }
-                                let _e1413 = phi_2011_;
+                                let _e1413 = phi_2010_;
                                 if _e1413.is_hit {
                                     if (_e1413.t > 0f) {
                                         if (_e1413.t < _e135) {
                                             let _e1420 = triangles.member[(0u + _e965)].i0_;
                                             let _e1422 = ((_e1420 & 2147483648u) == 0u);
                                             if _e1422 {
+                                                phi_2233_ = false;
                                                 phi_2234_ = false;
-                                                phi_2235_ = false;
                                             } else {
                                                 if (_e965 < _e78) {
                                                 } else {
@@ -1821,11 +1821,11 @@ fn function_() {
                                                 if ((_e1453.flags & 1u) == 1u) {
                                                     let _e1458 = ((1f - _e1413.u) - _e1413.v);
                                                     if (_e1453.cutoff <= 0f) {
-                                                        phi_2228_ = true;
+                                                        phi_2227_ = true;
                                                     } else {
                                                         let _e1485 = (_e1453.base_color.w * ((((f32((_e1447[0].color >> bitcast<u32>(24i))) * _e1458) + (f32((_e1447[1].color >> bitcast<u32>(24i))) * _e1413.u)) + (f32((_e1447[2].color >> bitcast<u32>(24i))) * _e1413.v)) * (1f / 255f)));
                                                         if (_e1453.alpha_size == 0u) {
-                                                            phi_2225_ = _e1485;
+                                                            phi_2224_ = _e1485;
                                                         } else {
                                                             local.offset = _e1453.alpha_offset;
                                                             local.size = _e1453.alpha_size;
@@ -1855,84 +1855,84 @@ fn function_() {
                                                                 return;
                                                             }
                                                             let _e1586 = alpha_texels.member[(0u + _e1582)];
-                                                            phi_2225_ = (_e1485 * (((((f32(((_e1524 >> bitcast<u32>((((_e1516.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.x) + ((f32(((_e1544 >> bitcast<u32>((((_e1516.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.y)) + ((f32(((_e1565 >> bitcast<u32>((((_e1516.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.z)) + ((f32(((_e1586 >> bitcast<u32>((((_e1516.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.w)));
+                                                            phi_2224_ = (_e1485 * (((((f32(((_e1524 >> bitcast<u32>((((_e1516.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.x) + ((f32(((_e1544 >> bitcast<u32>((((_e1516.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.y)) + ((f32(((_e1565 >> bitcast<u32>((((_e1516.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.z)) + ((f32(((_e1586 >> bitcast<u32>((((_e1516.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1516.weights.w)));
                                                         }
-                                                        let _e1602 = phi_2225_;
-                                                        phi_2228_ = (_e1602 >= _e1453.cutoff);
+                                                        let _e1602 = phi_2224_;
+                                                        phi_2227_ = (_e1602 >= _e1453.cutoff);
                                                     }
-                                                    let _e1606 = phi_2228_;
-                                                    phi_2229_ = _e1606;
+                                                    let _e1606 = phi_2227_;
+                                                    phi_2228_ = _e1606;
                                                 } else {
-                                                    phi_2229_ = false;
+                                                    phi_2228_ = false;
                                                 }
-                                                let _e1608 = phi_2229_;
+                                                let _e1608 = phi_2228_;
                                                 if _e1608 {
-                                                    phi_2233_ = false;
+                                                    phi_2232_ = false;
                                                 } else {
-                                                    phi_2233_ = true;
+                                                    phi_2232_ = true;
                                                 }
-                                                let _e1610 = phi_2233_;
-                                                phi_2234_ = _e1610;
-                                                phi_2235_ = _e1608;
+                                                let _e1610 = phi_2232_;
+                                                phi_2233_ = _e1610;
+                                                phi_2234_ = _e1608;
                                             }
-                                            let _e1612 = phi_2234_;
-                                            let _e1614 = phi_2235_;
-                                            phi_2236_ = _e1612;
-                                            phi_2237_ = _e1422;
-                                            phi_2238_ = _e1614;
+                                            let _e1612 = phi_2233_;
+                                            let _e1614 = phi_2234_;
+                                            phi_2235_ = _e1612;
+                                            phi_2236_ = _e1422;
+                                            phi_2237_ = _e1614;
                                         } else {
-                                            phi_2236_ = true;
+                                            phi_2235_ = true;
+                                            phi_2236_ = false;
                                             phi_2237_ = false;
-                                            phi_2238_ = false;
                                         }
-                                        let _e1616 = phi_2236_;
-                                        let _e1618 = phi_2237_;
-                                        let _e1620 = phi_2238_;
-                                        phi_2239_ = _e1616;
-                                        phi_2240_ = _e1618;
-                                        phi_2241_ = _e1620;
+                                        let _e1616 = phi_2235_;
+                                        let _e1618 = phi_2236_;
+                                        let _e1620 = phi_2237_;
+                                        phi_2238_ = _e1616;
+                                        phi_2239_ = _e1618;
+                                        phi_2240_ = _e1620;
                                     } else {
-                                        phi_2239_ = true;
+                                        phi_2238_ = true;
+                                        phi_2239_ = false;
                                         phi_2240_ = false;
-                                        phi_2241_ = false;
                                     }
-                                    let _e1622 = phi_2239_;
-                                    let _e1624 = phi_2240_;
-                                    let _e1626 = phi_2241_;
-                                    phi_2242_ = _e1622;
-                                    phi_2243_ = _e1624;
-                                    phi_2244_ = _e1626;
+                                    let _e1622 = phi_2238_;
+                                    let _e1624 = phi_2239_;
+                                    let _e1626 = phi_2240_;
+                                    phi_2241_ = _e1622;
+                                    phi_2242_ = _e1624;
+                                    phi_2243_ = _e1626;
                                 } else {
-                                    phi_2242_ = true;
+                                    phi_2241_ = true;
+                                    phi_2242_ = false;
                                     phi_2243_ = false;
-                                    phi_2244_ = false;
                                 }
-                                let _e1628 = phi_2242_;
-                                let _e1630 = phi_2243_;
-                                let _e1632 = phi_2244_;
+                                let _e1628 = phi_2241_;
+                                let _e1630 = phi_2242_;
+                                let _e1632 = phi_2243_;
                                 if _e1628 {
+                                    phi_2247_ = false;
                                     phi_2248_ = false;
-                                    phi_2249_ = false;
                                 } else {
-                                    phi_2248_ = _e1630;
-                                    phi_2249_ = _e1632;
+                                    phi_2247_ = _e1630;
+                                    phi_2248_ = _e1632;
                                 }
-                                let _e1634 = phi_2248_;
-                                let _e1636 = phi_2249_;
-                                phi_1443_ = (_e956 & (_e956 - 1u));
-                                phi_2250_ = _e1628;
-                                phi_2251_ = _e1634;
-                                phi_2252_ = _e1636;
+                                let _e1634 = phi_2247_;
+                                let _e1636 = phi_2248_;
+                                phi_1442_ = (_e956 & (_e956 - 1u));
+                                phi_2249_ = _e1628;
+                                phi_2250_ = _e1634;
+                                phi_2251_ = _e1636;
                             }
-                            let _e1638 = phi_1443_;
-                            let _e1640 = phi_2250_;
-                            let _e1642 = phi_2251_;
-                            let _e1644 = phi_2252_;
+                            let _e1638 = phi_1442_;
+                            let _e1640 = phi_2249_;
+                            let _e1642 = phi_2250_;
+                            let _e1644 = phi_2251_;
                             local_7 = _e1642;
                             local_8 = _e1644;
                             continue;
                             continuing {
-                                phi_1442_ = _e1638;
+                                phi_1441_ = _e1638;
                                 break if !(_e1640);
                             }
                         }
@@ -1942,7 +1942,7 @@ fn function_() {
                             if ((_e1649 & 4278190080u) == 0u) {
                                 let _e1653 = local_1.len;
                                 if (_e1653 == 0u) {
-                                    phi_2294_ = false;
+                                    phi_2293_ = false;
                                 } else {
                                     let _e1657 = local_1.len;
                                     local_1.len = (_e1657 - 1u);
@@ -1960,14 +1960,14 @@ fn function_() {
                                     }
                                     let _e1673 = local_1.mask[(0u + _e1668)];
                                     local_1.group_mask = _e1673;
-                                    phi_2294_ = true;
+                                    phi_2293_ = true;
                                 }
-                                let _e1676 = phi_2294_;
-                                phi_2295_ = _e1676;
+                                let _e1676 = phi_2293_;
+                                phi_2294_ = _e1676;
                             } else {
-                                phi_2295_ = true;
+                                phi_2294_ = true;
                             }
-                            let _e1678 = phi_2295_;
+                            let _e1678 = phi_2294_;
                             if _e1678 {
                                 let _e1680 = local_1.group_mask;
                                 let _e1686 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1680)), 32u, (_e1680 == 0u)));
@@ -1975,98 +1975,98 @@ fn function_() {
                                 let _e1704 = local_1.group_mask;
                                 local_1.group_mask = (_e1704 & ~((1u << bitcast<u32>((_e1686 & 31u)))));
                                 let _e1707 = local_1.group;
-                                phi_2326_ = (_e1707 + countOneBits(((_e1690 & ~((4294967295u << bitcast<u32>((((_e1686 - 24u) ^ _e382) & 31u))))) & 255u)));
+                                phi_2325_ = (_e1707 + countOneBits(((_e1690 & ~((4294967295u << bitcast<u32>((((_e1686 - 24u) ^ _e382) & 31u))))) & 255u)));
                             } else {
-                                phi_2326_ = 4294967295u;
+                                phi_2325_ = 4294967295u;
                             }
-                            let _e1710 = phi_2326_;
-                            phi_2327_ = _e1710;
+                            let _e1710 = phi_2325_;
+                            phi_2326_ = _e1710;
+                            phi_2327_ = false;
                             phi_2328_ = false;
-                            phi_2329_ = false;
                         } else {
-                            phi_2327_ = u32();
+                            phi_2326_ = u32();
                             let _e1928 = local_7;
-                            phi_2328_ = _e1928;
+                            phi_2327_ = _e1928;
                             let _e1931 = local_8;
-                            phi_2329_ = _e1931;
+                            phi_2328_ = _e1931;
                         }
-                        let _e1712 = phi_2327_;
-                        let _e1714 = phi_2328_;
-                        let _e1716 = phi_2329_;
-                        phi_1113_ = _e1712;
+                        let _e1712 = phi_2326_;
+                        let _e1714 = phi_2327_;
+                        let _e1716 = phi_2328_;
+                        phi_1112_ = _e1712;
                         let _e1935 = local_9;
-                        phi_2330_ = _e1935;
-                        phi_2331_ = false;
-                        phi_2332_ = _e1714;
-                        phi_2333_ = _e1716;
-                    } else {
-                        phi_1113_ = u32();
+                        phi_2329_ = _e1935;
                         phi_2330_ = false;
-                        phi_2331_ = true;
+                        phi_2331_ = _e1714;
+                        phi_2332_ = _e1716;
+                    } else {
+                        phi_1112_ = u32();
+                        phi_2329_ = false;
+                        phi_2330_ = true;
+                        phi_2331_ = false;
                         phi_2332_ = false;
-                        phi_2333_ = false;
                     }
-                    let _e1718 = phi_1113_;
-                    let _e1720 = phi_2330_;
-                    let _e1722 = phi_2331_;
-                    let _e1724 = phi_2332_;
-                    let _e1726 = phi_2333_;
+                    let _e1718 = phi_1112_;
+                    let _e1720 = phi_2329_;
+                    let _e1722 = phi_2330_;
+                    let _e1724 = phi_2331_;
+                    let _e1726 = phi_2332_;
                     local_6 = _e1722;
                     local_10 = _e1724;
                     local_11 = _e1726;
                     continue;
                     continuing {
-                        phi_1112_ = _e1718;
+                        phi_1111_ = _e1718;
                         break if !(_e1720);
                     }
                 }
                 let _e1729 = local_6;
                 if _e1729 {
+                    phi_2336_ = false;
                     phi_2337_ = false;
-                    phi_2338_ = false;
                 } else {
                     let _e1942 = local_10;
-                    phi_2337_ = _e1942;
+                    phi_2336_ = _e1942;
                     let _e1945 = local_11;
-                    phi_2338_ = _e1945;
+                    phi_2337_ = _e1945;
                 }
-                let _e1731 = phi_2337_;
-                let _e1733 = phi_2338_;
+                let _e1731 = phi_2336_;
+                let _e1733 = phi_2337_;
                 if _e1731 {
-                    phi_2342_ = true;
+                    phi_2341_ = true;
                 } else {
-                    phi_2342_ = _e1733;
+                    phi_2341_ = _e1733;
                 }
-                let _e1735 = phi_2342_;
+                let _e1735 = phi_2341_;
                 if _e1735 {
-                    phi_2346_ = true;
+                    phi_2345_ = true;
                 } else {
-                    phi_2346_ = false;
+                    phi_2345_ = false;
                 }
-                let _e1737 = phi_2346_;
-                phi_2347_ = _e1737;
+                let _e1737 = phi_2345_;
+                phi_2346_ = _e1737;
             }
-            let _e1739 = phi_2347_;
-            phi_2348_ = _e1739;
-            phi_2349_ = _e208;
+            let _e1739 = phi_2346_;
+            phi_2347_ = _e1739;
+            phi_2348_ = _e208;
         } else {
-            phi_2348_ = bool();
-            phi_2349_ = true;
+            phi_2347_ = bool();
+            phi_2348_ = true;
         }
-        let _e1741 = phi_2348_;
-        let _e1743 = phi_2349_;
+        let _e1741 = phi_2347_;
+        let _e1743 = phi_2348_;
         if _e1743 {
-            phi_2353_ = false;
+            phi_2352_ = false;
         } else {
-            phi_2353_ = _e1741;
+            phi_2352_ = _e1741;
         }
-        let _e1745 = phi_2353_;
+        let _e1745 = phi_2352_;
         if _e1745 {
-            phi_2357_ = 0f;
+            phi_2356_ = 0f;
         } else {
-            phi_2357_ = 1f;
+            phi_2356_ = 1f;
         }
-        let _e1747 = phi_2357_;
+        let _e1747 = phi_2356_;
         if (_e106 < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -175,54 +175,54 @@ var<storage> materials: type_39;
 var<storage> alpha_texels: type_13;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_235_: f32;
-    var phi_240_: f32;
-    var phi_241_: bool;
-    var phi_242_: f32;
-    var phi_243_: bool;
-    var phi_247_: f32;
-    var phi_273_: f32;
-    var phi_278_: f32;
-    var phi_279_: bool;
-    var phi_280_: f32;
-    var phi_281_: bool;
-    var phi_285_: f32;
+    var phi_234_: f32;
+    var phi_239_: f32;
+    var phi_240_: bool;
+    var phi_241_: f32;
+    var phi_242_: bool;
+    var phi_246_: f32;
+    var phi_272_: f32;
+    var phi_277_: f32;
+    var phi_278_: bool;
+    var phi_279_: f32;
+    var phi_280_: bool;
+    var phi_284_: f32;
+    var phi_292_: f32;
     var phi_293_: f32;
     var phi_294_: f32;
-    var phi_295_: f32;
+    var phi_303_: f32;
     var phi_304_: f32;
-    var phi_305_: f32;
-    var phi_323_: u32;
-    var phi_337_: u32;
-    var phi_344_: u32;
-    var phi_349_: u32;
-    var phi_355_: u32;
-    var phi_360_: u32;
-    var phi_362_: texture_Axis;
-    var phi_390_: f32;
-    var phi_395_: f32;
-    var phi_396_: bool;
-    var phi_397_: f32;
-    var phi_398_: bool;
-    var phi_402_: f32;
-    var phi_428_: f32;
-    var phi_433_: f32;
-    var phi_434_: bool;
-    var phi_435_: f32;
-    var phi_436_: bool;
-    var phi_440_: f32;
+    var phi_322_: u32;
+    var phi_336_: u32;
+    var phi_343_: u32;
+    var phi_348_: u32;
+    var phi_354_: u32;
+    var phi_359_: u32;
+    var phi_361_: texture_Axis;
+    var phi_389_: f32;
+    var phi_394_: f32;
+    var phi_395_: bool;
+    var phi_396_: f32;
+    var phi_397_: bool;
+    var phi_401_: f32;
+    var phi_427_: f32;
+    var phi_432_: f32;
+    var phi_433_: bool;
+    var phi_434_: f32;
+    var phi_435_: bool;
+    var phi_439_: f32;
+    var phi_447_: f32;
     var phi_448_: f32;
     var phi_449_: f32;
-    var phi_450_: f32;
+    var phi_458_: f32;
     var phi_459_: f32;
-    var phi_460_: f32;
-    var phi_478_: u32;
-    var phi_492_: u32;
-    var phi_499_: u32;
-    var phi_504_: u32;
-    var phi_510_: u32;
-    var phi_515_: u32;
-    var phi_517_: texture_Axis;
+    var phi_477_: u32;
+    var phi_491_: u32;
+    var phi_498_: u32;
+    var phi_503_: u32;
+    var phi_509_: u32;
+    var phi_514_: u32;
+    var phi_516_: texture_Axis;
 
     let _e70 = (*param).size;
     let _e71 = (_e70 & 65535u);
@@ -236,286 +236,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e97 > param_1) {
-                phi_235_ = 1f;
+                phi_234_ = 1f;
             } else {
-                phi_235_ = 0f;
+                phi_234_ = 0f;
             }
-            let _e100 = phi_235_;
+            let _e100 = phi_234_;
             if (param_1 < 8388608f) {
-                phi_240_ = (_e97 - _e100);
-                phi_241_ = false;
+                phi_239_ = (_e97 - _e100);
+                phi_240_ = false;
             } else {
-                phi_240_ = f32();
-                phi_241_ = true;
+                phi_239_ = f32();
+                phi_240_ = true;
             }
-            let _e103 = phi_240_;
-            let _e105 = phi_241_;
-            phi_242_ = _e103;
-            phi_243_ = _e105;
+            let _e103 = phi_239_;
+            let _e105 = phi_240_;
+            phi_241_ = _e103;
+            phi_242_ = _e105;
         } else {
-            phi_242_ = f32();
-            phi_243_ = true;
+            phi_241_ = f32();
+            phi_242_ = true;
         }
-        let _e107 = phi_242_;
-        let _e109 = phi_243_;
+        let _e107 = phi_241_;
+        let _e109 = phi_242_;
         if _e109 {
-            phi_247_ = param_1;
+            phi_246_ = param_1;
         } else {
-            phi_247_ = _e107;
+            phi_246_ = _e107;
         }
-        let _e111 = phi_247_;
-        phi_295_ = (param_1 - _e111);
+        let _e111 = phi_246_;
+        phi_294_ = (param_1 - _e111);
     } else {
         if (_e84 == 1u) {
             let _e114 = (param_1 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_273_ = 1f;
+                    phi_272_ = 1f;
                 } else {
-                    phi_273_ = 0f;
+                    phi_272_ = 0f;
                 }
-                let _e129 = phi_273_;
+                let _e129 = phi_272_;
                 if (_e114 < 8388608f) {
-                    phi_278_ = (_e126 - _e129);
-                    phi_279_ = false;
+                    phi_277_ = (_e126 - _e129);
+                    phi_278_ = false;
                 } else {
-                    phi_278_ = f32();
-                    phi_279_ = true;
+                    phi_277_ = f32();
+                    phi_278_ = true;
                 }
-                let _e132 = phi_278_;
-                let _e134 = phi_279_;
-                phi_280_ = _e132;
-                phi_281_ = _e134;
+                let _e132 = phi_277_;
+                let _e134 = phi_278_;
+                phi_279_ = _e132;
+                phi_280_ = _e134;
             } else {
-                phi_280_ = f32();
-                phi_281_ = true;
+                phi_279_ = f32();
+                phi_280_ = true;
             }
-            let _e136 = phi_280_;
-            let _e138 = phi_281_;
+            let _e136 = phi_279_;
+            let _e138 = phi_280_;
             if _e138 {
-                phi_285_ = _e114;
+                phi_284_ = _e114;
             } else {
-                phi_285_ = _e136;
+                phi_284_ = _e136;
             }
-            let _e140 = phi_285_;
+            let _e140 = phi_284_;
             let _e142 = (param_1 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_293_ = (2f - _e142);
+                phi_292_ = (2f - _e142);
             } else {
-                phi_293_ = _e142;
+                phi_292_ = _e142;
             }
-            let _e146 = phi_293_;
-            phi_294_ = _e146;
+            let _e146 = phi_292_;
+            phi_293_ = _e146;
         } else {
-            phi_294_ = param_1;
+            phi_293_ = param_1;
         }
-        let _e148 = phi_294_;
-        phi_295_ = _e148;
+        let _e148 = phi_293_;
+        phi_294_ = _e148;
     }
-    let _e150 = phi_295_;
+    let _e150 = phi_294_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_304_ = _e150;
+            phi_303_ = _e150;
         } else {
-            phi_304_ = 1f;
+            phi_303_ = 1f;
         }
-        let _e154 = phi_304_;
-        phi_305_ = _e154;
+        let _e154 = phi_303_;
+        phi_304_ = _e154;
     } else {
-        phi_305_ = 0f;
+        phi_304_ = 0f;
     }
-    let _e156 = phi_305_;
+    let _e156 = phi_304_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_323_ = _e157;
+            phi_322_ = _e157;
         } else {
-            phi_323_ = _e166;
+            phi_322_ = _e166;
         }
-        let _e169 = phi_323_;
-        phi_362_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_322_;
+        phi_361_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_337_ = _e71;
+            phi_336_ = _e71;
         } else {
-            phi_337_ = _e178;
+            phi_336_ = _e178;
         }
-        let _e181 = phi_337_;
+        let _e181 = phi_336_;
         if (_e84 == 0u) {
-            phi_344_ = _e157;
+            phi_343_ = _e157;
         } else {
-            phi_344_ = 0u;
+            phi_343_ = 0u;
         }
-        let _e186 = phi_344_;
+        let _e186 = phi_343_;
         if (_e84 == 0u) {
-            phi_349_ = 0u;
+            phi_348_ = 0u;
         } else {
-            phi_349_ = _e157;
+            phi_348_ = _e157;
         }
-        let _e189 = phi_349_;
+        let _e189 = phi_348_;
         if (_e181 == 0u) {
-            phi_355_ = _e186;
+            phi_354_ = _e186;
         } else {
-            phi_355_ = (_e181 - 1u);
+            phi_354_ = (_e181 - 1u);
         }
-        let _e193 = phi_355_;
+        let _e193 = phi_354_;
         if (_e181 > _e157) {
-            phi_360_ = _e189;
+            phi_359_ = _e189;
         } else {
-            phi_360_ = _e181;
+            phi_359_ = _e181;
         }
-        let _e196 = phi_360_;
-        phi_362_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_359_;
+        phi_361_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_362_;
+    let _e199 = phi_361_;
     let _e201 = (*param).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
         if (param_2 > -8388608f) {
             let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e217 > param_2) {
-                phi_390_ = 1f;
+                phi_389_ = 1f;
             } else {
-                phi_390_ = 0f;
+                phi_389_ = 0f;
             }
-            let _e220 = phi_390_;
+            let _e220 = phi_389_;
             if (param_2 < 8388608f) {
-                phi_395_ = (_e217 - _e220);
-                phi_396_ = false;
+                phi_394_ = (_e217 - _e220);
+                phi_395_ = false;
             } else {
-                phi_395_ = f32();
-                phi_396_ = true;
+                phi_394_ = f32();
+                phi_395_ = true;
             }
-            let _e223 = phi_395_;
-            let _e225 = phi_396_;
-            phi_397_ = _e223;
-            phi_398_ = _e225;
+            let _e223 = phi_394_;
+            let _e225 = phi_395_;
+            phi_396_ = _e223;
+            phi_397_ = _e225;
         } else {
-            phi_397_ = f32();
-            phi_398_ = true;
+            phi_396_ = f32();
+            phi_397_ = true;
         }
-        let _e227 = phi_397_;
-        let _e229 = phi_398_;
+        let _e227 = phi_396_;
+        let _e229 = phi_397_;
         if _e229 {
-            phi_402_ = param_2;
+            phi_401_ = param_2;
         } else {
-            phi_402_ = _e227;
+            phi_401_ = _e227;
         }
-        let _e231 = phi_402_;
-        phi_450_ = (param_2 - _e231);
+        let _e231 = phi_401_;
+        phi_449_ = (param_2 - _e231);
     } else {
         if (_e204 == 1u) {
             let _e234 = (param_2 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_428_ = 1f;
+                    phi_427_ = 1f;
                 } else {
-                    phi_428_ = 0f;
+                    phi_427_ = 0f;
                 }
-                let _e249 = phi_428_;
+                let _e249 = phi_427_;
                 if (_e234 < 8388608f) {
-                    phi_433_ = (_e246 - _e249);
-                    phi_434_ = false;
+                    phi_432_ = (_e246 - _e249);
+                    phi_433_ = false;
                 } else {
-                    phi_433_ = f32();
-                    phi_434_ = true;
+                    phi_432_ = f32();
+                    phi_433_ = true;
                 }
-                let _e252 = phi_433_;
-                let _e254 = phi_434_;
-                phi_435_ = _e252;
-                phi_436_ = _e254;
+                let _e252 = phi_432_;
+                let _e254 = phi_433_;
+                phi_434_ = _e252;
+                phi_435_ = _e254;
             } else {
-                phi_435_ = f32();
-                phi_436_ = true;
+                phi_434_ = f32();
+                phi_435_ = true;
             }
-            let _e256 = phi_435_;
-            let _e258 = phi_436_;
+            let _e256 = phi_434_;
+            let _e258 = phi_435_;
             if _e258 {
-                phi_440_ = _e234;
+                phi_439_ = _e234;
             } else {
-                phi_440_ = _e256;
+                phi_439_ = _e256;
             }
-            let _e260 = phi_440_;
+            let _e260 = phi_439_;
             let _e262 = (param_2 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_448_ = (2f - _e262);
+                phi_447_ = (2f - _e262);
             } else {
-                phi_448_ = _e262;
+                phi_447_ = _e262;
             }
-            let _e266 = phi_448_;
-            phi_449_ = _e266;
+            let _e266 = phi_447_;
+            phi_448_ = _e266;
         } else {
-            phi_449_ = param_2;
+            phi_448_ = param_2;
         }
-        let _e268 = phi_449_;
-        phi_450_ = _e268;
+        let _e268 = phi_448_;
+        phi_449_ = _e268;
     }
-    let _e270 = phi_450_;
+    let _e270 = phi_449_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_459_ = _e270;
+            phi_458_ = _e270;
         } else {
-            phi_459_ = 1f;
+            phi_458_ = 1f;
         }
-        let _e274 = phi_459_;
-        phi_460_ = _e274;
+        let _e274 = phi_458_;
+        phi_459_ = _e274;
     } else {
-        phi_460_ = 0f;
+        phi_459_ = 0f;
     }
-    let _e276 = phi_460_;
+    let _e276 = phi_459_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_478_ = _e277;
+            phi_477_ = _e277;
         } else {
-            phi_478_ = _e286;
+            phi_477_ = _e286;
         }
-        let _e289 = phi_478_;
-        phi_517_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_477_;
+        phi_516_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_492_ = _e75;
+            phi_491_ = _e75;
         } else {
-            phi_492_ = _e298;
+            phi_491_ = _e298;
         }
-        let _e301 = phi_492_;
+        let _e301 = phi_491_;
         if (_e204 == 0u) {
-            phi_499_ = _e277;
+            phi_498_ = _e277;
         } else {
-            phi_499_ = 0u;
+            phi_498_ = 0u;
         }
-        let _e306 = phi_499_;
+        let _e306 = phi_498_;
         if (_e204 == 0u) {
-            phi_504_ = 0u;
+            phi_503_ = 0u;
         } else {
-            phi_504_ = _e277;
+            phi_503_ = _e277;
         }
-        let _e309 = phi_504_;
+        let _e309 = phi_503_;
         if (_e301 == 0u) {
-            phi_510_ = _e306;
+            phi_509_ = _e306;
         } else {
-            phi_510_ = (_e301 - 1u);
+            phi_509_ = (_e301 - 1u);
         }
-        let _e313 = phi_510_;
+        let _e313 = phi_509_;
         if (_e301 > _e277) {
-            phi_515_ = _e309;
+            phi_514_ = _e309;
         } else {
-            phi_515_ = _e301;
+            phi_514_ = _e301;
         }
-        let _e316 = phi_515_;
-        phi_517_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_514_;
+        phi_516_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_517_;
+    let _e319 = phi_516_;
     let _e323 = (*param).offset;
     let _e330 = (*param).offset;
     let _e337 = (*param).offset;
@@ -524,46 +524,46 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_576_: bool;
-    var phi_580_: f32;
+    var phi_575_: bool;
+    var phi_579_: f32;
 
     if (param_3 != param_3) {
-        phi_576_ = true;
+        phi_575_ = true;
     } else {
         let _e69 = (param_4 >= param_3);
         if _e69 {
         }
-        phi_576_ = _e69;
+        phi_575_ = _e69;
     }
-    let _e71 = phi_576_;
+    let _e71 = phi_575_;
     if _e71 {
-        phi_580_ = param_4;
+        phi_579_ = param_4;
     } else {
-        phi_580_ = param_3;
+        phi_579_ = param_3;
     }
-    let _e73 = phi_580_;
+    let _e73 = phi_579_;
     return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_592_: bool;
-    var phi_596_: f32;
+    var phi_591_: bool;
+    var phi_595_: f32;
 
     if (param_5 != param_5) {
-        phi_592_ = true;
+        phi_591_ = true;
     } else {
         let _e69 = (param_6 <= param_5);
         if _e69 {
         }
-        phi_592_ = _e69;
+        phi_591_ = _e69;
     }
-    let _e71 = phi_592_;
+    let _e71 = phi_591_;
     if _e71 {
-        phi_596_ = param_6;
+        phi_595_ = param_6;
     } else {
-        phi_596_ = param_5;
+        phi_595_ = param_5;
     }
-    let _e73 = phi_596_;
+    let _e73 = phi_595_;
     return _e73;
 }
 
@@ -571,10 +571,11 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_694_: f32;
+    var phi_693_: f32;
+    var phi_749_: bool;
     var phi_750_: bool;
     var phi_751_: bool;
-    var phi_752_: bool;
+    var phi_755_: bool;
     var phi_756_: bool;
     var phi_757_: bool;
     var phi_758_: bool;
@@ -592,56 +593,56 @@ fn function_() {
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_773_: bool;
-    var phi_777_: bool;
-    var phi_781_: bool;
-    var phi_851_: f32;
-    var phi_858_: f32;
-    var phi_865_: f32;
-    var phi_872_: f32;
-    var phi_879_: f32;
-    var phi_886_: f32;
-    var phi_903_: f32;
-    var phi_908_: f32;
-    var phi_913_: f32;
-    var phi_934_: u32;
-    var phi_939_: u32;
-    var phi_944_: u32;
+    var phi_776_: bool;
+    var phi_780_: bool;
+    var phi_850_: f32;
+    var phi_857_: f32;
+    var phi_864_: f32;
+    var phi_871_: f32;
+    var phi_878_: f32;
+    var phi_885_: f32;
+    var phi_902_: f32;
+    var phi_907_: f32;
+    var phi_912_: f32;
+    var phi_933_: u32;
+    var phi_938_: u32;
+    var phi_943_: u32;
+    var phi_1057_: bool;
     var phi_1058_: bool;
-    var phi_1059_: bool;
-    var phi_1090_: u32;
-    var phi_1092_: u32;
-    var phi_1173_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1200_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1227_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1233_: u32;
-    var phi_1236_: u32;
-    var phi_1250_: u32;
-    var phi_1260_: u32;
-    var phi_1270_: u32;
-    var phi_1288_: u32;
-    var phi_1298_: u32;
-    var phi_1308_: u32;
-    var phi_1344_: u32;
-    var phi_1357_: u32;
+    var phi_1089_: u32;
+    var phi_1091_: u32;
+    var phi_1172_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1199_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1226_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1232_: u32;
+    var phi_1235_: u32;
+    var phi_1249_: u32;
+    var phi_1259_: u32;
+    var phi_1269_: u32;
+    var phi_1287_: u32;
+    var phi_1297_: u32;
+    var phi_1307_: u32;
+    var phi_1343_: u32;
+    var phi_1356_: u32;
+    var phi_1361_: u32;
     var phi_1362_: u32;
     var phi_1363_: u32;
-    var phi_1364_: u32;
-    var phi_1234_: u32;
-    var phi_1237_: u32;
+    var phi_1233_: u32;
+    var phi_1236_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1422_: u32;
-    var phi_1472_: f32;
-    var phi_1477_: f32;
-    var phi_1482_: f32;
-    var phi_1490_: f32;
-    var phi_1495_: f32;
-    var phi_1500_: f32;
+    var phi_1421_: u32;
+    var phi_1471_: f32;
+    var phi_1476_: f32;
+    var phi_1481_: f32;
+    var phi_1489_: f32;
+    var phi_1494_: f32;
+    var phi_1499_: f32;
+    var phi_1643_: bool;
     var phi_1644_: bool;
     var phi_1645_: bool;
-    var phi_1646_: bool;
+    var phi_1649_: bool;
     var phi_1650_: bool;
     var phi_1651_: bool;
     var phi_1652_: bool;
@@ -659,137 +660,137 @@ fn function_() {
     var phi_1664_: bool;
     var phi_1665_: bool;
     var phi_1666_: bool;
-    var phi_1667_: bool;
-    var phi_1671_: bool;
-    var phi_1675_: bool;
-    var phi_1745_: f32;
-    var phi_1752_: f32;
-    var phi_1759_: f32;
-    var phi_1766_: f32;
-    var phi_1773_: f32;
-    var phi_1780_: f32;
-    var phi_1797_: f32;
-    var phi_1802_: f32;
-    var phi_1807_: f32;
+    var phi_1670_: bool;
+    var phi_1674_: bool;
+    var phi_1744_: f32;
+    var phi_1751_: f32;
+    var phi_1758_: f32;
+    var phi_1765_: f32;
+    var phi_1772_: f32;
+    var phi_1779_: f32;
+    var phi_1796_: f32;
+    var phi_1801_: f32;
+    var phi_1806_: f32;
+    var phi_1834_: bool;
     var phi_1835_: bool;
-    var phi_1836_: bool;
+    var phi_1843_: u32;
     var phi_1844_: u32;
-    var phi_1845_: u32;
+    var phi_1855_: vec3<f32>;
     var phi_1856_: vec3<f32>;
-    var phi_1857_: vec3<f32>;
-    var phi_1870_: u32;
-    var phi_1875_: u32;
-    var phi_1880_: u32;
+    var phi_1869_: u32;
+    var phi_1874_: u32;
+    var phi_1879_: u32;
+    var phi_1993_: bool;
     var phi_1994_: bool;
-    var phi_1995_: bool;
-    var phi_2026_: u32;
-    var phi_2028_: u32;
-    var phi_2109_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2136_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2163_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2169_: u32;
-    var phi_2172_: u32;
-    var phi_2186_: u32;
-    var phi_2196_: u32;
-    var phi_2206_: u32;
-    var phi_2224_: u32;
-    var phi_2234_: u32;
-    var phi_2244_: u32;
-    var phi_2280_: u32;
-    var phi_2293_: u32;
+    var phi_2025_: u32;
+    var phi_2027_: u32;
+    var phi_2108_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2135_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2162_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2168_: u32;
+    var phi_2171_: u32;
+    var phi_2185_: u32;
+    var phi_2195_: u32;
+    var phi_2205_: u32;
+    var phi_2223_: u32;
+    var phi_2233_: u32;
+    var phi_2243_: u32;
+    var phi_2279_: u32;
+    var phi_2292_: u32;
+    var phi_2297_: u32;
     var phi_2298_: u32;
     var phi_2299_: u32;
-    var phi_2300_: u32;
-    var phi_2170_: u32;
-    var phi_2173_: u32;
+    var phi_2169_: u32;
+    var phi_2172_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2358_: u32;
+    var phi_2357_: u32;
+    var phi_2402_: vec3<f32>;
     var phi_2403_: vec3<f32>;
-    var phi_2404_: vec3<f32>;
+    var phi_2432_: vec3<f32>;
     var phi_2433_: vec3<f32>;
-    var phi_2434_: vec3<f32>;
+    var phi_2462_: vec3<f32>;
     var phi_2463_: vec3<f32>;
-    var phi_2464_: vec3<f32>;
+    var phi_2481_: bool;
     var phi_2482_: bool;
-    var phi_2483_: bool;
+    var phi_2486_: f32;
     var phi_2487_: f32;
     var phi_2488_: f32;
     var phi_2489_: f32;
-    var phi_2490_: f32;
-    var phi_2498_: f32;
+    var phi_2497_: f32;
+    var phi_2507_: bool;
     var phi_2508_: bool;
-    var phi_2509_: bool;
+    var phi_2512_: f32;
     var phi_2513_: f32;
     var phi_2514_: f32;
     var phi_2515_: f32;
-    var phi_2516_: f32;
-    var phi_2524_: f32;
+    var phi_2523_: f32;
+    var phi_2533_: bool;
     var phi_2534_: bool;
-    var phi_2535_: bool;
+    var phi_2538_: f32;
     var phi_2539_: f32;
     var phi_2540_: f32;
     var phi_2541_: f32;
-    var phi_2542_: f32;
-    var phi_2550_: f32;
-    var phi_2565_: f32;
-    var phi_2566_: bool;
-    var phi_2567_: f32;
-    var phi_2568_: bool;
-    var phi_2569_: f32;
-    var phi_2570_: bool;
-    var phi_2588_: f32;
+    var phi_2549_: f32;
+    var phi_2564_: f32;
+    var phi_2565_: bool;
+    var phi_2566_: f32;
+    var phi_2567_: bool;
+    var phi_2568_: f32;
+    var phi_2569_: bool;
+    var phi_2587_: f32;
+    var phi_2588_: bool;
     var phi_2589_: bool;
-    var phi_2590_: bool;
-    var phi_2591_: f32;
+    var phi_2590_: f32;
+    var phi_2591_: bool;
     var phi_2592_: bool;
-    var phi_2593_: bool;
-    var phi_2597_: bool;
-    var phi_2598_: f32;
-    var phi_2599_: bool;
+    var phi_2596_: bool;
+    var phi_2597_: f32;
+    var phi_2598_: bool;
+    var phi_2626_: vec3<f32>;
     var phi_2627_: vec3<f32>;
-    var phi_2628_: vec3<f32>;
+    var phi_2652_: vec3<f32>;
     var phi_2653_: vec3<f32>;
-    var phi_2654_: vec3<f32>;
+    var phi_2678_: vec3<f32>;
     var phi_2679_: vec3<f32>;
-    var phi_2680_: vec3<f32>;
-    var phi_2736_: f32;
-    var phi_2745_: f32;
-    var phi_2754_: f32;
-    var phi_2763_: f32;
-    var phi_2770_: f32;
-    var phi_2777_: f32;
-    var phi_2790_: f32;
-    var phi_2799_: f32;
-    var phi_2808_: f32;
-    var phi_2817_: f32;
-    var phi_2824_: f32;
-    var phi_2831_: f32;
-    var phi_2848_: f32;
-    var phi_2853_: f32;
-    var phi_2858_: f32;
-    var phi_2866_: f32;
-    var phi_2871_: f32;
-    var phi_2876_: f32;
-    var phi_2888_: f32;
-    var phi_2893_: f32;
-    var phi_2898_: f32;
-    var phi_2903_: f32;
-    var phi_2908_: lt_bvh_triangle_Intersection;
-    var phi_2909_: bool;
-    var phi_2910_: lt_bvh_triangle_Intersection;
-    var phi_2911_: bool;
-    var phi_2915_: lt_bvh_triangle_Intersection;
-    var phi_2916_: bool;
-    var phi_2917_: lt_bvh_triangle_Intersection;
+    var phi_2735_: f32;
+    var phi_2744_: f32;
+    var phi_2753_: f32;
+    var phi_2762_: f32;
+    var phi_2769_: f32;
+    var phi_2776_: f32;
+    var phi_2789_: f32;
+    var phi_2798_: f32;
+    var phi_2807_: f32;
+    var phi_2816_: f32;
+    var phi_2823_: f32;
+    var phi_2830_: f32;
+    var phi_2847_: f32;
+    var phi_2852_: f32;
+    var phi_2857_: f32;
+    var phi_2865_: f32;
+    var phi_2870_: f32;
+    var phi_2875_: f32;
+    var phi_2887_: f32;
+    var phi_2892_: f32;
+    var phi_2897_: f32;
+    var phi_2902_: f32;
+    var phi_2907_: lt_bvh_triangle_Intersection;
+    var phi_2908_: bool;
+    var phi_2909_: lt_bvh_triangle_Intersection;
+    var phi_2910_: bool;
+    var phi_2914_: lt_bvh_triangle_Intersection;
+    var phi_2915_: bool;
+    var phi_2916_: lt_bvh_triangle_Intersection;
+    var phi_2917_: bool;
     var phi_2918_: bool;
-    var phi_2919_: bool;
-    var phi_2923_: bool;
-    var phi_2927_: lt_bvh_triangle_Intersection;
-    var phi_3141_: f32;
+    var phi_2922_: bool;
+    var phi_2926_: lt_bvh_triangle_Intersection;
+    var phi_3140_: f32;
+    var phi_3143_: bool;
     var phi_3144_: bool;
-    var phi_3145_: bool;
+    var phi_3148_: bool;
     var phi_3149_: bool;
     var phi_3150_: bool;
     var phi_3151_: bool;
@@ -801,56 +802,55 @@ fn function_() {
     var phi_3157_: bool;
     var phi_3158_: bool;
     var phi_3159_: bool;
-    var phi_3160_: bool;
+    var phi_3163_: bool;
     var phi_3164_: bool;
+    var phi_2358_: u32;
     var phi_3165_: bool;
-    var phi_2359_: u32;
     var phi_3166_: bool;
     var phi_3167_: bool;
-    var phi_3168_: bool;
     var local_9: bool;
+    var phi_3209_: bool;
     var phi_3210_: bool;
-    var phi_3211_: bool;
+    var phi_3241_: u32;
     var phi_3242_: u32;
-    var phi_3243_: u32;
+    var phi_3243_: bool;
     var phi_3244_: bool;
+    var phi_2028_: u32;
     var phi_3245_: bool;
-    var phi_2029_: u32;
     var phi_3246_: bool;
     var phi_3247_: bool;
     var phi_3248_: bool;
-    var phi_3249_: bool;
     var local_10: bool;
+    var phi_3252_: bool;
     var phi_3253_: bool;
-    var phi_3254_: bool;
-    var phi_3258_: bool;
+    var phi_3257_: bool;
+    var phi_3261_: bool;
     var phi_3262_: bool;
     var phi_3263_: bool;
     var phi_3264_: bool;
-    var phi_3265_: bool;
-    var phi_3269_: bool;
+    var phi_3268_: bool;
+    var phi_3272_: bool;
     var phi_3273_: bool;
     var phi_3274_: bool;
     var phi_3275_: bool;
-    var phi_3276_: bool;
-    var phi_1423_: u32;
-    var phi_3280_: bool;
+    var phi_1422_: u32;
+    var phi_3279_: bool;
     var local_11: bool;
+    var phi_3321_: bool;
     var phi_3322_: bool;
-    var phi_3323_: bool;
+    var phi_3353_: u32;
     var phi_3354_: u32;
-    var phi_3355_: u32;
-    var phi_1093_: u32;
+    var phi_1092_: u32;
+    var phi_3355_: bool;
     var phi_3356_: bool;
-    var phi_3357_: bool;
     var local_12: bool;
-    var phi_3361_: bool;
+    var phi_3360_: bool;
+    var phi_3364_: bool;
     var phi_3365_: bool;
     var phi_3366_: bool;
     var phi_3367_: bool;
-    var phi_3368_: bool;
-    var phi_3372_: bool;
-    var phi_3376_: f32;
+    var phi_3371_: bool;
+    var phi_3375_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -891,11 +891,11 @@ fn function_() {
         let _e135 = (_e119.y + (_e121.y * _e125));
         let _e137 = (_e119.z + (_e121.z * _e125));
         if (_e117.w == 0f) {
-            phi_694_ = 300000000000000000000000000000000000000f;
+            phi_693_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_694_ = 1f;
+            phi_693_ = 1f;
         }
-        let _e141 = phi_694_;
+        let _e141 = phi_693_;
         let _e149 = (_e117.x - (_e133 * _e117.w));
         let _e150 = (_e117.y - (_e135 * _e117.w));
         let _e151 = (_e117.z - (_e137 * _e117.w));
@@ -909,106 +909,106 @@ fn function_() {
                         if (_e156 < 1000000000000000f) {
                             if (_e157 < 1000000000000000f) {
                                 if (_e155 > 0f) {
-                                    phi_751_ = bool();
-                                    phi_752_ = true;
+                                    phi_750_ = bool();
+                                    phi_751_ = true;
                                 } else {
                                     let _e165 = (_e156 > 0f);
                                     if _e165 {
-                                        phi_750_ = bool();
+                                        phi_749_ = bool();
                                     } else {
-                                        phi_750_ = (_e157 > 0f);
+                                        phi_749_ = (_e157 > 0f);
                                     }
-                                    let _e168 = phi_750_;
-                                    phi_751_ = _e168;
-                                    phi_752_ = _e165;
+                                    let _e168 = phi_749_;
+                                    phi_750_ = _e168;
+                                    phi_751_ = _e165;
                                 }
-                                let _e170 = phi_751_;
-                                let _e172 = phi_752_;
+                                let _e170 = phi_750_;
+                                let _e172 = phi_751_;
                                 if _e172 {
-                                    phi_756_ = true;
+                                    phi_755_ = true;
                                 } else {
-                                    phi_756_ = _e170;
+                                    phi_755_ = _e170;
                                 }
-                                let _e174 = phi_756_;
-                                phi_757_ = _e174;
-                                phi_758_ = false;
+                                let _e174 = phi_755_;
+                                phi_756_ = _e174;
+                                phi_757_ = false;
                             } else {
-                                phi_757_ = bool();
-                                phi_758_ = true;
+                                phi_756_ = bool();
+                                phi_757_ = true;
                             }
-                            let _e176 = phi_757_;
-                            let _e178 = phi_758_;
-                            phi_759_ = _e176;
-                            phi_760_ = false;
-                            phi_761_ = _e178;
+                            let _e176 = phi_756_;
+                            let _e178 = phi_757_;
+                            phi_758_ = _e176;
+                            phi_759_ = false;
+                            phi_760_ = _e178;
                         } else {
-                            phi_759_ = bool();
-                            phi_760_ = true;
-                            phi_761_ = false;
+                            phi_758_ = bool();
+                            phi_759_ = true;
+                            phi_760_ = false;
                         }
-                        let _e180 = phi_759_;
-                        let _e182 = phi_760_;
-                        let _e184 = phi_761_;
-                        phi_762_ = _e180;
-                        phi_763_ = _e182;
-                        phi_764_ = _e184;
+                        let _e180 = phi_758_;
+                        let _e182 = phi_759_;
+                        let _e184 = phi_760_;
+                        phi_761_ = _e180;
+                        phi_762_ = _e182;
+                        phi_763_ = _e184;
                     } else {
-                        phi_762_ = bool();
-                        phi_763_ = true;
-                        phi_764_ = false;
+                        phi_761_ = bool();
+                        phi_762_ = true;
+                        phi_763_ = false;
                     }
-                    let _e186 = phi_762_;
-                    let _e188 = phi_763_;
-                    let _e190 = phi_764_;
-                    phi_765_ = _e186;
-                    phi_766_ = _e188;
-                    phi_767_ = _e190;
+                    let _e186 = phi_761_;
+                    let _e188 = phi_762_;
+                    let _e190 = phi_763_;
+                    phi_764_ = _e186;
+                    phi_765_ = _e188;
+                    phi_766_ = _e190;
                 } else {
-                    phi_765_ = bool();
-                    phi_766_ = true;
-                    phi_767_ = false;
+                    phi_764_ = bool();
+                    phi_765_ = true;
+                    phi_766_ = false;
                 }
-                let _e192 = phi_765_;
-                let _e194 = phi_766_;
-                let _e196 = phi_767_;
-                phi_768_ = _e192;
-                phi_769_ = _e194;
-                phi_770_ = _e196;
+                let _e192 = phi_764_;
+                let _e194 = phi_765_;
+                let _e196 = phi_766_;
+                phi_767_ = _e192;
+                phi_768_ = _e194;
+                phi_769_ = _e196;
             } else {
-                phi_768_ = bool();
-                phi_769_ = true;
-                phi_770_ = false;
+                phi_767_ = bool();
+                phi_768_ = true;
+                phi_769_ = false;
             }
-            let _e198 = phi_768_;
-            let _e200 = phi_769_;
-            let _e202 = phi_770_;
-            phi_771_ = _e198;
-            phi_772_ = _e200;
-            phi_773_ = _e202;
+            let _e198 = phi_767_;
+            let _e200 = phi_768_;
+            let _e202 = phi_769_;
+            phi_770_ = _e198;
+            phi_771_ = _e200;
+            phi_772_ = _e202;
         } else {
-            phi_771_ = bool();
-            phi_772_ = true;
-            phi_773_ = false;
+            phi_770_ = bool();
+            phi_771_ = true;
+            phi_772_ = false;
         }
-        let _e204 = phi_771_;
-        let _e206 = phi_772_;
-        let _e208 = phi_773_;
+        let _e204 = phi_770_;
+        let _e206 = phi_771_;
+        let _e208 = phi_772_;
         if _e206 {
-            phi_777_ = true;
+            phi_776_ = true;
         } else {
-            phi_777_ = _e208;
+            phi_776_ = _e208;
         }
-        let _e210 = phi_777_;
+        let _e210 = phi_776_;
         if _e210 {
-            phi_781_ = false;
+            phi_780_ = false;
         } else {
-            phi_781_ = _e204;
+            phi_780_ = _e204;
         }
-        let _e212 = phi_781_;
+        let _e212 = phi_780_;
         if _e212 {
             let _e213 = (_e112 >= _e76);
             if _e213 {
-                phi_3366_ = bool();
+                phi_3365_ = bool();
             } else {
                 if (_e112 < _e76) {
                 } else {
@@ -1025,41 +1025,41 @@ fn function_() {
                 let _e278 = core_intrinsics_maximum_number_nsz_f32_(_e277, abs(_e151));
                 let _e279 = (_e278 * 0.0000000000009094947f);
                 if (abs(_e149) < _e279) {
-                    phi_851_ = _e279;
+                    phi_850_ = _e279;
                 } else {
-                    phi_851_ = abs(_e149);
+                    phi_850_ = abs(_e149);
                 }
-                let _e284 = phi_851_;
+                let _e284 = phi_850_;
                 if (_e149 < 0f) {
-                    phi_858_ = (-1f / _e284);
+                    phi_857_ = (-1f / _e284);
                 } else {
-                    phi_858_ = (1f / _e284);
+                    phi_857_ = (1f / _e284);
                 }
-                let _e289 = phi_858_;
+                let _e289 = phi_857_;
                 if (abs(_e150) < _e279) {
-                    phi_865_ = _e279;
+                    phi_864_ = _e279;
                 } else {
-                    phi_865_ = abs(_e150);
+                    phi_864_ = abs(_e150);
                 }
-                let _e294 = phi_865_;
+                let _e294 = phi_864_;
                 if (_e150 < 0f) {
-                    phi_872_ = (-1f / _e294);
+                    phi_871_ = (-1f / _e294);
                 } else {
-                    phi_872_ = (1f / _e294);
+                    phi_871_ = (1f / _e294);
                 }
-                let _e299 = phi_872_;
+                let _e299 = phi_871_;
                 if (abs(_e151) < _e279) {
-                    phi_879_ = _e279;
+                    phi_878_ = _e279;
                 } else {
-                    phi_879_ = abs(_e151);
+                    phi_878_ = abs(_e151);
                 }
-                let _e304 = phi_879_;
+                let _e304 = phi_878_;
                 if (_e151 < 0f) {
-                    phi_886_ = (-1f / _e304);
+                    phi_885_ = (-1f / _e304);
                 } else {
-                    phi_886_ = (1f / _e304);
+                    phi_885_ = (1f / _e304);
                 }
-                let _e309 = phi_886_;
+                let _e309 = phi_885_;
                 let _e313 = abs((bitcast<f32>(_e219) - _e133));
                 let _e314 = abs((bitcast<f32>(_e223) - _e135));
                 let _e315 = abs((bitcast<f32>(_e227) - _e137));
@@ -1067,23 +1067,23 @@ fn function_() {
                 let _e320 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e243 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e135));
                 let _e321 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e243 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
                 if (_e313 > _e319) {
-                    phi_903_ = _e313;
+                    phi_902_ = _e313;
                 } else {
-                    phi_903_ = _e319;
+                    phi_902_ = _e319;
                 }
-                let _e324 = phi_903_;
+                let _e324 = phi_902_;
                 if (_e314 > _e320) {
-                    phi_908_ = _e314;
+                    phi_907_ = _e314;
                 } else {
-                    phi_908_ = _e320;
+                    phi_907_ = _e320;
                 }
-                let _e327 = phi_908_;
+                let _e327 = phi_907_;
                 if (_e315 > _e321) {
-                    phi_913_ = _e315;
+                    phi_912_ = _e315;
                 } else {
-                    phi_913_ = _e321;
+                    phi_912_ = _e321;
                 }
-                let _e330 = phi_913_;
+                let _e330 = phi_912_;
                 let _e331 = core_intrinsics_maximum_number_nsz_f32_(_e324, _e327);
                 let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e331, _e330);
                 let _e336 = (_e332 * 0.0000019073486f);
@@ -1095,23 +1095,23 @@ fn function_() {
                 let _e345 = (abs(_e299) * _e343);
                 let _e346 = (abs(_e309) * _e343);
                 if (_e289 < 0f) {
-                    phi_934_ = 0u;
+                    phi_933_ = 0u;
                 } else {
-                    phi_934_ = 1u;
+                    phi_933_ = 1u;
                 }
-                let _e349 = phi_934_;
+                let _e349 = phi_933_;
                 if (_e299 < 0f) {
-                    phi_939_ = 0u;
+                    phi_938_ = 0u;
                 } else {
-                    phi_939_ = 2u;
+                    phi_938_ = 2u;
                 }
-                let _e352 = phi_939_;
+                let _e352 = phi_938_;
                 if (_e309 < 0f) {
-                    phi_944_ = 0u;
+                    phi_943_ = 0u;
                 } else {
-                    phi_944_ = 4u;
+                    phi_943_ = 4u;
                 }
-                let _e355 = phi_944_;
+                let _e355 = phi_943_;
                 let _e357 = ((_e349 | _e352) | _e355);
                 let _e358 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
                 local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e358.first[0], _e358.first[1], _e358.first[2], _e358.first[3], _e358.first[4], _e358.first[5], _e358.first[6], _e358.first[7], _e358.first[8], _e358.first[9], _e358.first[10], _e358.first[11], _e358.first[12], _e358.first[13], _e358.first[14], _e358.first[15], _e358.first[16], _e358.first[17], _e358.first[18], _e358.first[19], _e358.first[20], _e358.first[21], _e358.first[22], _e358.first[23], _e358.first[24], _e358.first[25], _e358.first[26], _e358.first[27], _e358.first[28], _e358.first[29], _e358.first[30], _e358.first[31]), array<u32, 32>(_e358.mask[0], _e358.mask[1], _e358.mask[2], _e358.mask[3], _e358.mask[4], _e358.mask[5], _e358.mask[6], _e358.mask[7], _e358.mask[8], _e358.mask[9], _e358.mask[10], _e358.mask[11], _e358.mask[12], _e358.mask[13], _e358.mask[14], _e358.mask[15], _e358.mask[16], _e358.mask[17], _e358.mask[18], _e358.mask[19], _e358.mask[20], _e358.mask[21], _e358.mask[22], _e358.mask[23], _e358.mask[24], _e358.mask[25], _e358.mask[26], _e358.mask[27], _e358.mask[28], _e358.mask[29], _e358.mask[30], _e358.mask[31]), _e358.len, _e358.group, _e358.group_mask);
@@ -1119,7 +1119,7 @@ fn function_() {
                 if ((_e432 & 4278190080u) == 0u) {
                     let _e436 = local_2.len;
                     if (_e436 == 0u) {
-                        phi_1058_ = false;
+                        phi_1057_ = false;
                     } else {
                         let _e440 = local_2.len;
                         local_2.len = (_e440 - 1u);
@@ -1137,14 +1137,14 @@ fn function_() {
                         }
                         let _e456 = local_2.mask[(0u + _e451)];
                         local_2.group_mask = _e456;
-                        phi_1058_ = true;
+                        phi_1057_ = true;
                     }
-                    let _e459 = phi_1058_;
-                    phi_1059_ = _e459;
+                    let _e459 = phi_1057_;
+                    phi_1058_ = _e459;
                 } else {
-                    phi_1059_ = true;
+                    phi_1058_ = true;
                 }
-                let _e461 = phi_1059_;
+                let _e461 = phi_1058_;
                 if _e461 {
                     let _e463 = local_2.group_mask;
                     let _e469 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e463)), 32u, (_e463 == 0u)));
@@ -1152,14 +1152,14 @@ fn function_() {
                     let _e487 = local_2.group_mask;
                     local_2.group_mask = (_e487 & ~((1u << bitcast<u32>((_e469 & 31u)))));
                     let _e490 = local_2.group;
-                    phi_1090_ = (_e490 + countOneBits(((_e473 & ~((4294967295u << bitcast<u32>((((_e469 - 24u) ^ 7u) & 31u))))) & 255u)));
+                    phi_1089_ = (_e490 + countOneBits(((_e473 & ~((4294967295u << bitcast<u32>((((_e469 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1090_ = 4294967295u;
+                    phi_1089_ = 4294967295u;
                 }
-                let _e493 = phi_1090_;
-                phi_1092_ = _e493;
+                let _e493 = phi_1089_;
+                phi_1091_ = _e493;
                 loop {
-                    let _e495 = phi_1092_;
+                    let _e495 = phi_1091_;
                     if (_e495 != 4294967295u) {
                         if (_e495 < _e76) {
                         } else {
@@ -1180,45 +1180,45 @@ fn function_() {
                             let _e566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e566.unnamed.root, _e555.w), _e566.unnamed_1);
                             let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e572.unnamed, lt_bvh_traverse_Tree(_e555.x, _e572.unnamed_1.first_primitive));
-                            phi_1173_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
+                            phi_1172_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
                         } else {
                             let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e555.y), _e594.unnamed_1);
                             let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e555.z, _e600.unnamed_1.first_primitive));
-                            phi_1173_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
+                            phi_1172_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
                         }
-                        let _e614 = phi_1173_;
+                        let _e614 = phi_1172_;
                         let _e624 = nodes.member[(0u + _e495)].y;
                         if (_e299 < 0f) {
                             let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.unnamed.root, _e624.w), _e635.unnamed_1);
                             let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e624.x, _e641.unnamed_1.first_primitive));
-                            phi_1200_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
+                            phi_1199_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
                         } else {
                             let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e624.y), _e663.unnamed_1);
                             let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e624.z, _e669.unnamed_1.first_primitive));
-                            phi_1200_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
+                            phi_1199_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
                         }
-                        let _e683 = phi_1200_;
+                        let _e683 = phi_1199_;
                         let _e693 = nodes.member[(0u + _e495)].z;
                         if (_e309 < 0f) {
                             let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e693.w), _e704.unnamed_1);
                             let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e693.x, _e710.unnamed_1.first_primitive));
-                            phi_1227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
+                            phi_1226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
                         } else {
                             let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                             let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e693.y), _e732.unnamed_1);
                             let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e693.z, _e738.unnamed_1.first_primitive));
-                            phi_1227_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
+                            phi_1226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
                         }
-                        let _e752 = phi_1227_;
-                        phi_1233_ = 0u;
-                        phi_1236_ = 0u;
+                        let _e752 = phi_1226_;
+                        phi_1232_ = 0u;
+                        phi_1235_ = 0u;
                         loop {
-                            let _e762 = phi_1233_;
-                            let _e764 = phi_1236_;
+                            let _e762 = phi_1232_;
+                            let _e764 = phi_1235_;
                             local_3 = _e764;
                             local_4 = _e764;
                             local_5 = _e764;
@@ -1227,43 +1227,43 @@ fn function_() {
                                 let _e767 = (_e762 >> bitcast<u32>(2i));
                                 let _e768 = (_e762 & 3u);
                                 if (_e767 == 0u) {
-                                    phi_1250_ = _e614.unnamed.root;
+                                    phi_1249_ = _e614.unnamed.root;
                                 } else {
-                                    phi_1250_ = _e614.unnamed.first_primitive;
+                                    phi_1249_ = _e614.unnamed.first_primitive;
                                 }
-                                let _e771 = phi_1250_;
+                                let _e771 = phi_1249_;
                                 if (_e767 == 0u) {
-                                    phi_1260_ = _e683.unnamed.root;
+                                    phi_1259_ = _e683.unnamed.root;
                                 } else {
-                                    phi_1260_ = _e683.unnamed.first_primitive;
+                                    phi_1259_ = _e683.unnamed.first_primitive;
                                 }
-                                let _e780 = phi_1260_;
+                                let _e780 = phi_1259_;
                                 if (_e767 == 0u) {
-                                    phi_1270_ = _e752.unnamed.root;
+                                    phi_1269_ = _e752.unnamed.root;
                                 } else {
-                                    phi_1270_ = _e752.unnamed.first_primitive;
+                                    phi_1269_ = _e752.unnamed.first_primitive;
                                 }
-                                let _e789 = phi_1270_;
+                                let _e789 = phi_1269_;
                                 let _e802 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e771 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e337)), ((f32(((_e780 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e338)));
                                 let _e803 = core_intrinsics_maximum_number_nsz_f32_(_e802, ((f32(((_e789 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e339)));
                                 if (_e767 == 0u) {
-                                    phi_1288_ = _e614.unnamed_1.root;
+                                    phi_1287_ = _e614.unnamed_1.root;
                                 } else {
-                                    phi_1288_ = _e614.unnamed_1.first_primitive;
+                                    phi_1287_ = _e614.unnamed_1.first_primitive;
                                 }
-                                let _e806 = phi_1288_;
+                                let _e806 = phi_1287_;
                                 if (_e767 == 0u) {
-                                    phi_1298_ = _e683.unnamed_1.root;
+                                    phi_1297_ = _e683.unnamed_1.root;
                                 } else {
-                                    phi_1298_ = _e683.unnamed_1.first_primitive;
+                                    phi_1297_ = _e683.unnamed_1.first_primitive;
                                 }
-                                let _e815 = phi_1298_;
+                                let _e815 = phi_1297_;
                                 if (_e767 == 0u) {
-                                    phi_1308_ = _e752.unnamed_1.root;
+                                    phi_1307_ = _e752.unnamed_1.root;
                                 } else {
-                                    phi_1308_ = _e752.unnamed_1.first_primitive;
+                                    phi_1307_ = _e752.unnamed_1.first_primitive;
                                 }
-                                let _e824 = phi_1308_;
+                                let _e824 = phi_1307_;
                                 let _e837 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e337)), ((f32(((_e815 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e338)));
                                 let _e838 = core_intrinsics_minimum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e339)));
                                 if (_e803 <= _e838) {
@@ -1271,47 +1271,47 @@ fn function_() {
                                         if (_e838 >= 0f) {
                                             if (_e767 == 0u) {
                                                 let _e845 = nodes.member[(0u + _e495)].links[2u];
-                                                phi_1344_ = _e845;
+                                                phi_1343_ = _e845;
                                             } else {
                                                 let _e848 = nodes.member[(0u + _e495)].links[3u];
-                                                phi_1344_ = _e848;
+                                                phi_1343_ = _e848;
                                             }
-                                            let _e850 = phi_1344_;
+                                            let _e850 = phi_1343_;
                                             let _e855 = ((_e850 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u);
                                             let _e856 = (_e855 & 31u);
                                             if (_e856 >= 24u) {
-                                                phi_1357_ = (24u + ((_e856 - 24u) ^ _e357));
+                                                phi_1356_ = (24u + ((_e856 - 24u) ^ _e357));
                                             } else {
-                                                phi_1357_ = _e856;
+                                                phi_1356_ = _e856;
                                             }
-                                            let _e862 = phi_1357_;
-                                            phi_1362_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
+                                            let _e862 = phi_1356_;
+                                            phi_1361_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
                                         } else {
-                                            phi_1362_ = _e764;
+                                            phi_1361_ = _e764;
                                         }
-                                        let _e870 = phi_1362_;
-                                        phi_1363_ = _e870;
+                                        let _e870 = phi_1361_;
+                                        phi_1362_ = _e870;
                                     } else {
-                                        phi_1363_ = _e764;
+                                        phi_1362_ = _e764;
                                     }
-                                    let _e872 = phi_1363_;
-                                    phi_1364_ = _e872;
+                                    let _e872 = phi_1362_;
+                                    phi_1363_ = _e872;
                                 } else {
-                                    phi_1364_ = _e764;
+                                    phi_1363_ = _e764;
                                 }
-                                let _e874 = phi_1364_;
-                                phi_1234_ = (_e762 + 1u);
-                                phi_1237_ = _e874;
+                                let _e874 = phi_1363_;
+                                phi_1233_ = (_e762 + 1u);
+                                phi_1236_ = _e874;
                             } else {
-                                phi_1234_ = u32();
-                                phi_1237_ = u32();
+                                phi_1233_ = u32();
+                                phi_1236_ = u32();
                             }
-                            let _e877 = phi_1234_;
-                            let _e879 = phi_1237_;
+                            let _e877 = phi_1233_;
+                            let _e879 = phi_1236_;
                             continue;
                             continuing {
-                                phi_1233_ = _e877;
-                                phi_1236_ = _e879;
+                                phi_1232_ = _e877;
+                                phi_1235_ = _e879;
                                 break if !(_e765);
                             }
                         }
@@ -1348,15 +1348,15 @@ fn function_() {
                             local_2.group_mask = ((_e923 & 4278190080u) | (_e887 >> bitcast<u32>(24i)));
                         }
                         let _e928 = local_5;
-                        phi_1422_ = (_e928 & 16777215u);
+                        phi_1421_ = (_e928 & 16777215u);
                         loop {
-                            let _e931 = phi_1422_;
+                            let _e931 = phi_1421_;
                             let _e932 = (_e931 == 0u);
                             local_11 = _e932;
                             local_18 = _e932;
                             if _e932 {
-                                phi_1423_ = u32();
-                                phi_3280_ = false;
+                                phi_1422_ = u32();
+                                phi_3279_ = false;
                             } else {
                                 let _e935 = nodes.member[(0u + _e495)].links[1u];
                                 let _e939 = (_e935 + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
@@ -1373,41 +1373,41 @@ fn function_() {
                                 let _e965 = ((_e948.y - _e135) * _e299);
                                 let _e966 = ((_e948.z - _e137) * _e309);
                                 if (_e955 < _e964) {
-                                    phi_1472_ = _e955;
+                                    phi_1471_ = _e955;
                                 } else {
-                                    phi_1472_ = _e964;
+                                    phi_1471_ = _e964;
                                 }
-                                let _e969 = phi_1472_;
+                                let _e969 = phi_1471_;
                                 if (_e956 < _e965) {
-                                    phi_1477_ = _e956;
+                                    phi_1476_ = _e956;
                                 } else {
-                                    phi_1477_ = _e965;
+                                    phi_1476_ = _e965;
                                 }
-                                let _e972 = phi_1477_;
+                                let _e972 = phi_1476_;
                                 if (_e957 < _e966) {
-                                    phi_1482_ = _e957;
+                                    phi_1481_ = _e957;
                                 } else {
-                                    phi_1482_ = _e966;
+                                    phi_1481_ = _e966;
                                 }
-                                let _e975 = phi_1482_;
+                                let _e975 = phi_1481_;
                                 if (_e955 > _e964) {
-                                    phi_1490_ = _e955;
+                                    phi_1489_ = _e955;
                                 } else {
-                                    phi_1490_ = _e964;
+                                    phi_1489_ = _e964;
                                 }
-                                let _e981 = phi_1490_;
+                                let _e981 = phi_1489_;
                                 if (_e956 > _e965) {
-                                    phi_1495_ = _e956;
+                                    phi_1494_ = _e956;
                                 } else {
-                                    phi_1495_ = _e965;
+                                    phi_1494_ = _e965;
                                 }
-                                let _e984 = phi_1495_;
+                                let _e984 = phi_1494_;
                                 if (_e957 > _e966) {
-                                    phi_1500_ = _e957;
+                                    phi_1499_ = _e957;
                                 } else {
-                                    phi_1500_ = _e966;
+                                    phi_1499_ = _e966;
                                 }
-                                let _e987 = phi_1500_;
+                                let _e987 = phi_1499_;
                                 let _e991 = core_intrinsics_maximum_number_nsz_f32_((_e969 - _e344), (_e972 - _e345));
                                 let _e992 = core_intrinsics_maximum_number_nsz_f32_(_e991, (_e975 - _e346));
                                 let _e993 = core_intrinsics_minimum_number_nsz_f32_((_e981 + _e344), (_e984 + _e345));
@@ -1439,106 +1439,106 @@ fn function_() {
                                                             if (_e1087 < 1000000000000000f) {
                                                                 if (_e1088 < 1000000000000000f) {
                                                                     if (_e1086 > 0f) {
-                                                                        phi_1645_ = bool();
-                                                                        phi_1646_ = true;
+                                                                        phi_1644_ = bool();
+                                                                        phi_1645_ = true;
                                                                     } else {
                                                                         let _e1096 = (_e1087 > 0f);
                                                                         if _e1096 {
-                                                                            phi_1644_ = bool();
+                                                                            phi_1643_ = bool();
                                                                         } else {
-                                                                            phi_1644_ = (_e1088 > 0f);
+                                                                            phi_1643_ = (_e1088 > 0f);
                                                                         }
-                                                                        let _e1099 = phi_1644_;
-                                                                        phi_1645_ = _e1099;
-                                                                        phi_1646_ = _e1096;
+                                                                        let _e1099 = phi_1643_;
+                                                                        phi_1644_ = _e1099;
+                                                                        phi_1645_ = _e1096;
                                                                     }
-                                                                    let _e1101 = phi_1645_;
-                                                                    let _e1103 = phi_1646_;
+                                                                    let _e1101 = phi_1644_;
+                                                                    let _e1103 = phi_1645_;
                                                                     if _e1103 {
-                                                                        phi_1650_ = true;
+                                                                        phi_1649_ = true;
                                                                     } else {
-                                                                        phi_1650_ = _e1101;
+                                                                        phi_1649_ = _e1101;
                                                                     }
-                                                                    let _e1105 = phi_1650_;
-                                                                    phi_1651_ = _e1105;
-                                                                    phi_1652_ = false;
+                                                                    let _e1105 = phi_1649_;
+                                                                    phi_1650_ = _e1105;
+                                                                    phi_1651_ = false;
                                                                 } else {
-                                                                    phi_1651_ = bool();
-                                                                    phi_1652_ = true;
+                                                                    phi_1650_ = bool();
+                                                                    phi_1651_ = true;
                                                                 }
-                                                                let _e1107 = phi_1651_;
-                                                                let _e1109 = phi_1652_;
-                                                                phi_1653_ = _e1107;
-                                                                phi_1654_ = false;
-                                                                phi_1655_ = _e1109;
+                                                                let _e1107 = phi_1650_;
+                                                                let _e1109 = phi_1651_;
+                                                                phi_1652_ = _e1107;
+                                                                phi_1653_ = false;
+                                                                phi_1654_ = _e1109;
                                                             } else {
-                                                                phi_1653_ = bool();
-                                                                phi_1654_ = true;
-                                                                phi_1655_ = false;
+                                                                phi_1652_ = bool();
+                                                                phi_1653_ = true;
+                                                                phi_1654_ = false;
                                                             }
-                                                            let _e1111 = phi_1653_;
-                                                            let _e1113 = phi_1654_;
-                                                            let _e1115 = phi_1655_;
-                                                            phi_1656_ = _e1111;
-                                                            phi_1657_ = _e1113;
-                                                            phi_1658_ = _e1115;
+                                                            let _e1111 = phi_1652_;
+                                                            let _e1113 = phi_1653_;
+                                                            let _e1115 = phi_1654_;
+                                                            phi_1655_ = _e1111;
+                                                            phi_1656_ = _e1113;
+                                                            phi_1657_ = _e1115;
                                                         } else {
-                                                            phi_1656_ = bool();
-                                                            phi_1657_ = true;
-                                                            phi_1658_ = false;
+                                                            phi_1655_ = bool();
+                                                            phi_1656_ = true;
+                                                            phi_1657_ = false;
                                                         }
-                                                        let _e1117 = phi_1656_;
-                                                        let _e1119 = phi_1657_;
-                                                        let _e1121 = phi_1658_;
-                                                        phi_1659_ = _e1117;
-                                                        phi_1660_ = _e1119;
-                                                        phi_1661_ = _e1121;
+                                                        let _e1117 = phi_1655_;
+                                                        let _e1119 = phi_1656_;
+                                                        let _e1121 = phi_1657_;
+                                                        phi_1658_ = _e1117;
+                                                        phi_1659_ = _e1119;
+                                                        phi_1660_ = _e1121;
                                                     } else {
-                                                        phi_1659_ = bool();
-                                                        phi_1660_ = true;
-                                                        phi_1661_ = false;
+                                                        phi_1658_ = bool();
+                                                        phi_1659_ = true;
+                                                        phi_1660_ = false;
                                                     }
-                                                    let _e1123 = phi_1659_;
-                                                    let _e1125 = phi_1660_;
-                                                    let _e1127 = phi_1661_;
-                                                    phi_1662_ = _e1123;
-                                                    phi_1663_ = _e1125;
-                                                    phi_1664_ = _e1127;
+                                                    let _e1123 = phi_1658_;
+                                                    let _e1125 = phi_1659_;
+                                                    let _e1127 = phi_1660_;
+                                                    phi_1661_ = _e1123;
+                                                    phi_1662_ = _e1125;
+                                                    phi_1663_ = _e1127;
                                                 } else {
-                                                    phi_1662_ = bool();
-                                                    phi_1663_ = true;
-                                                    phi_1664_ = false;
+                                                    phi_1661_ = bool();
+                                                    phi_1662_ = true;
+                                                    phi_1663_ = false;
                                                 }
-                                                let _e1129 = phi_1662_;
-                                                let _e1131 = phi_1663_;
-                                                let _e1133 = phi_1664_;
-                                                phi_1665_ = _e1129;
-                                                phi_1666_ = _e1131;
-                                                phi_1667_ = _e1133;
+                                                let _e1129 = phi_1661_;
+                                                let _e1131 = phi_1662_;
+                                                let _e1133 = phi_1663_;
+                                                phi_1664_ = _e1129;
+                                                phi_1665_ = _e1131;
+                                                phi_1666_ = _e1133;
                                             } else {
-                                                phi_1665_ = bool();
-                                                phi_1666_ = true;
-                                                phi_1667_ = false;
+                                                phi_1664_ = bool();
+                                                phi_1665_ = true;
+                                                phi_1666_ = false;
                                             }
-                                            let _e1135 = phi_1665_;
-                                            let _e1137 = phi_1666_;
-                                            let _e1139 = phi_1667_;
+                                            let _e1135 = phi_1664_;
+                                            let _e1137 = phi_1665_;
+                                            let _e1139 = phi_1666_;
                                             if _e1137 {
-                                                phi_1671_ = true;
+                                                phi_1670_ = true;
                                             } else {
-                                                phi_1671_ = _e1139;
+                                                phi_1670_ = _e1139;
                                             }
-                                            let _e1141 = phi_1671_;
+                                            let _e1141 = phi_1670_;
                                             if _e1141 {
-                                                phi_1675_ = false;
+                                                phi_1674_ = false;
                                             } else {
-                                                phi_1675_ = _e1135;
+                                                phi_1674_ = _e1135;
                                             }
-                                            let _e1143 = phi_1675_;
+                                            let _e1143 = phi_1674_;
                                             if _e1143 {
                                                 let _e1144 = (_e1080 >= _e76);
                                                 if _e1144 {
-                                                    phi_3263_ = bool();
+                                                    phi_3262_ = bool();
                                                 } else {
                                                     if (_e1080 < _e76) {
                                                     } else {
@@ -1555,41 +1555,41 @@ fn function_() {
                                                     let _e1209 = core_intrinsics_maximum_number_nsz_f32_(_e1208, abs(_e1077));
                                                     let _e1210 = (_e1209 * 0.0000000000009094947f);
                                                     if (abs(_e1051) < _e1210) {
-                                                        phi_1745_ = _e1210;
+                                                        phi_1744_ = _e1210;
                                                     } else {
-                                                        phi_1745_ = abs(_e1051);
+                                                        phi_1744_ = abs(_e1051);
                                                     }
-                                                    let _e1215 = phi_1745_;
+                                                    let _e1215 = phi_1744_;
                                                     if (_e1051 < 0f) {
-                                                        phi_1752_ = (-1f / _e1215);
+                                                        phi_1751_ = (-1f / _e1215);
                                                     } else {
-                                                        phi_1752_ = (1f / _e1215);
+                                                        phi_1751_ = (1f / _e1215);
                                                     }
-                                                    let _e1220 = phi_1752_;
+                                                    let _e1220 = phi_1751_;
                                                     if (abs(_e1064) < _e1210) {
-                                                        phi_1759_ = _e1210;
+                                                        phi_1758_ = _e1210;
                                                     } else {
-                                                        phi_1759_ = abs(_e1064);
+                                                        phi_1758_ = abs(_e1064);
                                                     }
-                                                    let _e1225 = phi_1759_;
+                                                    let _e1225 = phi_1758_;
                                                     if (_e1064 < 0f) {
-                                                        phi_1766_ = (-1f / _e1225);
+                                                        phi_1765_ = (-1f / _e1225);
                                                     } else {
-                                                        phi_1766_ = (1f / _e1225);
+                                                        phi_1765_ = (1f / _e1225);
                                                     }
-                                                    let _e1230 = phi_1766_;
+                                                    let _e1230 = phi_1765_;
                                                     if (abs(_e1077) < _e1210) {
-                                                        phi_1773_ = _e1210;
+                                                        phi_1772_ = _e1210;
                                                     } else {
-                                                        phi_1773_ = abs(_e1077);
+                                                        phi_1772_ = abs(_e1077);
                                                     }
-                                                    let _e1235 = phi_1773_;
+                                                    let _e1235 = phi_1772_;
                                                     if (_e1077 < 0f) {
-                                                        phi_1780_ = (-1f / _e1235);
+                                                        phi_1779_ = (-1f / _e1235);
                                                     } else {
-                                                        phi_1780_ = (1f / _e1235);
+                                                        phi_1779_ = (1f / _e1235);
                                                     }
-                                                    let _e1240 = phi_1780_;
+                                                    let _e1240 = phi_1779_;
                                                     let _e1244 = abs((bitcast<f32>(_e1150) - _e1011));
                                                     let _e1245 = abs((bitcast<f32>(_e1154) - _e1024));
                                                     let _e1246 = abs((bitcast<f32>(_e1158) - _e1037));
@@ -1597,23 +1597,23 @@ fn function_() {
                                                     let _e1251 = abs(((bitcast<f32>(_e1166) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1024));
                                                     let _e1252 = abs(((bitcast<f32>(_e1170) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1037));
                                                     if (_e1244 > _e1250) {
-                                                        phi_1797_ = _e1244;
+                                                        phi_1796_ = _e1244;
                                                     } else {
-                                                        phi_1797_ = _e1250;
+                                                        phi_1796_ = _e1250;
                                                     }
-                                                    let _e1255 = phi_1797_;
+                                                    let _e1255 = phi_1796_;
                                                     if (_e1245 > _e1251) {
-                                                        phi_1802_ = _e1245;
+                                                        phi_1801_ = _e1245;
                                                     } else {
-                                                        phi_1802_ = _e1251;
+                                                        phi_1801_ = _e1251;
                                                     }
-                                                    let _e1258 = phi_1802_;
+                                                    let _e1258 = phi_1801_;
                                                     if (_e1246 > _e1252) {
-                                                        phi_1807_ = _e1246;
+                                                        phi_1806_ = _e1246;
                                                     } else {
-                                                        phi_1807_ = _e1252;
+                                                        phi_1806_ = _e1252;
                                                     }
-                                                    let _e1261 = phi_1807_;
+                                                    let _e1261 = phi_1806_;
                                                     let _e1262 = core_intrinsics_maximum_number_nsz_f32_(_e1255, _e1258);
                                                     let _e1263 = core_intrinsics_maximum_number_nsz_f32_(_e1262, _e1261);
                                                     let _e1267 = (_e1263 * 0.0000019073486f);
@@ -1629,60 +1629,60 @@ fn function_() {
                                                     let _e1280 = abs(_e1077);
                                                     if (_e1278 >= _e1279) {
                                                         if (_e1278 >= _e1280) {
-                                                            phi_1835_ = false;
+                                                            phi_1834_ = false;
                                                         } else {
-                                                            phi_1835_ = true;
+                                                            phi_1834_ = true;
                                                         }
-                                                        let _e1284 = phi_1835_;
-                                                        phi_1836_ = _e1284;
+                                                        let _e1284 = phi_1834_;
+                                                        phi_1835_ = _e1284;
                                                     } else {
-                                                        phi_1836_ = true;
+                                                        phi_1835_ = true;
                                                     }
-                                                    let _e1286 = phi_1836_;
+                                                    let _e1286 = phi_1835_;
                                                     if _e1286 {
                                                         if (_e1279 >= _e1280) {
-                                                            phi_1844_ = 1u;
+                                                            phi_1843_ = 1u;
                                                         } else {
-                                                            phi_1844_ = 2u;
+                                                            phi_1843_ = 2u;
                                                         }
-                                                        let _e1289 = phi_1844_;
-                                                        phi_1845_ = _e1289;
+                                                        let _e1289 = phi_1843_;
+                                                        phi_1844_ = _e1289;
                                                     } else {
-                                                        phi_1845_ = 0u;
+                                                        phi_1844_ = 0u;
                                                     }
-                                                    let _e1291 = phi_1845_;
+                                                    let _e1291 = phi_1844_;
                                                     if (_e1291 == 0u) {
-                                                        phi_1857_ = vec3<f32>(_e1064, _e1077, _e1051);
+                                                        phi_1856_ = vec3<f32>(_e1064, _e1077, _e1051);
                                                     } else {
                                                         if (_e1291 == 1u) {
-                                                            phi_1856_ = vec3<f32>(_e1077, _e1051, _e1064);
+                                                            phi_1855_ = vec3<f32>(_e1077, _e1051, _e1064);
                                                         } else {
-                                                            phi_1856_ = vec3<f32>(_e1051, _e1064, _e1077);
+                                                            phi_1855_ = vec3<f32>(_e1051, _e1064, _e1077);
                                                         }
-                                                        let _e1297 = phi_1856_;
-                                                        phi_1857_ = _e1297;
+                                                        let _e1297 = phi_1855_;
+                                                        phi_1856_ = _e1297;
                                                     }
-                                                    let _e1299 = phi_1857_;
+                                                    let _e1299 = phi_1856_;
                                                     let _e1302 = (_e1299.x / _e1299.z);
                                                     let _e1305 = (_e1299.y / _e1299.z);
                                                     if (_e1220 < 0f) {
-                                                        phi_1870_ = 0u;
+                                                        phi_1869_ = 0u;
                                                     } else {
-                                                        phi_1870_ = 1u;
+                                                        phi_1869_ = 1u;
                                                     }
-                                                    let _e1310 = phi_1870_;
+                                                    let _e1310 = phi_1869_;
                                                     if (_e1230 < 0f) {
-                                                        phi_1875_ = 0u;
+                                                        phi_1874_ = 0u;
                                                     } else {
-                                                        phi_1875_ = 2u;
+                                                        phi_1874_ = 2u;
                                                     }
-                                                    let _e1313 = phi_1875_;
+                                                    let _e1313 = phi_1874_;
                                                     if (_e1240 < 0f) {
-                                                        phi_1880_ = 0u;
+                                                        phi_1879_ = 0u;
                                                     } else {
-                                                        phi_1880_ = 4u;
+                                                        phi_1879_ = 4u;
                                                     }
-                                                    let _e1316 = phi_1880_;
+                                                    let _e1316 = phi_1879_;
                                                     let _e1318 = ((_e1310 | _e1313) | _e1316);
                                                     let _e1319 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1080, 2147483648u);
                                                     local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1319.first[0], _e1319.first[1], _e1319.first[2], _e1319.first[3], _e1319.first[4], _e1319.first[5], _e1319.first[6], _e1319.first[7], _e1319.first[8], _e1319.first[9], _e1319.first[10], _e1319.first[11], _e1319.first[12], _e1319.first[13], _e1319.first[14], _e1319.first[15], _e1319.first[16], _e1319.first[17], _e1319.first[18], _e1319.first[19], _e1319.first[20], _e1319.first[21], _e1319.first[22], _e1319.first[23], _e1319.first[24], _e1319.first[25], _e1319.first[26], _e1319.first[27], _e1319.first[28], _e1319.first[29], _e1319.first[30], _e1319.first[31]), array<u32, 32>(_e1319.mask[0], _e1319.mask[1], _e1319.mask[2], _e1319.mask[3], _e1319.mask[4], _e1319.mask[5], _e1319.mask[6], _e1319.mask[7], _e1319.mask[8], _e1319.mask[9], _e1319.mask[10], _e1319.mask[11], _e1319.mask[12], _e1319.mask[13], _e1319.mask[14], _e1319.mask[15], _e1319.mask[16], _e1319.mask[17], _e1319.mask[18], _e1319.mask[19], _e1319.mask[20], _e1319.mask[21], _e1319.mask[22], _e1319.mask[23], _e1319.mask[24], _e1319.mask[25], _e1319.mask[26], _e1319.mask[27], _e1319.mask[28], _e1319.mask[29], _e1319.mask[30], _e1319.mask[31]), _e1319.len, _e1319.group, _e1319.group_mask);
@@ -1690,7 +1690,7 @@ fn function_() {
                                                     if ((_e1393 & 4278190080u) == 0u) {
                                                         let _e1397 = local_1.len;
                                                         if (_e1397 == 0u) {
-                                                            phi_1994_ = false;
+                                                            phi_1993_ = false;
                                                         } else {
                                                             let _e1401 = local_1.len;
                                                             local_1.len = (_e1401 - 1u);
@@ -1708,14 +1708,14 @@ fn function_() {
                                                             }
                                                             let _e1417 = local_1.mask[(0u + _e1412)];
                                                             local_1.group_mask = _e1417;
-                                                            phi_1994_ = true;
+                                                            phi_1993_ = true;
                                                         }
-                                                        let _e1420 = phi_1994_;
-                                                        phi_1995_ = _e1420;
+                                                        let _e1420 = phi_1993_;
+                                                        phi_1994_ = _e1420;
                                                     } else {
-                                                        phi_1995_ = true;
+                                                        phi_1994_ = true;
                                                     }
-                                                    let _e1422 = phi_1995_;
+                                                    let _e1422 = phi_1994_;
                                                     if _e1422 {
                                                         let _e1424 = local_1.group_mask;
                                                         let _e1430 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1424)), 32u, (_e1424 == 0u)));
@@ -1723,14 +1723,14 @@ fn function_() {
                                                         let _e1448 = local_1.group_mask;
                                                         local_1.group_mask = (_e1448 & ~((1u << bitcast<u32>((_e1430 & 31u)))));
                                                         let _e1451 = local_1.group;
-                                                        phi_2026_ = (_e1451 + countOneBits(((_e1434 & ~((4294967295u << bitcast<u32>((((_e1430 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                        phi_2025_ = (_e1451 + countOneBits(((_e1434 & ~((4294967295u << bitcast<u32>((((_e1430 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2026_ = 4294967295u;
+                                                        phi_2025_ = 4294967295u;
                                                     }
-                                                    let _e1454 = phi_2026_;
-                                                    phi_2028_ = _e1454;
+                                                    let _e1454 = phi_2025_;
+                                                    phi_2027_ = _e1454;
                                                     loop {
-                                                        let _e1456 = phi_2028_;
+                                                        let _e1456 = phi_2027_;
                                                         if (_e1456 != 4294967295u) {
                                                             if (_e1456 < _e76) {
                                                             } else {
@@ -1751,45 +1751,45 @@ fn function_() {
                                                                 let _e1527 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1533 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.unnamed.root, _e1516.w), _e1527.unnamed_1);
                                                                 let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1533.unnamed, lt_bvh_traverse_Tree(_e1516.x, _e1533.unnamed_1.first_primitive));
-                                                                phi_2109_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1539.unnamed_1.root, _e1516.y));
+                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1539.unnamed_1.root, _e1516.y));
                                                             } else {
                                                                 let _e1555 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1555.unnamed.root, _e1516.y), _e1555.unnamed_1);
                                                                 let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1561.unnamed, lt_bvh_traverse_Tree(_e1516.z, _e1561.unnamed_1.first_primitive));
-                                                                phi_2109_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1567.unnamed_1.root, _e1516.w));
+                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1567.unnamed_1.root, _e1516.w));
                                                             }
-                                                            let _e1575 = phi_2109_;
+                                                            let _e1575 = phi_2108_;
                                                             let _e1585 = nodes.member[(0u + _e1456)].y;
                                                             if (_e1230 < 0f) {
                                                                 let _e1596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.unnamed.root, _e1585.w), _e1596.unnamed_1);
                                                                 let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1602.unnamed, lt_bvh_traverse_Tree(_e1585.x, _e1602.unnamed_1.first_primitive));
-                                                                phi_2136_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1608.unnamed_1.root, _e1585.y));
+                                                                phi_2135_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1608.unnamed_1.root, _e1585.y));
                                                             } else {
                                                                 let _e1624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1624.unnamed.root, _e1585.y), _e1624.unnamed_1);
                                                                 let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1630.unnamed, lt_bvh_traverse_Tree(_e1585.z, _e1630.unnamed_1.first_primitive));
-                                                                phi_2136_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1636.unnamed_1.root, _e1585.w));
+                                                                phi_2135_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1636.unnamed_1.root, _e1585.w));
                                                             }
-                                                            let _e1644 = phi_2136_;
+                                                            let _e1644 = phi_2135_;
                                                             let _e1654 = nodes.member[(0u + _e1456)].z;
                                                             if (_e1240 < 0f) {
                                                                 let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.unnamed.root, _e1654.w), _e1665.unnamed_1);
                                                                 let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_bvh_traverse_Tree(_e1654.x, _e1671.unnamed_1.first_primitive));
-                                                                phi_2163_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1677.unnamed_1.root, _e1654.y));
+                                                                phi_2162_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1677.unnamed_1.root, _e1654.y));
                                                             } else {
                                                                 let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
                                                                 let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1693.unnamed.root, _e1654.y), _e1693.unnamed_1);
                                                                 let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_bvh_traverse_Tree(_e1654.z, _e1699.unnamed_1.first_primitive));
-                                                                phi_2163_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1705.unnamed_1.root, _e1654.w));
+                                                                phi_2162_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1705.unnamed_1.root, _e1654.w));
                                                             }
-                                                            let _e1713 = phi_2163_;
-                                                            phi_2169_ = 0u;
-                                                            phi_2172_ = 0u;
+                                                            let _e1713 = phi_2162_;
+                                                            phi_2168_ = 0u;
+                                                            phi_2171_ = 0u;
                                                             loop {
-                                                                let _e1723 = phi_2169_;
-                                                                let _e1725 = phi_2172_;
+                                                                let _e1723 = phi_2168_;
+                                                                let _e1725 = phi_2171_;
                                                                 local_6 = _e1725;
                                                                 local_7 = _e1725;
                                                                 local_8 = _e1725;
@@ -1798,43 +1798,43 @@ fn function_() {
                                                                     let _e1728 = (_e1723 >> bitcast<u32>(2i));
                                                                     let _e1729 = (_e1723 & 3u);
                                                                     if (_e1728 == 0u) {
-                                                                        phi_2186_ = _e1575.unnamed.root;
+                                                                        phi_2185_ = _e1575.unnamed.root;
                                                                     } else {
-                                                                        phi_2186_ = _e1575.unnamed.first_primitive;
+                                                                        phi_2185_ = _e1575.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1732 = phi_2186_;
+                                                                    let _e1732 = phi_2185_;
                                                                     if (_e1728 == 0u) {
-                                                                        phi_2196_ = _e1644.unnamed.root;
+                                                                        phi_2195_ = _e1644.unnamed.root;
                                                                     } else {
-                                                                        phi_2196_ = _e1644.unnamed.first_primitive;
+                                                                        phi_2195_ = _e1644.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1741 = phi_2196_;
+                                                                    let _e1741 = phi_2195_;
                                                                     if (_e1728 == 0u) {
-                                                                        phi_2206_ = _e1713.unnamed.root;
+                                                                        phi_2205_ = _e1713.unnamed.root;
                                                                     } else {
-                                                                        phi_2206_ = _e1713.unnamed.first_primitive;
+                                                                        phi_2205_ = _e1713.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1750 = phi_2206_;
+                                                                    let _e1750 = phi_2205_;
                                                                     let _e1763 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1732 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1268)), ((f32(((_e1741 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1269)));
                                                                     let _e1764 = core_intrinsics_maximum_number_nsz_f32_(_e1763, ((f32(((_e1750 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1270)));
                                                                     if (_e1728 == 0u) {
-                                                                        phi_2224_ = _e1575.unnamed_1.root;
+                                                                        phi_2223_ = _e1575.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2224_ = _e1575.unnamed_1.first_primitive;
+                                                                        phi_2223_ = _e1575.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1767 = phi_2224_;
+                                                                    let _e1767 = phi_2223_;
                                                                     if (_e1728 == 0u) {
-                                                                        phi_2234_ = _e1644.unnamed_1.root;
+                                                                        phi_2233_ = _e1644.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2234_ = _e1644.unnamed_1.first_primitive;
+                                                                        phi_2233_ = _e1644.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1776 = phi_2234_;
+                                                                    let _e1776 = phi_2233_;
                                                                     if (_e1728 == 0u) {
-                                                                        phi_2244_ = _e1713.unnamed_1.root;
+                                                                        phi_2243_ = _e1713.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2244_ = _e1713.unnamed_1.first_primitive;
+                                                                        phi_2243_ = _e1713.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1785 = phi_2244_;
+                                                                    let _e1785 = phi_2243_;
                                                                     let _e1798 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1767 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1268)), ((f32(((_e1776 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1269)));
                                                                     let _e1799 = core_intrinsics_minimum_number_nsz_f32_(_e1798, ((f32(((_e1785 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1270)));
                                                                     if (_e1764 <= _e1799) {
@@ -1842,47 +1842,47 @@ fn function_() {
                                                                             if (_e1799 >= 0f) {
                                                                                 if (_e1728 == 0u) {
                                                                                     let _e1806 = nodes.member[(0u + _e1456)].links[2u];
-                                                                                    phi_2280_ = _e1806;
+                                                                                    phi_2279_ = _e1806;
                                                                                 } else {
                                                                                     let _e1809 = nodes.member[(0u + _e1456)].links[3u];
-                                                                                    phi_2280_ = _e1809;
+                                                                                    phi_2279_ = _e1809;
                                                                                 }
-                                                                                let _e1811 = phi_2280_;
+                                                                                let _e1811 = phi_2279_;
                                                                                 let _e1816 = ((_e1811 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u);
                                                                                 let _e1817 = (_e1816 & 31u);
                                                                                 if (_e1817 >= 24u) {
-                                                                                    phi_2293_ = (24u + ((_e1817 - 24u) ^ _e1318));
+                                                                                    phi_2292_ = (24u + ((_e1817 - 24u) ^ _e1318));
                                                                                 } else {
-                                                                                    phi_2293_ = _e1817;
+                                                                                    phi_2292_ = _e1817;
                                                                                 }
-                                                                                let _e1823 = phi_2293_;
-                                                                                phi_2298_ = (_e1725 | ((_e1816 >> bitcast<u32>(5i)) << bitcast<u32>((_e1823 & 31u))));
+                                                                                let _e1823 = phi_2292_;
+                                                                                phi_2297_ = (_e1725 | ((_e1816 >> bitcast<u32>(5i)) << bitcast<u32>((_e1823 & 31u))));
                                                                             } else {
-                                                                                phi_2298_ = _e1725;
+                                                                                phi_2297_ = _e1725;
                                                                             }
-                                                                            let _e1831 = phi_2298_;
-                                                                            phi_2299_ = _e1831;
+                                                                            let _e1831 = phi_2297_;
+                                                                            phi_2298_ = _e1831;
                                                                         } else {
-                                                                            phi_2299_ = _e1725;
+                                                                            phi_2298_ = _e1725;
                                                                         }
-                                                                        let _e1833 = phi_2299_;
-                                                                        phi_2300_ = _e1833;
+                                                                        let _e1833 = phi_2298_;
+                                                                        phi_2299_ = _e1833;
                                                                     } else {
-                                                                        phi_2300_ = _e1725;
+                                                                        phi_2299_ = _e1725;
                                                                     }
-                                                                    let _e1835 = phi_2300_;
-                                                                    phi_2170_ = (_e1723 + 1u);
-                                                                    phi_2173_ = _e1835;
+                                                                    let _e1835 = phi_2299_;
+                                                                    phi_2169_ = (_e1723 + 1u);
+                                                                    phi_2172_ = _e1835;
                                                                 } else {
-                                                                    phi_2170_ = u32();
-                                                                    phi_2173_ = u32();
+                                                                    phi_2169_ = u32();
+                                                                    phi_2172_ = u32();
                                                                 }
-                                                                let _e1838 = phi_2170_;
-                                                                let _e1840 = phi_2173_;
+                                                                let _e1838 = phi_2169_;
+                                                                let _e1840 = phi_2172_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2169_ = _e1838;
-                                                                    phi_2172_ = _e1840;
+                                                                    phi_2168_ = _e1838;
+                                                                    phi_2171_ = _e1840;
                                                                     break if !(_e1726);
                                                                 }
                                                             }
@@ -1919,17 +1919,17 @@ fn function_() {
                                                                 local_1.group_mask = ((_e1884 & 4278190080u) | (_e1848 >> bitcast<u32>(24i)));
                                                             }
                                                             let _e1889 = local_8;
-                                                            phi_2358_ = (_e1889 & 16777215u);
+                                                            phi_2357_ = (_e1889 & 16777215u);
                                                             loop {
-                                                                let _e1892 = phi_2358_;
+                                                                let _e1892 = phi_2357_;
                                                                 let _e1893 = (_e1892 == 0u);
                                                                 local_9 = _e1893;
                                                                 local_15 = _e1893;
                                                                 if _e1893 {
-                                                                    phi_2359_ = u32();
+                                                                    phi_2358_ = u32();
+                                                                    phi_3165_ = false;
                                                                     phi_3166_ = false;
                                                                     phi_3167_ = false;
-                                                                    phi_3168_ = false;
                                                                 } else {
                                                                     let _e1896 = nodes.member[(0u + _e1456)].links[1u];
                                                                     let _e1901 = ((_e1082 + _e1896) + select(firstTrailingBit(_e1892), 32u, (_e1892 == 0u)));
@@ -1942,17 +1942,17 @@ fn function_() {
                                                                     let _e1912 = (_e1908.y - _e1024);
                                                                     let _e1914 = (_e1908.z - _e1037);
                                                                     if (_e1291 == 0u) {
-                                                                        phi_2404_ = vec3<f32>(_e1912, _e1914, _e1910);
+                                                                        phi_2403_ = vec3<f32>(_e1912, _e1914, _e1910);
                                                                     } else {
                                                                         if (_e1291 == 1u) {
-                                                                            phi_2403_ = vec3<f32>(_e1914, _e1910, _e1912);
+                                                                            phi_2402_ = vec3<f32>(_e1914, _e1910, _e1912);
                                                                         } else {
-                                                                            phi_2403_ = (_e1908 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2402_ = (_e1908 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1922 = phi_2403_;
-                                                                        phi_2404_ = _e1922;
+                                                                        let _e1922 = phi_2402_;
+                                                                        phi_2403_ = _e1922;
                                                                     }
-                                                                    let _e1924 = phi_2404_;
+                                                                    let _e1924 = phi_2403_;
                                                                     let _e1928 = (_e1924.x - (_e1302 * _e1924.z));
                                                                     let _e1932 = (_e1924.y - (_e1305 * _e1924.z));
                                                                     let _e1934 = triangles.member[(0u + _e1901)].v1_;
@@ -1960,17 +1960,17 @@ fn function_() {
                                                                     let _e1938 = (_e1934.y - _e1024);
                                                                     let _e1940 = (_e1934.z - _e1037);
                                                                     if (_e1291 == 0u) {
-                                                                        phi_2434_ = vec3<f32>(_e1938, _e1940, _e1936);
+                                                                        phi_2433_ = vec3<f32>(_e1938, _e1940, _e1936);
                                                                     } else {
                                                                         if (_e1291 == 1u) {
-                                                                            phi_2433_ = vec3<f32>(_e1940, _e1936, _e1938);
+                                                                            phi_2432_ = vec3<f32>(_e1940, _e1936, _e1938);
                                                                         } else {
-                                                                            phi_2433_ = (_e1934 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2432_ = (_e1934 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1948 = phi_2433_;
-                                                                        phi_2434_ = _e1948;
+                                                                        let _e1948 = phi_2432_;
+                                                                        phi_2433_ = _e1948;
                                                                     }
-                                                                    let _e1950 = phi_2434_;
+                                                                    let _e1950 = phi_2433_;
                                                                     let _e1954 = (_e1950.x - (_e1302 * _e1950.z));
                                                                     let _e1958 = (_e1950.y - (_e1305 * _e1950.z));
                                                                     let _e1960 = triangles.member[(0u + _e1901)].v2_;
@@ -1978,246 +1978,246 @@ fn function_() {
                                                                     let _e1964 = (_e1960.y - _e1024);
                                                                     let _e1966 = (_e1960.z - _e1037);
                                                                     if (_e1291 == 0u) {
-                                                                        phi_2464_ = vec3<f32>(_e1964, _e1966, _e1962);
+                                                                        phi_2463_ = vec3<f32>(_e1964, _e1966, _e1962);
                                                                     } else {
                                                                         if (_e1291 == 1u) {
-                                                                            phi_2463_ = vec3<f32>(_e1966, _e1962, _e1964);
+                                                                            phi_2462_ = vec3<f32>(_e1966, _e1962, _e1964);
                                                                         } else {
-                                                                            phi_2463_ = (_e1960 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2462_ = (_e1960 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                         }
-                                                                        let _e1974 = phi_2463_;
-                                                                        phi_2464_ = _e1974;
+                                                                        let _e1974 = phi_2462_;
+                                                                        phi_2463_ = _e1974;
                                                                     }
-                                                                    let _e1976 = phi_2464_;
+                                                                    let _e1976 = phi_2463_;
                                                                     let _e1980 = (_e1976.x - (_e1302 * _e1976.z));
                                                                     let _e1984 = (_e1976.y - (_e1305 * _e1976.z));
                                                                     if (_e1954 < _e1980) {
-                                                                        phi_2483_ = true;
+                                                                        phi_2482_ = true;
                                                                     } else {
                                                                         if (_e1954 == _e1980) {
-                                                                            phi_2482_ = (_e1958 < _e1984);
+                                                                            phi_2481_ = (_e1958 < _e1984);
                                                                         } else {
-                                                                            phi_2482_ = false;
+                                                                            phi_2481_ = false;
                                                                         }
-                                                                        let _e1989 = phi_2482_;
-                                                                        phi_2483_ = _e1989;
+                                                                        let _e1989 = phi_2481_;
+                                                                        phi_2482_ = _e1989;
                                                                     }
-                                                                    let _e1991 = phi_2483_;
+                                                                    let _e1991 = phi_2482_;
                                                                     if _e1991 {
-                                                                        phi_2487_ = _e1984;
-                                                                        phi_2488_ = _e1980;
-                                                                        phi_2489_ = _e1958;
-                                                                        phi_2490_ = _e1954;
+                                                                        phi_2486_ = _e1984;
+                                                                        phi_2487_ = _e1980;
+                                                                        phi_2488_ = _e1958;
+                                                                        phi_2489_ = _e1954;
                                                                     } else {
-                                                                        phi_2487_ = _e1958;
-                                                                        phi_2488_ = _e1954;
-                                                                        phi_2489_ = _e1984;
-                                                                        phi_2490_ = _e1980;
+                                                                        phi_2486_ = _e1958;
+                                                                        phi_2487_ = _e1954;
+                                                                        phi_2488_ = _e1984;
+                                                                        phi_2489_ = _e1980;
                                                                     }
-                                                                    let _e1993 = phi_2487_;
-                                                                    let _e1995 = phi_2488_;
-                                                                    let _e1997 = phi_2489_;
-                                                                    let _e1999 = phi_2490_;
+                                                                    let _e1993 = phi_2486_;
+                                                                    let _e1995 = phi_2487_;
+                                                                    let _e1997 = phi_2488_;
+                                                                    let _e1999 = phi_2489_;
                                                                     let _e2002 = ((_e1999 * _e1993) - (_e1997 * _e1995));
                                                                     if _e1991 {
-                                                                        phi_2498_ = -(_e2002);
+                                                                        phi_2497_ = -(_e2002);
                                                                     } else {
-                                                                        phi_2498_ = _e2002;
+                                                                        phi_2497_ = _e2002;
                                                                     }
-                                                                    let _e2005 = phi_2498_;
+                                                                    let _e2005 = phi_2497_;
                                                                     if (_e1980 < _e1928) {
-                                                                        phi_2509_ = true;
+                                                                        phi_2508_ = true;
                                                                     } else {
                                                                         if (_e1980 == _e1928) {
-                                                                            phi_2508_ = (_e1984 < _e1932);
+                                                                            phi_2507_ = (_e1984 < _e1932);
                                                                         } else {
-                                                                            phi_2508_ = false;
+                                                                            phi_2507_ = false;
                                                                         }
-                                                                        let _e2010 = phi_2508_;
-                                                                        phi_2509_ = _e2010;
+                                                                        let _e2010 = phi_2507_;
+                                                                        phi_2508_ = _e2010;
                                                                     }
-                                                                    let _e2012 = phi_2509_;
+                                                                    let _e2012 = phi_2508_;
                                                                     if _e2012 {
-                                                                        phi_2513_ = _e1932;
-                                                                        phi_2514_ = _e1928;
-                                                                        phi_2515_ = _e1984;
-                                                                        phi_2516_ = _e1980;
+                                                                        phi_2512_ = _e1932;
+                                                                        phi_2513_ = _e1928;
+                                                                        phi_2514_ = _e1984;
+                                                                        phi_2515_ = _e1980;
                                                                     } else {
-                                                                        phi_2513_ = _e1984;
-                                                                        phi_2514_ = _e1980;
-                                                                        phi_2515_ = _e1932;
-                                                                        phi_2516_ = _e1928;
+                                                                        phi_2512_ = _e1984;
+                                                                        phi_2513_ = _e1980;
+                                                                        phi_2514_ = _e1932;
+                                                                        phi_2515_ = _e1928;
                                                                     }
-                                                                    let _e2014 = phi_2513_;
-                                                                    let _e2016 = phi_2514_;
-                                                                    let _e2018 = phi_2515_;
-                                                                    let _e2020 = phi_2516_;
+                                                                    let _e2014 = phi_2512_;
+                                                                    let _e2016 = phi_2513_;
+                                                                    let _e2018 = phi_2514_;
+                                                                    let _e2020 = phi_2515_;
                                                                     let _e2023 = ((_e2020 * _e2014) - (_e2018 * _e2016));
                                                                     if _e2012 {
-                                                                        phi_2524_ = -(_e2023);
+                                                                        phi_2523_ = -(_e2023);
                                                                     } else {
-                                                                        phi_2524_ = _e2023;
+                                                                        phi_2523_ = _e2023;
                                                                     }
-                                                                    let _e2026 = phi_2524_;
+                                                                    let _e2026 = phi_2523_;
                                                                     if (_e1928 < _e1954) {
-                                                                        phi_2535_ = true;
+                                                                        phi_2534_ = true;
                                                                     } else {
                                                                         if (_e1928 == _e1954) {
-                                                                            phi_2534_ = (_e1932 < _e1958);
+                                                                            phi_2533_ = (_e1932 < _e1958);
                                                                         } else {
-                                                                            phi_2534_ = false;
+                                                                            phi_2533_ = false;
                                                                         }
-                                                                        let _e2031 = phi_2534_;
-                                                                        phi_2535_ = _e2031;
+                                                                        let _e2031 = phi_2533_;
+                                                                        phi_2534_ = _e2031;
                                                                     }
-                                                                    let _e2033 = phi_2535_;
+                                                                    let _e2033 = phi_2534_;
                                                                     if _e2033 {
-                                                                        phi_2539_ = _e1958;
-                                                                        phi_2540_ = _e1954;
-                                                                        phi_2541_ = _e1932;
-                                                                        phi_2542_ = _e1928;
+                                                                        phi_2538_ = _e1958;
+                                                                        phi_2539_ = _e1954;
+                                                                        phi_2540_ = _e1932;
+                                                                        phi_2541_ = _e1928;
                                                                     } else {
-                                                                        phi_2539_ = _e1932;
-                                                                        phi_2540_ = _e1928;
-                                                                        phi_2541_ = _e1958;
-                                                                        phi_2542_ = _e1954;
+                                                                        phi_2538_ = _e1932;
+                                                                        phi_2539_ = _e1928;
+                                                                        phi_2540_ = _e1958;
+                                                                        phi_2541_ = _e1954;
                                                                     }
-                                                                    let _e2035 = phi_2539_;
-                                                                    let _e2037 = phi_2540_;
-                                                                    let _e2039 = phi_2541_;
-                                                                    let _e2041 = phi_2542_;
+                                                                    let _e2035 = phi_2538_;
+                                                                    let _e2037 = phi_2539_;
+                                                                    let _e2039 = phi_2540_;
+                                                                    let _e2041 = phi_2541_;
                                                                     let _e2044 = ((_e2041 * _e2035) - (_e2039 * _e2037));
                                                                     if _e2033 {
-                                                                        phi_2550_ = -(_e2044);
+                                                                        phi_2549_ = -(_e2044);
                                                                     } else {
-                                                                        phi_2550_ = _e2044;
+                                                                        phi_2549_ = _e2044;
                                                                     }
-                                                                    let _e2047 = phi_2550_;
+                                                                    let _e2047 = phi_2549_;
                                                                     if (_e2005 >= 0f) {
                                                                         if (_e2026 >= 0f) {
                                                                             if (_e2047 >= 0f) {
-                                                                                phi_2565_ = ((_e2005 + _e2026) + _e2047);
-                                                                                phi_2566_ = false;
+                                                                                phi_2564_ = ((_e2005 + _e2026) + _e2047);
+                                                                                phi_2565_ = false;
                                                                             } else {
-                                                                                phi_2565_ = f32();
-                                                                                phi_2566_ = true;
+                                                                                phi_2564_ = f32();
+                                                                                phi_2565_ = true;
                                                                             }
-                                                                            let _e2054 = phi_2565_;
-                                                                            let _e2056 = phi_2566_;
-                                                                            phi_2567_ = _e2054;
-                                                                            phi_2568_ = _e2056;
+                                                                            let _e2054 = phi_2564_;
+                                                                            let _e2056 = phi_2565_;
+                                                                            phi_2566_ = _e2054;
+                                                                            phi_2567_ = _e2056;
                                                                         } else {
-                                                                            phi_2567_ = f32();
-                                                                            phi_2568_ = true;
+                                                                            phi_2566_ = f32();
+                                                                            phi_2567_ = true;
                                                                         }
-                                                                        let _e2058 = phi_2567_;
-                                                                        let _e2060 = phi_2568_;
-                                                                        phi_2569_ = _e2058;
-                                                                        phi_2570_ = _e2060;
+                                                                        let _e2058 = phi_2566_;
+                                                                        let _e2060 = phi_2567_;
+                                                                        phi_2568_ = _e2058;
+                                                                        phi_2569_ = _e2060;
                                                                     } else {
-                                                                        phi_2569_ = f32();
-                                                                        phi_2570_ = true;
+                                                                        phi_2568_ = f32();
+                                                                        phi_2569_ = true;
                                                                     }
-                                                                    let _e2062 = phi_2569_;
-                                                                    let _e2064 = phi_2570_;
+                                                                    let _e2062 = phi_2568_;
+                                                                    let _e2064 = phi_2569_;
                                                                     if _e2064 {
                                                                         if (_e2005 <= 0f) {
                                                                             if (_e2026 <= 0f) {
                                                                                 let _e2067 = (_e2047 <= 0f);
                                                                                 if _e2067 {
                                                                                 }
-                                                                                phi_2588_ = ((_e2005 + _e2026) + _e2047);
-                                                                                phi_2589_ = false;
-                                                                                phi_2590_ = _e2067;
+                                                                                phi_2587_ = ((_e2005 + _e2026) + _e2047);
+                                                                                phi_2588_ = false;
+                                                                                phi_2589_ = _e2067;
                                                                             } else {
-                                                                                phi_2588_ = f32();
-                                                                                phi_2589_ = true;
-                                                                                phi_2590_ = false;
+                                                                                phi_2587_ = f32();
+                                                                                phi_2588_ = true;
+                                                                                phi_2589_ = false;
                                                                             }
-                                                                            let _e2071 = phi_2588_;
-                                                                            let _e2073 = phi_2589_;
-                                                                            let _e2075 = phi_2590_;
-                                                                            phi_2591_ = _e2071;
-                                                                            phi_2592_ = _e2073;
-                                                                            phi_2593_ = _e2075;
+                                                                            let _e2071 = phi_2587_;
+                                                                            let _e2073 = phi_2588_;
+                                                                            let _e2075 = phi_2589_;
+                                                                            phi_2590_ = _e2071;
+                                                                            phi_2591_ = _e2073;
+                                                                            phi_2592_ = _e2075;
                                                                         } else {
-                                                                            phi_2591_ = f32();
-                                                                            phi_2592_ = true;
-                                                                            phi_2593_ = false;
+                                                                            phi_2590_ = f32();
+                                                                            phi_2591_ = true;
+                                                                            phi_2592_ = false;
                                                                         }
-                                                                        let _e2077 = phi_2591_;
-                                                                        let _e2079 = phi_2592_;
-                                                                        let _e2081 = phi_2593_;
+                                                                        let _e2077 = phi_2590_;
+                                                                        let _e2079 = phi_2591_;
+                                                                        let _e2081 = phi_2592_;
                                                                         if _e2079 {
-                                                                            phi_2597_ = false;
+                                                                            phi_2596_ = false;
                                                                         } else {
-                                                                            phi_2597_ = _e2081;
+                                                                            phi_2596_ = _e2081;
                                                                         }
-                                                                        let _e2083 = phi_2597_;
-                                                                        phi_2598_ = _e2077;
-                                                                        phi_2599_ = _e2083;
+                                                                        let _e2083 = phi_2596_;
+                                                                        phi_2597_ = _e2077;
+                                                                        phi_2598_ = _e2083;
                                                                     } else {
-                                                                        phi_2598_ = _e2062;
-                                                                        phi_2599_ = true;
+                                                                        phi_2597_ = _e2062;
+                                                                        phi_2598_ = true;
                                                                     }
-                                                                    let _e2085 = phi_2598_;
-                                                                    let _e2087 = phi_2599_;
+                                                                    let _e2085 = phi_2597_;
+                                                                    let _e2087 = phi_2598_;
                                                                     if _e2087 {
                                                                         let _e2088 = (_e2085 == 0f);
                                                                         if _e2088 {
-                                                                            phi_2915_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2916_ = false;
+                                                                            phi_2914_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2915_ = false;
                                                                         } else {
                                                                             let _e2090 = triangles.member[(0u + _e1901)].v0_;
                                                                             let _e2092 = (_e2090.x - _e1011);
                                                                             let _e2094 = (_e2090.y - _e1024);
                                                                             let _e2096 = (_e2090.z - _e1037);
                                                                             if (_e1291 == 0u) {
-                                                                                phi_2628_ = vec3<f32>(_e2094, _e2096, _e2092);
+                                                                                phi_2627_ = vec3<f32>(_e2094, _e2096, _e2092);
                                                                             } else {
                                                                                 if (_e1291 == 1u) {
-                                                                                    phi_2627_ = vec3<f32>(_e2096, _e2092, _e2094);
+                                                                                    phi_2626_ = vec3<f32>(_e2096, _e2092, _e2094);
                                                                                 } else {
-                                                                                    phi_2627_ = (_e2090 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                                    phi_2626_ = (_e2090 - vec3<f32>(_e1011, _e1024, _e1037));
                                                                                 }
-                                                                                let _e2104 = phi_2627_;
-                                                                                phi_2628_ = _e2104;
+                                                                                let _e2104 = phi_2626_;
+                                                                                phi_2627_ = _e2104;
                                                                             }
-                                                                            let _e2106 = phi_2628_;
+                                                                            let _e2106 = phi_2627_;
                                                                             let _e2108 = triangles.member[(0u + _e1901)].v1_;
                                                                             let _e2110 = triangles.member[(0u + _e1901)].v0_;
                                                                             let _e2113 = (_e2108.x - _e2110.x);
                                                                             let _e2116 = (_e2108.y - _e2110.y);
                                                                             let _e2119 = (_e2108.z - _e2110.z);
                                                                             if (_e1291 == 0u) {
-                                                                                phi_2654_ = vec3<f32>(_e2116, _e2119, _e2113);
+                                                                                phi_2653_ = vec3<f32>(_e2116, _e2119, _e2113);
                                                                             } else {
                                                                                 if (_e1291 == 1u) {
-                                                                                    phi_2653_ = vec3<f32>(_e2119, _e2113, _e2116);
+                                                                                    phi_2652_ = vec3<f32>(_e2119, _e2113, _e2116);
                                                                                 } else {
-                                                                                    phi_2653_ = (_e2108 - _e2110);
+                                                                                    phi_2652_ = (_e2108 - _e2110);
                                                                                 }
-                                                                                let _e2126 = phi_2653_;
-                                                                                phi_2654_ = _e2126;
+                                                                                let _e2126 = phi_2652_;
+                                                                                phi_2653_ = _e2126;
                                                                             }
-                                                                            let _e2128 = phi_2654_;
+                                                                            let _e2128 = phi_2653_;
                                                                             let _e2130 = triangles.member[(0u + _e1901)].v2_;
                                                                             let _e2132 = triangles.member[(0u + _e1901)].v0_;
                                                                             let _e2135 = (_e2130.x - _e2132.x);
                                                                             let _e2138 = (_e2130.y - _e2132.y);
                                                                             let _e2141 = (_e2130.z - _e2132.z);
                                                                             if (_e1291 == 0u) {
-                                                                                phi_2680_ = vec3<f32>(_e2138, _e2141, _e2135);
+                                                                                phi_2679_ = vec3<f32>(_e2138, _e2141, _e2135);
                                                                             } else {
                                                                                 if (_e1291 == 1u) {
-                                                                                    phi_2679_ = vec3<f32>(_e2141, _e2135, _e2138);
+                                                                                    phi_2678_ = vec3<f32>(_e2141, _e2135, _e2138);
                                                                                 } else {
-                                                                                    phi_2679_ = (_e2130 - _e2132);
+                                                                                    phi_2678_ = (_e2130 - _e2132);
                                                                                 }
-                                                                                let _e2148 = phi_2679_;
-                                                                                phi_2680_ = _e2148;
+                                                                                let _e2148 = phi_2678_;
+                                                                                phi_2679_ = _e2148;
                                                                             }
-                                                                            let _e2150 = phi_2680_;
+                                                                            let _e2150 = phi_2679_;
                                                                             let _e2157 = ((_e2128.y * _e2150.z) - (_e2128.z * _e2150.y));
                                                                             let _e2164 = ((_e2128.z * _e2150.x) - (_e2128.x * _e2150.z));
                                                                             let _e2171 = ((_e2128.x * _e2150.y) - (_e2128.y * _e2150.x));
@@ -2227,81 +2227,81 @@ fn function_() {
                                                                                     let _e2189 = triangles.member[(0u + _e1901)].v0_;
                                                                                     let _e2191 = triangles.member[(0u + _e1901)].v1_;
                                                                                     if (_e2189.x < _e2191.x) {
-                                                                                        phi_2736_ = _e2189.x;
+                                                                                        phi_2735_ = _e2189.x;
                                                                                     } else {
-                                                                                        phi_2736_ = _e2191.x;
+                                                                                        phi_2735_ = _e2191.x;
                                                                                     }
-                                                                                    let _e2198 = phi_2736_;
+                                                                                    let _e2198 = phi_2735_;
                                                                                     if (_e2189.y < _e2191.y) {
-                                                                                        phi_2745_ = _e2189.y;
+                                                                                        phi_2744_ = _e2189.y;
                                                                                     } else {
-                                                                                        phi_2745_ = _e2191.y;
+                                                                                        phi_2744_ = _e2191.y;
                                                                                     }
-                                                                                    let _e2205 = phi_2745_;
+                                                                                    let _e2205 = phi_2744_;
                                                                                     if (_e2189.z < _e2191.z) {
-                                                                                        phi_2754_ = _e2189.z;
+                                                                                        phi_2753_ = _e2189.z;
                                                                                     } else {
-                                                                                        phi_2754_ = _e2191.z;
+                                                                                        phi_2753_ = _e2191.z;
                                                                                     }
-                                                                                    let _e2212 = phi_2754_;
+                                                                                    let _e2212 = phi_2753_;
                                                                                     let _e2214 = triangles.member[(0u + _e1901)].v2_;
                                                                                     if (_e2198 < _e2214.x) {
-                                                                                        phi_2763_ = _e2198;
+                                                                                        phi_2762_ = _e2198;
                                                                                     } else {
-                                                                                        phi_2763_ = _e2214.x;
+                                                                                        phi_2762_ = _e2214.x;
                                                                                     }
-                                                                                    let _e2219 = phi_2763_;
+                                                                                    let _e2219 = phi_2762_;
                                                                                     if (_e2205 < _e2214.y) {
-                                                                                        phi_2770_ = _e2205;
+                                                                                        phi_2769_ = _e2205;
                                                                                     } else {
-                                                                                        phi_2770_ = _e2214.y;
+                                                                                        phi_2769_ = _e2214.y;
                                                                                     }
-                                                                                    let _e2224 = phi_2770_;
+                                                                                    let _e2224 = phi_2769_;
                                                                                     if (_e2212 < _e2214.z) {
-                                                                                        phi_2777_ = _e2212;
+                                                                                        phi_2776_ = _e2212;
                                                                                     } else {
-                                                                                        phi_2777_ = _e2214.z;
+                                                                                        phi_2776_ = _e2214.z;
                                                                                     }
-                                                                                    let _e2229 = phi_2777_;
+                                                                                    let _e2229 = phi_2776_;
                                                                                     let _e2231 = triangles.member[(0u + _e1901)].v0_;
                                                                                     let _e2233 = triangles.member[(0u + _e1901)].v1_;
                                                                                     if (_e2231.x > _e2233.x) {
-                                                                                        phi_2790_ = _e2231.x;
+                                                                                        phi_2789_ = _e2231.x;
                                                                                     } else {
-                                                                                        phi_2790_ = _e2233.x;
+                                                                                        phi_2789_ = _e2233.x;
                                                                                     }
-                                                                                    let _e2240 = phi_2790_;
+                                                                                    let _e2240 = phi_2789_;
                                                                                     if (_e2231.y > _e2233.y) {
-                                                                                        phi_2799_ = _e2231.y;
+                                                                                        phi_2798_ = _e2231.y;
                                                                                     } else {
-                                                                                        phi_2799_ = _e2233.y;
+                                                                                        phi_2798_ = _e2233.y;
                                                                                     }
-                                                                                    let _e2247 = phi_2799_;
+                                                                                    let _e2247 = phi_2798_;
                                                                                     if (_e2231.z > _e2233.z) {
-                                                                                        phi_2808_ = _e2231.z;
+                                                                                        phi_2807_ = _e2231.z;
                                                                                     } else {
-                                                                                        phi_2808_ = _e2233.z;
+                                                                                        phi_2807_ = _e2233.z;
                                                                                     }
-                                                                                    let _e2254 = phi_2808_;
+                                                                                    let _e2254 = phi_2807_;
                                                                                     let _e2256 = triangles.member[(0u + _e1901)].v2_;
                                                                                     if (_e2240 > _e2256.x) {
-                                                                                        phi_2817_ = _e2240;
+                                                                                        phi_2816_ = _e2240;
                                                                                     } else {
-                                                                                        phi_2817_ = _e2256.x;
+                                                                                        phi_2816_ = _e2256.x;
                                                                                     }
-                                                                                    let _e2261 = phi_2817_;
+                                                                                    let _e2261 = phi_2816_;
                                                                                     if (_e2247 > _e2256.y) {
-                                                                                        phi_2824_ = _e2247;
+                                                                                        phi_2823_ = _e2247;
                                                                                     } else {
-                                                                                        phi_2824_ = _e2256.y;
+                                                                                        phi_2823_ = _e2256.y;
                                                                                     }
-                                                                                    let _e2266 = phi_2824_;
+                                                                                    let _e2266 = phi_2823_;
                                                                                     if (_e2254 > _e2256.z) {
-                                                                                        phi_2831_ = _e2254;
+                                                                                        phi_2830_ = _e2254;
                                                                                     } else {
-                                                                                        phi_2831_ = _e2256.z;
+                                                                                        phi_2830_ = _e2256.z;
                                                                                     }
-                                                                                    let _e2271 = phi_2831_;
+                                                                                    let _e2271 = phi_2830_;
                                                                                     let _e2275 = ((_e2219 - _e1011) * _e1220);
                                                                                     let _e2276 = ((_e2224 - _e1024) * _e1230);
                                                                                     let _e2277 = ((_e2229 - _e1037) * _e1240);
@@ -2309,123 +2309,123 @@ fn function_() {
                                                                                     let _e2282 = ((_e2266 - _e1024) * _e1230);
                                                                                     let _e2283 = ((_e2271 - _e1037) * _e1240);
                                                                                     if (_e2275 < _e2281) {
-                                                                                        phi_2848_ = _e2275;
+                                                                                        phi_2847_ = _e2275;
                                                                                     } else {
-                                                                                        phi_2848_ = _e2281;
+                                                                                        phi_2847_ = _e2281;
                                                                                     }
-                                                                                    let _e2286 = phi_2848_;
+                                                                                    let _e2286 = phi_2847_;
                                                                                     if (_e2276 < _e2282) {
-                                                                                        phi_2853_ = _e2276;
+                                                                                        phi_2852_ = _e2276;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2282;
+                                                                                        phi_2852_ = _e2282;
                                                                                     }
-                                                                                    let _e2289 = phi_2853_;
+                                                                                    let _e2289 = phi_2852_;
                                                                                     if (_e2277 < _e2283) {
-                                                                                        phi_2858_ = _e2277;
+                                                                                        phi_2857_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2858_ = _e2283;
+                                                                                        phi_2857_ = _e2283;
                                                                                     }
-                                                                                    let _e2292 = phi_2858_;
+                                                                                    let _e2292 = phi_2857_;
                                                                                     if (_e2275 > _e2281) {
-                                                                                        phi_2866_ = _e2275;
+                                                                                        phi_2865_ = _e2275;
                                                                                     } else {
-                                                                                        phi_2866_ = _e2281;
+                                                                                        phi_2865_ = _e2281;
                                                                                     }
-                                                                                    let _e2298 = phi_2866_;
+                                                                                    let _e2298 = phi_2865_;
                                                                                     if (_e2276 > _e2282) {
-                                                                                        phi_2871_ = _e2276;
+                                                                                        phi_2870_ = _e2276;
                                                                                     } else {
-                                                                                        phi_2871_ = _e2282;
+                                                                                        phi_2870_ = _e2282;
                                                                                     }
-                                                                                    let _e2301 = phi_2871_;
+                                                                                    let _e2301 = phi_2870_;
                                                                                     if (_e2277 > _e2283) {
-                                                                                        phi_2876_ = _e2277;
+                                                                                        phi_2875_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2876_ = _e2283;
+                                                                                        phi_2875_ = _e2283;
                                                                                     }
-                                                                                    let _e2304 = phi_2876_;
+                                                                                    let _e2304 = phi_2875_;
                                                                                     let _e2308 = core_intrinsics_maximum_number_nsz_f32_((_e2286 - _e1275), (_e2289 - _e1276));
                                                                                     let _e2309 = core_intrinsics_maximum_number_nsz_f32_(_e2308, (_e2292 - _e1277));
                                                                                     let _e2310 = core_intrinsics_minimum_number_nsz_f32_((_e2298 + _e1275), (_e2301 + _e1276));
                                                                                     let _e2311 = core_intrinsics_minimum_number_nsz_f32_(_e2310, (_e2304 + _e1277));
                                                                                     if (_e2309 > _e992) {
-                                                                                        phi_2888_ = _e2309;
+                                                                                        phi_2887_ = _e2309;
                                                                                     } else {
-                                                                                        phi_2888_ = _e992;
+                                                                                        phi_2887_ = _e992;
                                                                                     }
-                                                                                    let _e2314 = phi_2888_;
+                                                                                    let _e2314 = phi_2887_;
                                                                                     if (_e2311 < _e994) {
-                                                                                        phi_2893_ = _e2311;
+                                                                                        phi_2892_ = _e2311;
                                                                                     } else {
-                                                                                        phi_2893_ = _e994;
+                                                                                        phi_2892_ = _e994;
                                                                                     }
-                                                                                    let _e2317 = phi_2893_;
+                                                                                    let _e2317 = phi_2892_;
                                                                                     if (_e2185 < _e2314) {
-                                                                                        phi_2898_ = _e2314;
+                                                                                        phi_2897_ = _e2314;
                                                                                     } else {
-                                                                                        phi_2898_ = _e2185;
+                                                                                        phi_2897_ = _e2185;
                                                                                     }
-                                                                                    let _e2320 = phi_2898_;
+                                                                                    let _e2320 = phi_2897_;
                                                                                     if (_e2320 > _e2317) {
-                                                                                        phi_2903_ = _e2317;
+                                                                                        phi_2902_ = _e2317;
                                                                                     } else {
-                                                                                        phi_2903_ = _e2320;
+                                                                                        phi_2902_ = _e2320;
                                                                                     }
-                                                                                    let _e2323 = phi_2903_;
-                                                                                    phi_2908_ = lt_bvh_triangle_Intersection(_e2323, (_e2026 / _e2085), (_e2047 / _e2085), (_e2314 <= _e2317));
-                                                                                    phi_2909_ = false;
+                                                                                    let _e2323 = phi_2902_;
+                                                                                    phi_2907_ = lt_bvh_triangle_Intersection(_e2323, (_e2026 / _e2085), (_e2047 / _e2085), (_e2314 <= _e2317));
+                                                                                    phi_2908_ = false;
                                                                                 } else {
-                                                                                    phi_2908_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2909_ = true;
+                                                                                    phi_2907_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2908_ = true;
                                                                                 }
-                                                                                let _e2329 = phi_2908_;
-                                                                                let _e2331 = phi_2909_;
-                                                                                phi_2910_ = _e2329;
-                                                                                phi_2911_ = _e2331;
+                                                                                let _e2329 = phi_2907_;
+                                                                                let _e2331 = phi_2908_;
+                                                                                phi_2909_ = _e2329;
+                                                                                phi_2910_ = _e2331;
                                                                             } else {
-                                                                                phi_2910_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2911_ = true;
+                                                                                phi_2909_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2910_ = true;
                                                                             }
-                                                                            let _e2333 = phi_2910_;
-                                                                            let _e2335 = phi_2911_;
+                                                                            let _e2333 = phi_2909_;
+                                                                            let _e2335 = phi_2910_;
                                                                             if _e2335 {
                                                                             }
-                                                                            phi_2915_ = _e2333;
-                                                                            phi_2916_ = _e2335;
+                                                                            phi_2914_ = _e2333;
+                                                                            phi_2915_ = _e2335;
                                                                         }
-                                                                        let _e2337 = phi_2915_;
-                                                                        let _e2339 = phi_2916_;
-                                                                        phi_2917_ = _e2337;
-                                                                        phi_2918_ = _e2088;
-                                                                        phi_2919_ = _e2339;
+                                                                        let _e2337 = phi_2914_;
+                                                                        let _e2339 = phi_2915_;
+                                                                        phi_2916_ = _e2337;
+                                                                        phi_2917_ = _e2088;
+                                                                        phi_2918_ = _e2339;
                                                                     } else {
-                                                                        phi_2917_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2918_ = true;
-                                                                        phi_2919_ = false;
+                                                                        phi_2916_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2917_ = true;
+                                                                        phi_2918_ = false;
                                                                     }
-                                                                    let _e2341 = phi_2917_;
-                                                                    let _e2343 = phi_2918_;
-                                                                    let _e2345 = phi_2919_;
+                                                                    let _e2341 = phi_2916_;
+                                                                    let _e2343 = phi_2917_;
+                                                                    let _e2345 = phi_2918_;
                                                                     if _e2343 {
-                                                                        phi_2923_ = true;
+                                                                        phi_2922_ = true;
                                                                     } else {
-                                                                        phi_2923_ = _e2345;
+                                                                        phi_2922_ = _e2345;
                                                                     }
-                                                                    let _e2347 = phi_2923_;
+                                                                    let _e2347 = phi_2922_;
                                                                     if _e2347 {
-                                                                        phi_2927_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                        phi_2926_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2927_ = _e2341;
+                                                                        phi_2926_ = _e2341;
                                                                     }
-                                                                    let _e2349 = phi_2927_;
+                                                                    let _e2349 = phi_2926_;
                                                                     if _e2349.is_hit {
                                                                         if (_e2349.t > 0f) {
                                                                             if (_e2349.t < _e141) {
                                                                                 let _e2356 = triangles.member[(0u + _e1901)].i0_;
                                                                                 let _e2358 = ((_e2356 & 2147483648u) == 0u);
                                                                                 if _e2358 {
+                                                                                    phi_3149_ = false;
                                                                                     phi_3150_ = false;
-                                                                                    phi_3151_ = false;
                                                                                 } else {
                                                                                     if (_e1901 < _e79) {
                                                                                     } else {
@@ -2459,11 +2459,11 @@ fn function_() {
                                                                                     if ((_e2389.flags & 1u) == 1u) {
                                                                                         let _e2394 = ((1f - _e2349.u) - _e2349.v);
                                                                                         if (_e2389.cutoff <= 0f) {
-                                                                                            phi_3144_ = true;
+                                                                                            phi_3143_ = true;
                                                                                         } else {
                                                                                             let _e2421 = (_e2389.base_color.w * ((((f32((_e2383[0].color >> bitcast<u32>(24i))) * _e2394) + (f32((_e2383[1].color >> bitcast<u32>(24i))) * _e2349.u)) + (f32((_e2383[2].color >> bitcast<u32>(24i))) * _e2349.v)) * (1f / 255f)));
                                                                                             if (_e2389.alpha_size == 0u) {
-                                                                                                phi_3141_ = _e2421;
+                                                                                                phi_3140_ = _e2421;
                                                                                             } else {
                                                                                                 local.offset = _e2389.alpha_offset;
                                                                                                 local.size = _e2389.alpha_size;
@@ -2493,84 +2493,84 @@ fn function_() {
                                                                                                     return;
                                                                                                 }
                                                                                                 let _e2522 = alpha_texels.member[(0u + _e2518)];
-                                                                                                phi_3141_ = (_e2421 * (((((f32(((_e2460 >> bitcast<u32>((((_e2452.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.x) + ((f32(((_e2480 >> bitcast<u32>((((_e2452.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.y)) + ((f32(((_e2501 >> bitcast<u32>((((_e2452.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.z)) + ((f32(((_e2522 >> bitcast<u32>((((_e2452.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.w)));
+                                                                                                phi_3140_ = (_e2421 * (((((f32(((_e2460 >> bitcast<u32>((((_e2452.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.x) + ((f32(((_e2480 >> bitcast<u32>((((_e2452.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.y)) + ((f32(((_e2501 >> bitcast<u32>((((_e2452.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.z)) + ((f32(((_e2522 >> bitcast<u32>((((_e2452.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.w)));
                                                                                             }
-                                                                                            let _e2538 = phi_3141_;
-                                                                                            phi_3144_ = (_e2538 >= _e2389.cutoff);
+                                                                                            let _e2538 = phi_3140_;
+                                                                                            phi_3143_ = (_e2538 >= _e2389.cutoff);
                                                                                         }
-                                                                                        let _e2542 = phi_3144_;
-                                                                                        phi_3145_ = _e2542;
+                                                                                        let _e2542 = phi_3143_;
+                                                                                        phi_3144_ = _e2542;
                                                                                     } else {
-                                                                                        phi_3145_ = false;
+                                                                                        phi_3144_ = false;
                                                                                     }
-                                                                                    let _e2544 = phi_3145_;
+                                                                                    let _e2544 = phi_3144_;
                                                                                     if _e2544 {
-                                                                                        phi_3149_ = false;
+                                                                                        phi_3148_ = false;
                                                                                     } else {
-                                                                                        phi_3149_ = true;
+                                                                                        phi_3148_ = true;
                                                                                     }
-                                                                                    let _e2546 = phi_3149_;
-                                                                                    phi_3150_ = _e2546;
-                                                                                    phi_3151_ = _e2544;
+                                                                                    let _e2546 = phi_3148_;
+                                                                                    phi_3149_ = _e2546;
+                                                                                    phi_3150_ = _e2544;
                                                                                 }
-                                                                                let _e2548 = phi_3150_;
-                                                                                let _e2550 = phi_3151_;
-                                                                                phi_3152_ = _e2548;
-                                                                                phi_3153_ = _e2358;
-                                                                                phi_3154_ = _e2550;
+                                                                                let _e2548 = phi_3149_;
+                                                                                let _e2550 = phi_3150_;
+                                                                                phi_3151_ = _e2548;
+                                                                                phi_3152_ = _e2358;
+                                                                                phi_3153_ = _e2550;
                                                                             } else {
-                                                                                phi_3152_ = true;
+                                                                                phi_3151_ = true;
+                                                                                phi_3152_ = false;
                                                                                 phi_3153_ = false;
-                                                                                phi_3154_ = false;
                                                                             }
-                                                                            let _e2552 = phi_3152_;
-                                                                            let _e2554 = phi_3153_;
-                                                                            let _e2556 = phi_3154_;
-                                                                            phi_3155_ = _e2552;
-                                                                            phi_3156_ = _e2554;
-                                                                            phi_3157_ = _e2556;
+                                                                            let _e2552 = phi_3151_;
+                                                                            let _e2554 = phi_3152_;
+                                                                            let _e2556 = phi_3153_;
+                                                                            phi_3154_ = _e2552;
+                                                                            phi_3155_ = _e2554;
+                                                                            phi_3156_ = _e2556;
                                                                         } else {
-                                                                            phi_3155_ = true;
+                                                                            phi_3154_ = true;
+                                                                            phi_3155_ = false;
                                                                             phi_3156_ = false;
-                                                                            phi_3157_ = false;
                                                                         }
-                                                                        let _e2558 = phi_3155_;
-                                                                        let _e2560 = phi_3156_;
-                                                                        let _e2562 = phi_3157_;
-                                                                        phi_3158_ = _e2558;
-                                                                        phi_3159_ = _e2560;
-                                                                        phi_3160_ = _e2562;
+                                                                        let _e2558 = phi_3154_;
+                                                                        let _e2560 = phi_3155_;
+                                                                        let _e2562 = phi_3156_;
+                                                                        phi_3157_ = _e2558;
+                                                                        phi_3158_ = _e2560;
+                                                                        phi_3159_ = _e2562;
                                                                     } else {
-                                                                        phi_3158_ = true;
+                                                                        phi_3157_ = true;
+                                                                        phi_3158_ = false;
                                                                         phi_3159_ = false;
-                                                                        phi_3160_ = false;
                                                                     }
-                                                                    let _e2564 = phi_3158_;
-                                                                    let _e2566 = phi_3159_;
-                                                                    let _e2568 = phi_3160_;
+                                                                    let _e2564 = phi_3157_;
+                                                                    let _e2566 = phi_3158_;
+                                                                    let _e2568 = phi_3159_;
                                                                     if _e2564 {
+                                                                        phi_3163_ = false;
                                                                         phi_3164_ = false;
-                                                                        phi_3165_ = false;
                                                                     } else {
-                                                                        phi_3164_ = _e2566;
-                                                                        phi_3165_ = _e2568;
+                                                                        phi_3163_ = _e2566;
+                                                                        phi_3164_ = _e2568;
                                                                     }
-                                                                    let _e2570 = phi_3164_;
-                                                                    let _e2572 = phi_3165_;
-                                                                    phi_2359_ = (_e1892 & (_e1892 - 1u));
-                                                                    phi_3166_ = _e2564;
-                                                                    phi_3167_ = _e2570;
-                                                                    phi_3168_ = _e2572;
+                                                                    let _e2570 = phi_3163_;
+                                                                    let _e2572 = phi_3164_;
+                                                                    phi_2358_ = (_e1892 & (_e1892 - 1u));
+                                                                    phi_3165_ = _e2564;
+                                                                    phi_3166_ = _e2570;
+                                                                    phi_3167_ = _e2572;
                                                                 }
-                                                                let _e2574 = phi_2359_;
-                                                                let _e2576 = phi_3166_;
-                                                                let _e2578 = phi_3167_;
-                                                                let _e2580 = phi_3168_;
+                                                                let _e2574 = phi_2358_;
+                                                                let _e2576 = phi_3165_;
+                                                                let _e2578 = phi_3166_;
+                                                                let _e2580 = phi_3167_;
                                                                 local_13 = _e2578;
                                                                 local_14 = _e2580;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2358_ = _e2574;
+                                                                    phi_2357_ = _e2574;
                                                                     break if !(_e2576);
                                                                 }
                                                             }
@@ -2580,7 +2580,7 @@ fn function_() {
                                                                 if ((_e2585 & 4278190080u) == 0u) {
                                                                     let _e2589 = local_1.len;
                                                                     if (_e2589 == 0u) {
-                                                                        phi_3210_ = false;
+                                                                        phi_3209_ = false;
                                                                     } else {
                                                                         let _e2593 = local_1.len;
                                                                         local_1.len = (_e2593 - 1u);
@@ -2598,14 +2598,14 @@ fn function_() {
                                                                         }
                                                                         let _e2609 = local_1.mask[(0u + _e2604)];
                                                                         local_1.group_mask = _e2609;
-                                                                        phi_3210_ = true;
+                                                                        phi_3209_ = true;
                                                                     }
-                                                                    let _e2612 = phi_3210_;
-                                                                    phi_3211_ = _e2612;
+                                                                    let _e2612 = phi_3209_;
+                                                                    phi_3210_ = _e2612;
                                                                 } else {
-                                                                    phi_3211_ = true;
+                                                                    phi_3210_ = true;
                                                                 }
-                                                                let _e2614 = phi_3211_;
+                                                                let _e2614 = phi_3210_;
                                                                 if _e2614 {
                                                                     let _e2616 = local_1.group_mask;
                                                                     let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
@@ -2613,123 +2613,123 @@ fn function_() {
                                                                     let _e2640 = local_1.group_mask;
                                                                     local_1.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
                                                                     let _e2643 = local_1.group;
-                                                                    phi_3242_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1318) & 31u))))) & 255u)));
+                                                                    phi_3241_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1318) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3242_ = 4294967295u;
+                                                                    phi_3241_ = 4294967295u;
                                                                 }
-                                                                let _e2646 = phi_3242_;
-                                                                phi_3243_ = _e2646;
+                                                                let _e2646 = phi_3241_;
+                                                                phi_3242_ = _e2646;
+                                                                phi_3243_ = false;
                                                                 phi_3244_ = false;
-                                                                phi_3245_ = false;
                                                             } else {
-                                                                phi_3243_ = u32();
+                                                                phi_3242_ = u32();
                                                                 let _e3032 = local_13;
-                                                                phi_3244_ = _e3032;
+                                                                phi_3243_ = _e3032;
                                                                 let _e3035 = local_14;
-                                                                phi_3245_ = _e3035;
+                                                                phi_3244_ = _e3035;
                                                             }
-                                                            let _e2648 = phi_3243_;
-                                                            let _e2650 = phi_3244_;
-                                                            let _e2652 = phi_3245_;
-                                                            phi_2029_ = _e2648;
+                                                            let _e2648 = phi_3242_;
+                                                            let _e2650 = phi_3243_;
+                                                            let _e2652 = phi_3244_;
+                                                            phi_2028_ = _e2648;
                                                             let _e3039 = local_15;
-                                                            phi_3246_ = _e3039;
-                                                            phi_3247_ = false;
-                                                            phi_3248_ = _e2650;
-                                                            phi_3249_ = _e2652;
-                                                        } else {
-                                                            phi_2029_ = u32();
+                                                            phi_3245_ = _e3039;
                                                             phi_3246_ = false;
-                                                            phi_3247_ = true;
+                                                            phi_3247_ = _e2650;
+                                                            phi_3248_ = _e2652;
+                                                        } else {
+                                                            phi_2028_ = u32();
+                                                            phi_3245_ = false;
+                                                            phi_3246_ = true;
+                                                            phi_3247_ = false;
                                                             phi_3248_ = false;
-                                                            phi_3249_ = false;
                                                         }
-                                                        let _e2654 = phi_2029_;
-                                                        let _e2656 = phi_3246_;
-                                                        let _e2658 = phi_3247_;
-                                                        let _e2660 = phi_3248_;
-                                                        let _e2662 = phi_3249_;
+                                                        let _e2654 = phi_2028_;
+                                                        let _e2656 = phi_3245_;
+                                                        let _e2658 = phi_3246_;
+                                                        let _e2660 = phi_3247_;
+                                                        let _e2662 = phi_3248_;
                                                         local_10 = _e2658;
                                                         local_16 = _e2660;
                                                         local_17 = _e2662;
                                                         continue;
                                                         continuing {
-                                                            phi_2028_ = _e2654;
+                                                            phi_2027_ = _e2654;
                                                             break if !(_e2656);
                                                         }
                                                     }
                                                     let _e2665 = local_10;
                                                     if _e2665 {
+                                                        phi_3252_ = false;
                                                         phi_3253_ = false;
-                                                        phi_3254_ = false;
                                                     } else {
                                                         let _e3046 = local_16;
-                                                        phi_3253_ = _e3046;
+                                                        phi_3252_ = _e3046;
                                                         let _e3049 = local_17;
-                                                        phi_3254_ = _e3049;
+                                                        phi_3253_ = _e3049;
                                                     }
-                                                    let _e2667 = phi_3253_;
-                                                    let _e2669 = phi_3254_;
+                                                    let _e2667 = phi_3252_;
+                                                    let _e2669 = phi_3253_;
                                                     if _e2667 {
-                                                        phi_3258_ = true;
+                                                        phi_3257_ = true;
                                                     } else {
-                                                        phi_3258_ = _e2669;
+                                                        phi_3257_ = _e2669;
                                                     }
-                                                    let _e2671 = phi_3258_;
+                                                    let _e2671 = phi_3257_;
                                                     if _e2671 {
-                                                        phi_3262_ = true;
+                                                        phi_3261_ = true;
                                                     } else {
-                                                        phi_3262_ = false;
+                                                        phi_3261_ = false;
                                                     }
-                                                    let _e2673 = phi_3262_;
-                                                    phi_3263_ = _e2673;
+                                                    let _e2673 = phi_3261_;
+                                                    phi_3262_ = _e2673;
                                                 }
-                                                let _e2675 = phi_3263_;
-                                                phi_3264_ = _e2675;
-                                                phi_3265_ = _e1144;
+                                                let _e2675 = phi_3262_;
+                                                phi_3263_ = _e2675;
+                                                phi_3264_ = _e1144;
                                             } else {
-                                                phi_3264_ = bool();
-                                                phi_3265_ = true;
+                                                phi_3263_ = bool();
+                                                phi_3264_ = true;
                                             }
-                                            let _e2677 = phi_3264_;
-                                            let _e2679 = phi_3265_;
+                                            let _e2677 = phi_3263_;
+                                            let _e2679 = phi_3264_;
                                             if _e2679 {
-                                                phi_3269_ = false;
+                                                phi_3268_ = false;
                                             } else {
-                                                phi_3269_ = _e2677;
+                                                phi_3268_ = _e2677;
                                             }
-                                            let _e2681 = phi_3269_;
+                                            let _e2681 = phi_3268_;
                                             if _e2681 {
-                                                phi_3273_ = false;
+                                                phi_3272_ = false;
                                             } else {
-                                                phi_3273_ = true;
+                                                phi_3272_ = true;
                                             }
-                                            let _e2683 = phi_3273_;
-                                            phi_3274_ = _e2683;
+                                            let _e2683 = phi_3272_;
+                                            phi_3273_ = _e2683;
                                         } else {
-                                            phi_3274_ = true;
+                                            phi_3273_ = true;
                                         }
-                                        let _e2685 = phi_3274_;
-                                        phi_3275_ = _e2685;
+                                        let _e2685 = phi_3273_;
+                                        phi_3274_ = _e2685;
                                     } else {
-                                        phi_3275_ = true;
+                                        phi_3274_ = true;
                                     }
-                                    let _e2687 = phi_3275_;
-                                    phi_3276_ = _e2687;
+                                    let _e2687 = phi_3274_;
+                                    phi_3275_ = _e2687;
                                 } else {
-                                    phi_3276_ = true;
+                                    phi_3275_ = true;
                                 }
-                                let _e2689 = phi_3276_;
+                                let _e2689 = phi_3275_;
                                 if _e2689 {
                                 }
-                                phi_1423_ = (_e931 & (_e931 - 1u));
-                                phi_3280_ = _e2689;
+                                phi_1422_ = (_e931 & (_e931 - 1u));
+                                phi_3279_ = _e2689;
                             }
-                            let _e2691 = phi_1423_;
-                            let _e2693 = phi_3280_;
+                            let _e2691 = phi_1422_;
+                            let _e2693 = phi_3279_;
                             continue;
                             continuing {
-                                phi_1422_ = _e2691;
+                                phi_1421_ = _e2691;
                                 break if !(_e2693);
                             }
                         }
@@ -2739,7 +2739,7 @@ fn function_() {
                             if ((_e2698 & 4278190080u) == 0u) {
                                 let _e2702 = local_2.len;
                                 if (_e2702 == 0u) {
-                                    phi_3322_ = false;
+                                    phi_3321_ = false;
                                 } else {
                                     let _e2706 = local_2.len;
                                     local_2.len = (_e2706 - 1u);
@@ -2757,14 +2757,14 @@ fn function_() {
                                     }
                                     let _e2722 = local_2.mask[(0u + _e2717)];
                                     local_2.group_mask = _e2722;
-                                    phi_3322_ = true;
+                                    phi_3321_ = true;
                                 }
-                                let _e2725 = phi_3322_;
-                                phi_3323_ = _e2725;
+                                let _e2725 = phi_3321_;
+                                phi_3322_ = _e2725;
                             } else {
-                                phi_3323_ = true;
+                                phi_3322_ = true;
                             }
-                            let _e2727 = phi_3323_;
+                            let _e2727 = phi_3322_;
                             if _e2727 {
                                 let _e2729 = local_2.group_mask;
                                 let _e2735 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2729)), 32u, (_e2729 == 0u)));
@@ -2772,71 +2772,71 @@ fn function_() {
                                 let _e2753 = local_2.group_mask;
                                 local_2.group_mask = (_e2753 & ~((1u << bitcast<u32>((_e2735 & 31u)))));
                                 let _e2756 = local_2.group;
-                                phi_3354_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e357) & 31u))))) & 255u)));
+                                phi_3353_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e357) & 31u))))) & 255u)));
                             } else {
-                                phi_3354_ = 4294967295u;
+                                phi_3353_ = 4294967295u;
                             }
-                            let _e2759 = phi_3354_;
-                            phi_3355_ = _e2759;
+                            let _e2759 = phi_3353_;
+                            phi_3354_ = _e2759;
                         } else {
-                            phi_3355_ = u32();
+                            phi_3354_ = u32();
                         }
-                        let _e2761 = phi_3355_;
-                        phi_1093_ = _e2761;
+                        let _e2761 = phi_3354_;
+                        phi_1092_ = _e2761;
                         let _e3070 = local_18;
-                        phi_3356_ = _e3070;
-                        phi_3357_ = false;
-                    } else {
-                        phi_1093_ = u32();
+                        phi_3355_ = _e3070;
                         phi_3356_ = false;
-                        phi_3357_ = true;
+                    } else {
+                        phi_1092_ = u32();
+                        phi_3355_ = false;
+                        phi_3356_ = true;
                     }
-                    let _e2763 = phi_1093_;
-                    let _e2765 = phi_3356_;
-                    let _e2767 = phi_3357_;
+                    let _e2763 = phi_1092_;
+                    let _e2765 = phi_3355_;
+                    let _e2767 = phi_3356_;
                     local_12 = _e2767;
                     continue;
                     continuing {
-                        phi_1092_ = _e2763;
+                        phi_1091_ = _e2763;
                         break if !(_e2765);
                     }
                 }
                 let _e2770 = local_12;
                 if _e2770 {
-                    phi_3361_ = false;
+                    phi_3360_ = false;
                 } else {
-                    phi_3361_ = true;
+                    phi_3360_ = true;
                 }
-                let _e2772 = phi_3361_;
+                let _e2772 = phi_3360_;
                 if _e2772 {
-                    phi_3365_ = true;
+                    phi_3364_ = true;
                 } else {
-                    phi_3365_ = false;
+                    phi_3364_ = false;
                 }
-                let _e2774 = phi_3365_;
-                phi_3366_ = _e2774;
+                let _e2774 = phi_3364_;
+                phi_3365_ = _e2774;
             }
-            let _e2776 = phi_3366_;
-            phi_3367_ = _e2776;
-            phi_3368_ = _e213;
+            let _e2776 = phi_3365_;
+            phi_3366_ = _e2776;
+            phi_3367_ = _e213;
         } else {
-            phi_3367_ = bool();
-            phi_3368_ = true;
+            phi_3366_ = bool();
+            phi_3367_ = true;
         }
-        let _e2778 = phi_3367_;
-        let _e2780 = phi_3368_;
+        let _e2778 = phi_3366_;
+        let _e2780 = phi_3367_;
         if _e2780 {
-            phi_3372_ = false;
+            phi_3371_ = false;
         } else {
-            phi_3372_ = _e2778;
+            phi_3371_ = _e2778;
         }
-        let _e2782 = phi_3372_;
+        let _e2782 = phi_3371_;
         if _e2782 {
-            phi_3376_ = 0f;
+            phi_3375_ = 0f;
         } else {
-            phi_3376_ = 1f;
+            phi_3375_ = 1f;
         }
-        let _e2784 = phi_3376_;
+        let _e2784 = phi_3375_;
         if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -289,8 +289,13 @@ fn cpu_and_gpu_remember_the_same() {
                 cpu.look(&camera).expect("a view");
                 gpu.look(&camera).expect("a view");
             }
-            for id in ["lt-evsm", "lt-vsm:depth-test", "lt-esm", "lt-evsm:no-rr:moving=5x5", "lt-evsm:no-er"]
-            {
+            for id in [
+                "lt-evsm",
+                "lt-vsm:depth-test",
+                "lt-esm",
+                "lt-evsm:no-rr:moving=5x5",
+                "lt-evsm:no-er:moving=diamond",
+            ] {
                 let (a, b) =
                     (cpu.render(&technique(id)).expect("CPU"), gpu.render(&technique(id)).expect("GPU"));
                 assert_eq!(a.mask.len(), b.mask.len());

@@ -10,7 +10,7 @@ use crate::workspace::{cargo, run as run_command};
 const TARGETS: [&str; 2] = ["x86_64-unknown-none", "thumbv7em-none-eabihf"];
 
 /// The crates that promise to do without `std`.
-const CRATES: [&str; 4] = ["lt-math", "lt-mask", "lt-bvh", "lt-shaders"];
+const CRATES: [&str; 5] = ["lt-math", "lt-mask", "lt-bvh", "lt-irregular", "lt-shaders"];
 
 /// Builds every crate by itself for every target, so that no crate leans on a feature another one enabled.
 ///

@@ -64,6 +64,7 @@ mod probe;
 mod ray;
 #[cfg(feature = "build")]
 mod simd;
+mod single;
 mod slab;
 #[cfg(feature = "build")]
 mod tracer;
@@ -83,6 +84,7 @@ pub use probe::{Counts, NoProbe, Probe};
 pub use ray::{COORDINATE_LIMIT, FAR, Hit, NONE, Ray};
 #[cfg(feature = "build")]
 pub use simd::{Grouping, Simd, SimdLevel};
+pub use single::RayTest;
 #[cfg(feature = "build")]
 pub use tracer::{Scalar, Tracer};
 pub use traverse::{MAX_DEPTH, closest_hit, closest_hit_probed, occluded, occluded_probed};

@@ -1,7 +1,7 @@
 //! Rays and hits as the traversals take and return them.
 
 use bytemuck::{Pod, Zeroable};
-use lt_math::glam::Vec3;
+use lt_math::glam::{Vec3, Vec4};
 
 /// Index that names no triangle and no instance.
 pub const NONE: u32 = u32::MAX;
@@ -34,6 +34,14 @@ impl Ray {
     /// The ray from `origin` along `direction` without an end: 0 < t < [`FAR`].
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         Ray { origin, tmin: 0.0, direction, tmax: FAR }
+    }
+
+    /// The ray from `origin` to a homogeneous light: a position and w = 1, or the direction to a sun and w = 0. t runs to 1 at a
+    /// position, without end to a sun.
+    #[inline(always)]
+    pub fn to_light(origin: Vec3, light: Vec4) -> Self {
+        let tmax = if light.w == 0.0 { FAR } else { 1.0 };
+        Ray { origin, tmin: 0.0, direction: light.truncate() - origin * light.w, tmax }
     }
 
     /// Whether every number is usable; see [`Ray`].

@@ -25,8 +25,11 @@ impl Pattern {
     /// All 25 pixels within two, every frame: for pixels that move, not in the paper.
     pub const FULL_5X5: Self = Self(6);
 
+    /// The 13 pixels within two steps along the axes, every frame: the 3×3 and four more. Not in the paper.
+    pub const DIAMOND: Self = Self(7);
+
     /// Every pattern, for sweeps.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::FULL_3X3,
         Self::PLUS,
         Self::CROSS,
@@ -34,6 +37,7 @@ impl Pattern {
         Self::ALTERNATING,
         Self::GATHER_2X2,
         Self::FULL_5X5,
+        Self::DIAMOND,
     ];
 
     /// The pattern with this number, as [`Pattern::to_index`] gave it.
@@ -48,19 +52,20 @@ impl Pattern {
         self.0
     }
 
-    /// How many neighbours are asked: 25, 9, 5 or 4.
+    /// How many neighbours are asked: 25, 13, 9, 5 or 4.
     #[inline]
     pub fn neighbour_count(self) -> u32 {
         match self.0 {
             1..=4 => 5,
             5 => 4,
             6 => 25,
+            7 => 13,
             _ => 9,
         }
     }
 
     /// The offset of neighbour `index` < [`Pattern::neighbour_count`], each part −1, 0 or 1
-    /// (−2 to 2 for the 5×5).
+    /// (−2 to 2 for the 5×5 and the diamond).
     ///
     /// `pixel` steers the chessboard, `frame` the patterns that change over time. Larger indices start over.
     #[inline]
@@ -72,6 +77,7 @@ impl Pattern {
             4 => plus_or_cross(index, frame & 1),
             5 => gather_corner(frame) + IVec2::new((index & 1) as i32, ((index >> 1) & 1) as i32),
             6 => IVec2::new((index % 5) as i32 - 2, ((index / 5) % 5) as i32 - 2),
+            7 => diamond(index),
             _ => IVec2::new((index % 3) as i32 - 1, ((index / 3) % 3) as i32 - 1),
         }
     }
@@ -121,6 +127,17 @@ fn cross(index: u32) -> IVec2 {
     }
 }
 
+/// The 3×3, then the four pixels at distance two.
+fn diamond(index: u32) -> IVec2 {
+    match index % 13 {
+        9 => IVec2::new(0, -2),
+        10 => IVec2::new(-2, 0),
+        11 => IVec2::new(2, 0),
+        12 => IVec2::new(0, 2),
+        near => IVec2::new((near % 3) as i32 - 1, ((near / 3) % 3) as i32 - 1),
+    }
+}
+
 fn plus_or_cross(index: u32, is_cross: u32) -> IVec2 {
     if is_cross == 0 { plus(index) } else { cross(index) }
 }
@@ -160,7 +177,8 @@ mod tests {
                     let set: BTreeSet<_> = all.iter().copied().collect();
                     assert_eq!(set.len(), all.len());
                     assert!(set.contains(&(0, 0)));
-                    let reach = if pattern == Pattern::FULL_5X5 { 2 } else { 1 };
+                    let is_wide = [Pattern::FULL_5X5, Pattern::DIAMOND].contains(&pattern);
+                    let reach = if is_wide { 2 } else { 1 };
                     assert!(set.iter().all(|(x, y)| x.abs() <= reach && y.abs() <= reach));
                 }
             }
@@ -181,6 +199,9 @@ mod tests {
         assert_eq!(covered(Pattern::ALTERNATING, 0..2), 9);
         assert_eq!(covered(Pattern::FULL_3X3, 0..1), 9);
         assert_eq!(covered(Pattern::FULL_5X5, 0..1), 25);
+        assert_eq!(covered(Pattern::DIAMOND, 0..1), 13);
+        let steps = |(x, y): &(i32, i32)| x.abs() + y.abs();
+        assert!(offsets(Pattern::DIAMOND, UVec2::ZERO, 0).iter().all(|o| steps(o) <= 2));
         assert_eq!(covered(Pattern::PLUS, 0..9), 5);
         assert_eq!(covered(Pattern::CROSS, 0..9), 5);
     }

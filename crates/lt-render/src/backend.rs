@@ -50,6 +50,9 @@ pub struct DepthMapJob {
     pub levels: Vec<DepthParams>,
     /// Levels that are drawn in this frame, ascending; the others' maps, in the slot, are still good.
     pub draws: Vec<u32>,
+    /// Of the others, those in which casters may have moved: what stands still is in the slot's map already, by the same
+    /// projection, and what moves must be drawn anew.
+    pub refreshes: Vec<u32>,
     /// The blur passes.
     pub filter: FilterParams,
 }
@@ -58,6 +61,11 @@ impl DepthMapJob {
     /// Texels along a map's side.
     pub fn map_size(&self) -> u32 {
         self.filter.map_size
+    }
+
+    /// Levels whose maps change in this frame, in no order.
+    pub fn drawn(&self) -> impl Iterator<Item = u32> {
+        self.draws.iter().chain(&self.refreshes).copied()
     }
 
     /// Where a level's texels lie in a buffer of all levels.
@@ -90,7 +98,7 @@ pub struct FrameJob {
 impl FrameJob {
     /// The passes of this frame, in order: the plan's, less those that would draw a map anew that still serves.
     pub fn passes(&self) -> Vec<PassKind> {
-        let draws = self.map_draws() > 0;
+        let draws = self.map.as_ref().is_some_and(|m| m.drawn().next().is_some());
         self.plan.passes().into_iter().filter(|k| draws || !k.makes_map()).collect()
     }
 
@@ -99,7 +107,7 @@ impl FrameJob {
         self.map.as_ref().filter(|_| self.plan.level_search).map(DepthMapJob::projections)
     }
 
-    /// How many maps are drawn in this frame.
+    /// How many maps are drawn whole in this frame.
     pub fn map_draws(&self) -> u32 {
         self.map.as_ref().map_or(0, |m| m.draws.len() as u32)
     }

@@ -223,7 +223,7 @@ mod tests {
     #[test]
     fn levels_are_kept_one_by_one() {
         let at = |x: f32| camera(Vec3::new(x, 2.0, 70.0), Vec3::new(0.1, -0.05, -1.0));
-        let (first, near, far) = (at(0.0), at(1.0), at(12.0));
+        let (first, near, far) = (at(0.0), at(3.0), at(25.0));
         let cascades = Cascades::levels(4);
         let start = keep_levels(view(&first), &cascades, &[]);
         assert_eq!(start.draws, [0, 1, 2, 3]);

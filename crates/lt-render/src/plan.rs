@@ -96,7 +96,7 @@ impl EffectPlan {
                 removes: m.removal != Removal::Never,
             }),
             object_motion: technique.mask.is_some() && sequence.objects_move,
-            reuse: map.is_some() && technique.reuse && sequence.is_played && !sequence.objects_move,
+            reuse: map.is_some() && technique.reuse && sequence.is_played,
             effects: Vec::new(),
         };
         let (mask, reuse, object_motion) = (plan.mask, plan.reuse, plan.object_motion);
@@ -177,7 +177,9 @@ impl EffectPlan {
                 (None, ..) => "the technique asks no map",
                 (_, false, _) => "the technique draws its map every frame",
                 (_, _, Sequence { is_played: false, .. }) => "a single frame",
-                (_, _, Sequence { objects_move: true, .. }) => "casters move",
+                (_, _, Sequence { objects_move: true, .. }) => {
+                    "several frames; casters that move are drawn over those at rest"
+                }
                 _ => "several frames, casters at rest",
             }
             .to_owned(),

@@ -4,7 +4,7 @@ use std::{collections::HashMap, time::Instant};
 
 use lt_mask::DEPTH_CONSISTENCY_TOLERANCE;
 use lt_math::glam::{UVec2, Vec3, Vec4};
-use lt_scene::{Camera, LightKind, Scene};
+use lt_scene::{Bounds, Camera, LightKind, Scene};
 use lt_shaders::abi::{
     CameraParams, DepthParams, FilterParams, MaskParams, Sample, ShadeParams, ShadowParams,
 };
@@ -59,7 +59,7 @@ pub struct Session {
 
 /// What planning and fitting need of a scene once the backend owns its buffers.
 struct PackedSummary {
-    bounds: lt_scene::Bounds,
+    bounds: Bounds,
     stats: PackStats,
     root: u32,
 }
@@ -83,6 +83,8 @@ struct LastFrame {
     camera: CameraParams,
     /// The levels of the light's map and their size; empty without a map.
     levels: (Vec<LightFit>, u32),
+    /// A box of all casters that the levels' depths were fitted to.
+    casters: Bounds,
 }
 
 impl Session {
@@ -256,9 +258,19 @@ impl Session {
         // Drawn once more, the same view is its own past: nothing has moved since.
         plan.object_motion &= slot.last.as_ref().is_none_or(|l| l.view != self.view);
         let map_size = technique.map_size.unwrap_or(self.setup.map_size);
-        let last = slot.last.as_ref().map(|l| &l.levels).filter(|(_, size)| *size == map_size);
-        let kept = last.filter(|_| plan.reuse).map_or(&[][..], |(fits, _)| fits);
+        let last = slot.last.as_ref().filter(|l| plan.reuse && l.levels.1 == map_size);
+        // A caster outside the box that the kept maps were drawn of may lie before their near planes.
+        let kept = last.filter(|l| encloses(l.casters, self.scene.bounds)).map_or(&[][..], |l| &l.levels.0);
         let levels = self.levels(technique, &plan, map_size, kept);
+        let casters = match last {
+            Some(last) if levels.draws.is_empty() => last.casters,
+            _ => self.scene.bounds,
+        };
+        let has_moved = last.is_some_and(|l| l.pose != self.pose);
+        let can_refresh = |level: &u32| {
+            has_moved && !levels.draws.contains(level) && levels.fits[*level as usize].extent_world.x > 0.0
+        };
+        let refreshes = (0..levels.fits.len() as u32).filter(can_refresh).collect();
         let projection = levels.fits.first().map_or(bytemuck::Zeroable::zeroed(), |fit| fit.projection);
         let test = technique.map_test().map_or(Vec4::ZERO, |(test, _)| test_params(test));
         let shadow = ShadowParams {
@@ -278,6 +290,7 @@ impl Session {
         let map = technique.map_test().map(|_| DepthMapJob {
             levels: levels.fits.iter().map(depth_params).collect(),
             draws: levels.draws,
+            refreshes,
             filter: FilterParams { test, map_size, sigma: FILTER_SIGMA, pad: UVec2::ZERO },
         });
         let mask = technique.mask.map(|m| self.mask_params(&m, &slot, (&levels.fits, map_size)));
@@ -288,6 +301,7 @@ impl Session {
             pose: self.pose,
             camera: self.camera,
             levels: (levels.fits, map_size),
+            casters,
         });
         (job, slot)
     }
@@ -348,7 +362,7 @@ impl Session {
             light: homogeneous_light(&self.setup),
             frame: slot.frame,
             still_pattern: mask.pattern.to_index(),
-            moving_pattern: mask.moving_pattern.to_index(),
+            moving_pattern: mask.moving_pattern_for(self.scene.stats.masked_triangles > 0).to_index(),
             flags,
             depth_tolerance: DEPTH_CONSISTENCY_TOLERANCE,
             pad0: 0,
@@ -373,6 +387,11 @@ fn make_backend(packed: PackedScene, kind: BackendKind) -> Result<Box<dyn Backen
         }
         BackendKind::Auto => Ok(Box::new(CpuBackend::new(packed))),
     }
+}
+
+/// Whether one box lies in another, surfaces included.
+fn encloses(outer: Bounds, inner: Bounds) -> bool {
+    outer.contains(inner.min) && outer.contains(inner.max)
 }
 
 fn sun_direction(setup: &Setup) -> Vec3 {

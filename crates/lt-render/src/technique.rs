@@ -113,8 +113,8 @@ pub struct TemporalMask {
     pub removal: Removal,
     /// Neighbours asked where pixels stand still.
     pub pattern: Pattern,
-    /// Neighbours asked where pixels move.
-    pub moving_pattern: Pattern,
+    /// Neighbours asked where pixels move; `None` leaves it to the scene ([`TemporalMask::moving_pattern_for`]).
+    pub moving_pattern: Option<Pattern>,
     /// The temporal depth test: a pixel where the last frame saw another surface counts as not found.
     pub depth_test: bool,
 }
@@ -128,9 +128,15 @@ impl TemporalMask {
             expands: true,
             removal: Removal::Still,
             pattern: Pattern::GATHER_2X2,
-            moving_pattern: Pattern::FULL_3X3,
+            moving_pattern: None,
             depth_test: matches!(test, MapTest::Esm | MapTest::Msm | MapTest::MsmHausdorff),
         }
+    }
+
+    /// Neighbours asked where pixels move: leaves have edges everywhere, and a wider look pays for its rays there.
+    pub fn moving_pattern_for(&self, has_holes: bool) -> Pattern {
+        let by_scene = if has_holes { Pattern::DIAMOND } else { Pattern::FULL_3X3 };
+        self.moving_pattern.unwrap_or(by_scene)
     }
 }
 
@@ -269,9 +275,13 @@ impl Technique {
             (
                 "pattern=P",
                 "lt-: neighbours asked where pixels stand still: 3x3, plus, cross, checkerboard, alternating, \
-                 gather (default: a 2×2 jittered over 4 frames), 5x5",
+                 gather (default: a 2×2 jittered over 4 frames), 5x5, diamond (13 within two steps)",
             ),
-            ("moving=P", "lt-: neighbours asked where pixels move: the same names (default 3x3)"),
+            (
+                "moving=P",
+                "lt-: neighbours asked where pixels move: the same names (default 3x3; diamond where casters have \
+                 holes)",
+            ),
             (
                 "depth-test",
                 "lt-: a pixel that the last frame saw at another depth counts as new (default: esm, msm)",
@@ -332,7 +342,7 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
     let mut base = *default;
     if mask.removal == Removal::Published {
         write!(f, ":published")?;
-        base = TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..base };
+        base = TemporalMask { removal: Removal::Published, moving_pattern: Some(mask.pattern), ..base };
     }
     if mask.removal == Removal::Never {
         write!(f, ":no-rr")?;
@@ -343,8 +353,8 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
     if mask.pattern != base.pattern {
         write!(f, ":pattern={}", pattern_name(mask.pattern))?;
     }
-    if mask.moving_pattern != base.moving_pattern {
-        write!(f, ":moving={}", pattern_name(mask.moving_pattern))?;
+    if let Some(pattern) = mask.moving_pattern.filter(|_| mask.moving_pattern != base.moving_pattern) {
+        write!(f, ":moving={}", pattern_name(pattern))?;
     }
     match (mask.depth_test, base.depth_test) {
         (true, false) => write!(f, ":depth-test"),
@@ -354,7 +364,7 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
 }
 
 /// Patterns by the names that ids use.
-const PATTERNS: [(&str, Pattern); 7] = [
+const PATTERNS: [(&str, Pattern); 8] = [
     ("3x3", Pattern::FULL_3X3),
     ("plus", Pattern::PLUS),
     ("cross", Pattern::CROSS),
@@ -362,6 +372,7 @@ const PATTERNS: [(&str, Pattern); 7] = [
     ("alternating", Pattern::ALTERNATING),
     ("gather", Pattern::GATHER_2X2),
     ("5x5", Pattern::FULL_5X5),
+    ("diamond", Pattern::DIAMOND),
 ];
 
 fn pattern_name(pattern: Pattern) -> &'static str {
@@ -453,16 +464,19 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                 "no-rr" => mask.removal = Removal::Never,
                 "no-er" => mask.expands = false,
                 "published" => {
-                    *mask =
-                        TemporalMask { removal: Removal::Published, moving_pattern: mask.pattern, ..*mask };
+                    *mask = TemporalMask {
+                        removal: Removal::Published,
+                        moving_pattern: Some(mask.pattern),
+                        ..*mask
+                    };
                 }
                 "pattern" => {
                     mask.pattern = parse_pattern(key, value)?;
                     if mask.removal == Removal::Published {
-                        mask.moving_pattern = mask.pattern;
+                        mask.moving_pattern = Some(mask.pattern);
                     }
                 }
-                "moving" => mask.moving_pattern = parse_pattern(key, value)?,
+                "moving" => mask.moving_pattern = Some(parse_pattern(key, value)?),
                 _ => mask.depth_test = key == "depth-test",
             }
         }

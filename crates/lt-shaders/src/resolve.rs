@@ -1,16 +1,14 @@
 //! The resolve pass: a shadow ray from a visible sample to the light.
 
-use lt_bvh::{AnyHit, FAR, Ray, offset_origin};
+use lt_bvh::{AnyHit, Ray, offset_origin};
 use lt_math::glam::Vec4;
 
-use crate::{abi::Sample, evaluate::to_light, geometry::Geometry};
+use crate::{abi::Sample, geometry::Geometry};
 
 /// The ray from just above a sample to the light: t runs to 1 at a point light, without end to a directional one.
 #[inline]
 pub fn shadow_ray(sample: &Sample, light: Vec4) -> Ray {
-    let origin = offset_origin(sample.position, sample.normal, sample.magnitude);
-    let tmax = if light.w == 0.0 { FAR } else { 1.0 };
-    Ray { origin, tmin: 0.0, direction: to_light(origin, light), tmax }
+    Ray::to_light(offset_origin(sample.position, sample.normal, sample.magnitude), light)
 }
 
 /// The truth about one light-facing sample: 1 if the light is seen, 0 if it is blocked.

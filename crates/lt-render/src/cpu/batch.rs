@@ -17,10 +17,10 @@ use lt_shaders::evaluate::{GatheredDepths, TestFromParams, Verdict, doubt, evalu
 use super::shortcut::Shortcut;
 
 /// Pixels of a batch: its arrays stay in the first-level cache. Measured: 128 take 1.4 times as long, 32 as long.
-const BATCH: usize = 64;
+pub(super) const BATCH: usize = 64;
 
 /// A number for every pixel of a batch.
-type Lanes = [f32; BATCH];
+pub(super) type Lanes = [f32; BATCH];
 
 /// Estimate and doubt of many pixels from a map of plain depths, by a test that has a batch form.
 ///
@@ -64,7 +64,7 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
 
 /// What a batch reads of a light's maps.
 #[derive(Clone, Copy)]
-struct Maps<'a> {
+pub(super) struct Maps<'a> {
     projections: &'a [LightProjection],
     /// Map after map.
     depths: &'a [f32],
@@ -94,7 +94,7 @@ fn evaluate_on<T: BatchTest, const LTT: bool>(
 }
 
 #[cfg(target_arch = "x86_64")]
-mod x86 {
+pub(super) mod x86 {
     //! The same loops for x86-64 extensions.
     use super::{BatchTest, Maps, Sample, ShadowParams, evaluate_all};
 
@@ -194,13 +194,13 @@ fn evaluate_each<T: BatchTest, const LTT: bool>(
 }
 
 /// Settled: nothing visible, or facing away.
-const BLOCKED: u32 = 0;
+pub(super) const BLOCKED: u32 = 0;
 /// Settled: receives no shadow.
-const LIT: u32 = 1;
+pub(super) const LIT: u32 = 1;
 /// Not settled, and outside the map.
 const OUTSIDE: u32 = 2;
 /// For the map to say.
-const MAPPED: u32 = 3;
+pub(super) const MAPPED: u32 = 3;
 
 /// What the gathers of a batch found, seen from the receivers. Pixels that the map does not answer have numbers, too.
 pub struct Footprints {
@@ -210,16 +210,16 @@ pub struct Footprints {
 }
 
 /// The parts of a batch's samples that evaluation reads, each in a row of its own.
-struct Rows {
-    position: [Lanes; 3],
-    normal: [Lanes; 3],
+pub(super) struct Rows {
+    pub(super) position: [Lanes; 3],
+    pub(super) normal: [Lanes; 3],
     flags: [u32; BATCH],
 }
 
 impl Rows {
     /// By four samples at a time, whose vectors are transposed in registers: left alone, compilers make seven gathers.
     #[inline(always)]
-    fn of(samples: &[Sample; BATCH]) -> Self {
+    pub(super) fn of(samples: &[Sample; BATCH]) -> Self {
         let mut rows = Self { position: [[0.0; BATCH]; 3], normal: [[0.0; BATCH]; 3], flags: [0; BATCH] };
         for (group, four) in samples.as_chunks::<4>().0.iter().enumerate() {
             let at = 4 * group..4 * group + 4;
@@ -238,7 +238,7 @@ impl Rows {
 
     /// [`lt_shaders::evaluate::settle`]: `BLOCKED`, `LIT`, or `MAPPED` if that settles nothing.
     #[inline(always)]
-    fn settle(&self, light: [f32; 4]) -> [u32; BATCH] {
+    pub(super) fn settle(&self, light: [f32; 4]) -> [u32; BATCH] {
         let [x, y, z] = &self.position;
         let [nx, ny, nz] = &self.normal;
         let [lx, ly, lz, lw] = light;

@@ -1,62 +1,64 @@
-//! The temporal mask on the CPU: histories in tile order, two that take turns.
+//! The temporal mask on the CPU: histories in blocks, two that take turns.
 
-use lt_mask::MaskBits;
-use lt_math::glam::{UVec2, Vec3};
-use lt_shaders::abi::{MaskParams, Sample};
-use lt_shaders::mask::{HistorySource, bits_after_ray, mask, seen_depth};
+use lt_mask::{MaskBits, Pattern};
+use lt_shaders::abi::MaskParams;
 use rayon::prelude::*;
 
+use super::asks::Asks;
+use super::mask_batch::Frames;
+use super::planes::{BlockBits, PIECE, pack, store_piece};
 use super::tiles::{BLOCK, Tiles};
 use crate::MaskEffects;
 
 /// What one technique remembers of its last frame, and what it is about to remember of this one.
 #[derive(Default)]
 pub struct History {
-    /// The last frame's bits and this one's, a byte a pixel.
-    bits: [Vec<u8>; 2],
-    /// The same for depths along the view axis; empty without the temporal depth test.
+    /// The last frame's bits and this one's, a block each.
+    bits: [Vec<BlockBits>; 2],
+    /// The same for depths along the view axis, in tile order; empty without the temporal depth test.
     depths: [Vec<f32>; 2],
+    /// What the last frame's neighbourhoods ask for.
+    asks: Asks,
     /// Which of the two is this frame's.
     current: usize,
 }
 
-/// What the camera pass found, in tile order.
-#[derive(Clone, Copy)]
-pub struct Seen<'a> {
-    /// The order.
-    pub tiles: Tiles,
-    /// Visible samples.
-    pub samples: &'a [Sample],
-    /// Where they were in the last frame; empty if only the camera moves.
-    pub previous: &'a [Vec3],
+/// A history in a frame's midst.
+pub struct Open<'a> {
+    /// What the mask reads.
+    pub frames: Frames<'a>,
+    /// What it writes, by block.
+    pub blocks: Vec<Memory<'a>>,
 }
 
-/// The last frame as the kernel reads it.
-#[derive(Clone, Copy)]
-struct Last<'a> {
-    tiles: Tiles,
-    bits: &'a [u8],
-    depths: &'a [f32],
+/// What one block remembers of this frame.
+pub struct Memory<'a> {
+    /// The three bits.
+    pub bits: &'a mut BlockBits,
+    /// Depths along the view axis; empty without the temporal depth test.
+    pub depths: &'a mut [f32],
 }
 
-impl HistorySource for Last<'_> {
-    #[inline]
-    fn bits(&self, pixel: UVec2) -> MaskBits {
-        MaskBits::from_bits(u32::from(self.bits[self.tiles.index(pixel)]))
-    }
-    #[inline]
-    fn depth(&self, pixel: UVec2) -> f32 {
-        self.depths[self.tiles.index(pixel)]
+impl Memory<'_> {
+    /// After the block's rays: remembers what they found.
+    pub fn learn(&mut self, visibility: &[f32], is_doubted: &[bool]) {
+        let pieces = visibility.as_chunks::<PIECE>().0.iter().zip(is_doubted.as_chunks::<PIECE>().0);
+        for (piece, (visibility, is_traced)) in pieces.enumerate() {
+            let is_hit = std::array::from_fn(|i| {
+                u8::from(is_traced[i]) & u8::from(lt_mask::is_test_shadowed(visibility[i]))
+            });
+            store_piece(&mut self.bits.hit, piece, pack(&is_hit));
+        }
     }
 }
 
 impl History {
     /// Starts a frame: what was this frame becomes the last. Makes what the effects need and frees what they do not.
     pub fn begin(&mut self, tiles: Tiles, effects: Option<MaskEffects>) {
-        let bits = if effects.is_some() { tiles.len() } else { 0 };
+        let blocks = if effects.is_some() { tiles.len() / BLOCK } else { 0 };
         let depths = if effects.is_some_and(|e| e.depth_test) { tiles.len() } else { 0 };
         for buffer in &mut self.bits {
-            buffer.resize(bits, 0);
+            buffer.resize(blocks, BlockBits::default());
         }
         for buffer in &mut self.depths {
             buffer.resize(depths, 0.0);
@@ -64,94 +66,24 @@ impl History {
         self.current = 1 - self.current;
     }
 
-    /// Runs the mask kernel over all pixels.
-    pub fn correct(
-        &mut self,
-        seen: Seen<'_>,
-        p: &MaskParams,
-        effects: MaskEffects,
-        visibility: &mut [f32],
-        is_doubted: &mut [bool],
-    ) {
-        match (effects.motion, effects.depth_test) {
-            (false, false) => self.with_rules::<false, false>(seen, p, effects, visibility, is_doubted),
-            (false, true) => self.with_rules::<false, true>(seen, p, effects, visibility, is_doubted),
-            (true, false) => self.with_rules::<true, false>(seen, p, effects, visibility, is_doubted),
-            (true, true) => self.with_rules::<true, true>(seen, p, effects, visibility, is_doubted),
-        }
-    }
-
-    fn with_rules<const MOTION: bool, const DEPTH: bool>(
-        &mut self,
-        seen: Seen<'_>,
-        p: &MaskParams,
-        effects: MaskEffects,
-        visibility: &mut [f32],
-        is_doubted: &mut [bool],
-    ) {
-        match (effects.expands, effects.removes) {
-            (true, true) => self.run::<MOTION, DEPTH, true, true>(seen, p, visibility, is_doubted),
-            (true, false) => self.run::<MOTION, DEPTH, true, false>(seen, p, visibility, is_doubted),
-            (false, _) => self.run::<MOTION, DEPTH, false, true>(seen, p, visibility, is_doubted),
-        }
-    }
-
-    fn run<const MOTION: bool, const DEPTH: bool, const EXPANDS: bool, const REMOVES: bool>(
-        &mut self,
-        seen: Seen<'_>,
-        p: &MaskParams,
-        visibility: &mut [f32],
-        is_doubted: &mut [bool],
-    ) {
+    /// Hears the last frame's neighbourhoods, and opens this frame's memory for [`super::mask_batch::mask_block`] to fill.
+    pub fn open<'a>(&'a mut self, tiles: Tiles, params: &'a MaskParams, effects: MaskEffects) -> Open<'a> {
         let [first, second] = &mut self.bits;
-        let (last_bits, bits) = if self.current == 1 { (first, second) } else { (second, first) };
+        let (last, bits) = if self.current == 1 { (first, second) } else { (second, first) };
         let [first, second] = &mut self.depths;
         let (last_depths, depths) = if self.current == 1 { (first, second) } else { (second, first) };
-        let last = Last { tiles: seen.tiles, bits: last_bits, depths: last_depths };
-        let blocks = seen
-            .samples
-            .par_chunks(BLOCK)
-            .zip(visibility.par_chunks_mut(BLOCK))
-            .zip(is_doubted.par_chunks_mut(BLOCK))
-            .zip(bits.par_chunks_mut(BLOCK));
-        blocks.enumerate().for_each(|(block, (((samples, visibility), is_doubted), bits))| {
-            for (i, sample) in samples.iter().enumerate() {
-                let Some(px) = seen.tiles.pixel(block, i) else { continue };
-                let previous = seen.previous.get(block * BLOCK + i).copied().unwrap_or(sample.position);
-                let masked =
-                    mask::<_, MOTION, DEPTH, EXPANDS, REMOVES>(px, sample, previous, visibility[i], p, last);
-                visibility[i] = masked.visibility;
-                is_doubted[i] = masked.needs_ray;
-                bits[i] = masked.bits.to_bits() as u8;
-            }
-        });
-        if DEPTH {
-            let both = depths.par_chunks_mut(BLOCK).zip(seen.samples.par_chunks(BLOCK));
-            both.for_each(|(depths, samples)| {
-                for (depth, sample) in depths.iter_mut().zip(samples) {
-                    *depth = seen_depth(sample, &p.current);
-                }
-            });
-        }
-    }
-
-    /// After the resolve pass: remembers what the rays found.
-    pub fn learn(&mut self, visibility: &[f32], is_doubted: &[bool]) {
-        let bits = self.bits[self.current].par_chunks_mut(BLOCK);
-        let blocks = bits.zip(visibility.par_chunks(BLOCK)).zip(is_doubted.par_chunks(BLOCK));
-        blocks.for_each(|((bits, visibility), is_doubted)| {
-            for ((bits, &visibility), &is_traced) in bits.iter_mut().zip(visibility).zip(is_doubted) {
-                if is_traced {
-                    let before = MaskBits::from_bits(u32::from(*bits));
-                    *bits = bits_after_ray(before, visibility).to_bits() as u8;
-                }
-            }
-        });
+        let patterns = [params.still_pattern, params.moving_pattern].map(Pattern::from_index);
+        self.asks.hear(tiles, last, patterns, params.frame);
+        let frames = Frames { tiles, params, effects, asks: &self.asks, last_depths };
+        let mut depths = depths.chunks_mut(BLOCK);
+        let blocks = bits.iter_mut().map(|bits| Memory { bits, depths: depths.next().unwrap_or(&mut []) });
+        Open { frames, blocks: blocks.collect() }
     }
 
     /// This frame's bits, row by row.
     pub fn rows(&self, tiles: Tiles) -> Vec<MaskBits> {
-        let words = tiles.to_rows(&self.bits[self.current]);
-        words.into_iter().map(|b| MaskBits::from_bits(u32::from(b))).collect()
+        let tiled: Vec<MaskBits> =
+            self.bits[self.current].par_iter().flat_map_iter(BlockBits::in_tile_order).collect();
+        tiles.to_rows(&tiled)
     }
 }

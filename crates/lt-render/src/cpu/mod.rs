@@ -3,39 +3,39 @@
 //! The same input gives the same bits for any number of threads: every pixel is computed alone, and the only order
 //! that matters (the depth test's) is a minimum.
 
+mod asks;
 mod batch;
 mod history;
+mod kept_map;
+mod mask_batch;
+mod planes;
 mod raster;
+mod shadow;
 mod shortcut;
 mod tiles;
 
 use std::time::Instant;
 
-use history::{History, Seen};
+use history::History;
+use kept_map::{Draw, StillMap};
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer};
 use lt_math::glam::{UVec2, Vec3, Vec4};
-use lt_math::{
-    Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
-};
-use lt_shaders::abi::{CameraParams, FilterParams, Material, Sample, ShadeParams, ShadowParams};
+use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
+use lt_shaders::abi::{CameraParams, FilterParams, Sample, ShadeParams};
 use lt_shaders::camera::{
     ColorSource, ColorTextures, NoColorTextures, previous_position, primary_ray, sample_at_hit,
 };
-use lt_shaders::evaluate::{
-    FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels, settle,
-};
+use lt_shaders::evaluate::settle;
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
-use lt_shaders::resolve::shadow_ray;
 use lt_shaders::shade::shade;
 use lt_shaders::surface::Coverage;
 use rayon::prelude::*;
+use shadow::PixelMs;
 use tiles::{BLOCK, Tiles};
 
 use crate::packed::Trees;
-use crate::{
-    Backend, EffectPlan, Frame, FrameJob, MapSource, MapTest, PackedScene, Pass, PassKind, RenderError,
-};
+use crate::{Backend, EffectPlan, Frame, FrameJob, MapTest, PackedScene, Pass, PassKind, RenderError};
 
 pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 
@@ -55,12 +55,16 @@ pub struct CpuBackend {
     slot: usize,
     rays: u64,
     passes: Vec<Pass>,
+    /// Times of the running frame's passes over pixels, once they have run.
+    pixel_ms: Option<PixelMs>,
 }
 
 /// One technique's map and history.
 #[derive(Default)]
 struct Slot {
     depths: Vec<f32>,
+    /// Of every level, what stands still.
+    still: Vec<StillMap>,
     rows: Vec<Vec4>,
     vectors: Vec<Vec4>,
     history: History,
@@ -87,6 +91,7 @@ impl CpuBackend {
             slot: 0,
             rays: 0,
             passes: Vec::new(),
+            pixel_ms: None,
         }
     }
 }
@@ -158,9 +163,9 @@ impl Backend for CpuBackend {
         slot.rows.resize(vector_texels, Vec4::ZERO);
         slot.vectors.resize(vector_texels, Vec4::ZERO);
         slot.history.begin(self.tiles, job.plan.mask);
-        self.is_doubted.fill(false);
         self.rays = 0;
         self.passes.clear();
+        self.pixel_ms = None;
         Ok(())
     }
 
@@ -168,21 +173,32 @@ impl Backend for CpuBackend {
         let start = Instant::now();
         let slot = &mut self.slots[self.slot];
         match (kind, &job.map, job.plan.map) {
-            (PassKind::DepthMap, Some(map), _) => map.draws.iter().for_each(|&level| {
-                let depths = &mut slot.depths[map.texels(level)];
-                raster::draw_depths(&self.scene, &map.levels[level as usize], depths);
-            }),
-            (PassKind::FilterX, Some(map), Some((test, _))) => map.draws.iter().for_each(|&level| {
+            (PassKind::DepthMap, Some(map), _) => {
+                slot.still.resize_with(map.levels.len(), StillMap::default);
+                let whole = if job.plan.reuse { Draw::Whole } else { Draw::Once };
+                let draws = map.draws.iter().map(|level| (level, whole));
+                for (&level, draw) in draws.chain(map.refreshes.iter().map(|level| (level, Draw::Moving))) {
+                    let (params, depths) = (&map.levels[level as usize], &mut slot.depths[map.texels(level)]);
+                    slot.still[level as usize].draw(draw, &self.scene, params, depths);
+                }
+            }
+            (PassKind::FilterX, Some(map), Some((test, _))) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
                 blur_rows(test, &map.filter, &slot.depths[at.clone()], &mut slot.rows[at]);
             }),
-            (PassKind::FilterY, Some(map), _) => map.draws.iter().for_each(|&level| {
+            (PassKind::FilterY, Some(map), _) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
                 blur_columns(&map.filter, &slot.rows[at.clone()], &mut slot.vectors[at]);
             }),
-            (PassKind::Evaluate, _, Some((test, source))) => self.estimate(test, source, job),
-            (PassKind::Mask, ..) => self.correct(job),
-            (PassKind::Resolve, ..) => self.rays = self.resolve(job),
+            (PassKind::Evaluate | PassKind::Mask | PassKind::Resolve, ..) => {
+                // The first of these runs all of them.
+                if self.pixel_ms.is_none() {
+                    self.shadow(job);
+                }
+                let ms = self.pixel_ms.and_then(|ms| ms.of(kind));
+                self.passes.push(Pass { kind, ms });
+                return Ok(());
+            }
             _ => {}
         }
         self.passes.push(Pass { kind, ms: Some(milliseconds(start)) });
@@ -191,8 +207,10 @@ impl Backend for CpuBackend {
 
     fn finish(&mut self, job: &FrameJob) -> Result<Frame, RenderError> {
         let slot = &self.slots[self.slot];
-        let bytes =
-            size_of_val(&slot.depths[..]) + size_of_val(&slot.rows[..]) + size_of_val(&slot.vectors[..]);
+        let bytes = size_of_val(&slot.depths[..])
+            + slot.still.iter().map(StillMap::bytes).sum::<usize>()
+            + size_of_val(&slot.rows[..])
+            + size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
             let lit_side = |s: &Sample| !settle(s, job.shadow.light).1;
@@ -224,182 +242,6 @@ impl Backend for CpuBackend {
         );
         Ok(tiles.to_rows(&picture).into_iter().map(u32::to_le_bytes).collect())
     }
-}
-
-impl CpuBackend {
-    fn estimate(&mut self, test: MapTest, source: MapSource, job: &FrameJob) {
-        match test {
-            MapTest::Vsm if source == MapSource::Gather => self.estimate_batched::<Vsm>(job),
-            MapTest::Evsm if source == MapSource::Gather => self.estimate_batched::<Evsm>(job),
-            MapTest::Sm => self.estimate_with::<Sm>(source, job),
-            MapTest::Pcf => self.estimate_with::<Pcf>(source, job),
-            MapTest::Vsm => self.estimate_with::<Vsm>(source, job),
-            MapTest::Esm => self.estimate_with::<Esm>(source, job),
-            MapTest::Evsm => self.estimate_with::<Evsm>(source, job),
-            MapTest::Msm => self.estimate_with::<MsmHamburger>(source, job),
-            MapTest::MsmHausdorff => self.estimate_with::<MsmHausdorff>(source, job),
-        }
-    }
-
-    fn estimate_batched<T: BatchTest>(&mut self, job: &FrameJob) {
-        let depths = &self.slots[self.slot].depths[..];
-        let (p, has_doubts, levels) = (&job.shadow, job.plan.doubt_list, job.searched_levels());
-        let blocks = (self.samples.par_chunks(BLOCK))
-            .zip(self.visibility.par_chunks_mut(BLOCK))
-            .zip(self.is_doubted.par_chunks_mut(BLOCK));
-        blocks.for_each(|((samples, lit), doubted)| match (&levels, has_doubts) {
-            (None, false) => evaluate_batch::<T, false>(samples, p, depths, lit, doubted),
-            (None, true) => evaluate_batch::<T, true>(samples, p, depths, lit, doubted),
-            (Some(l), false) => evaluate_batch_levels::<T, false>(samples, p, l, depths, lit, doubted),
-            (Some(l), true) => evaluate_batch_levels::<T, true>(samples, p, l, depths, lit, doubted),
-        });
-    }
-
-    fn estimate_with<T: TestFromParams>(&mut self, source: MapSource, job: &FrameJob) {
-        let slot = &self.slots[self.slot];
-        let mut pixels = Estimated {
-            p: &job.shadow,
-            samples: &self.samples,
-            visibility: &mut self.visibility,
-            is_doubted: &mut self.is_doubted,
-        };
-        match source {
-            MapSource::Gather => {
-                pixels.estimate::<T, _>(GatheredDepths { depths: &slot.depths }, job);
-            }
-            MapSource::Prefiltered => {
-                pixels.estimate::<T, _>(FilteredVectors { vectors: &slot.vectors }, job);
-            }
-        }
-    }
-
-    /// The mask pass.
-    fn correct(&mut self, job: &FrameJob) {
-        let (Some(params), Some(effects)) = (&job.mask, job.plan.mask) else { return };
-        let seen = Seen {
-            tiles: self.tiles,
-            samples: &self.samples,
-            previous: if job.plan.object_motion { &self.previous } else { &[] },
-        };
-        let history = &mut self.slots[self.slot].history;
-        history.correct(seen, params, effects, &mut self.visibility, &mut self.is_doubted);
-    }
-
-    fn resolve(&mut self, job: &FrameJob) -> u64 {
-        let (scene, light, all) = (&self.scene, job.shadow.light, job.plan.trace_all);
-        let (samples, doubted, lit) = (&self.samples[..], &self.is_doubted[..], &mut self.visibility[..]);
-        let rays = match job.plan.alpha_test {
-            true => trace(scene, light, all, coverage(scene, Material::CASTS), samples, doubted, lit),
-            false => trace(scene, light, all, Opaque, samples, doubted, lit),
-        };
-        if job.plan.mask.is_some() {
-            self.slots[self.slot].history.learn(&self.visibility, &self.is_doubted);
-        }
-        rays
-    }
-}
-
-/// Traces the doubted pixels, or every one that faces the light; returns how many.
-fn trace<A: AnyHit + Sync>(
-    scene: &PackedScene,
-    light: Vec4,
-    trace_all: bool,
-    any_hit: A,
-    samples: &[Sample],
-    is_doubted: &[bool],
-    visibility: &mut [f32],
-) -> u64 {
-    let tracer = tracer(scene);
-    let blocks =
-        visibility.par_chunks_mut(BLOCK).zip(samples.par_chunks(BLOCK)).zip(is_doubted.par_chunks(BLOCK));
-    blocks
-        .map_init(Batch::default, |batch, ((visibility, samples), is_doubted)| {
-            batch.clear();
-            for (i, sample) in samples.iter().enumerate() {
-                if trace_all {
-                    let (verdict, is_settled) = settle(sample, light);
-                    visibility[i] = verdict.visibility;
-                    if !is_settled {
-                        batch.push(i, shadow_ray(sample, light));
-                    }
-                } else if is_doubted[i] {
-                    batch.push(i, shadow_ray(sample, light));
-                }
-            }
-            batch.trace(&tracer, any_hit, visibility)
-        })
-        .sum()
-}
-
-/// The rays of one block and the pixels they belong to.
-#[derive(Default)]
-struct Batch {
-    pixels: Vec<usize>,
-    rays: Vec<Ray>,
-    is_blocked: Vec<bool>,
-}
-
-impl Batch {
-    fn clear(&mut self) {
-        self.pixels.clear();
-        self.rays.clear();
-    }
-
-    fn push(&mut self, pixel: usize, ray: Ray) {
-        self.pixels.push(pixel);
-        self.rays.push(ray);
-    }
-
-    fn trace<A: AnyHit>(&mut self, tracer: &Simd<'_>, any_hit: A, visibility: &mut [f32]) -> u64 {
-        self.is_blocked.clear();
-        self.is_blocked.resize(self.rays.len(), false);
-        tracer.occluded_batch(&self.rays, any_hit, &mut self.is_blocked);
-        for (&pixel, &is_blocked) in self.pixels.iter().zip(&self.is_blocked) {
-            visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
-        }
-        self.rays.len() as u64
-    }
-}
-
-/// The pixels that the evaluate pass reads and writes.
-struct Estimated<'a> {
-    p: &'a ShadowParams,
-    samples: &'a [Sample],
-    visibility: &'a mut [f32],
-    is_doubted: &'a mut [bool],
-}
-
-impl Estimated<'_> {
-    fn estimate<T: TestFromParams, M: MapView + Sync>(&mut self, map: M, job: &FrameJob) {
-        let one = OneLevel { projection: self.p.projection };
-        match (job.searched_levels(), job.plan.doubt_list) {
-            (None, false) => self.run::<T, M, _, false>(map, one),
-            (None, true) => self.run::<T, M, _, true>(map, one),
-            (Some(all), false) => self.run::<T, M, _, false>(map, levels(&all)),
-            (Some(all), true) => self.run::<T, M, _, true>(map, levels(&all)),
-        }
-    }
-
-    fn run<T: TestFromParams, M: MapView + Sync, L: LevelSource + Sync, const LTT: bool>(
-        &mut self,
-        map: M,
-        levels: L,
-    ) {
-        let blocks = (self.samples.par_chunks(BLOCK))
-            .zip(self.visibility.par_chunks_mut(BLOCK))
-            .zip(self.is_doubted.par_chunks_mut(BLOCK));
-        blocks.for_each(|((samples, visibility), is_doubted)| {
-            for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
-                let verdict = evaluate_levels::<T, M, L, LTT>(sample, self.p, map, levels);
-                *visibility = verdict.visibility;
-                *is_doubted = verdict.is_doubted;
-            }
-        });
-    }
-}
-
-fn levels(projections: &[LightProjection]) -> Levels<'_> {
-    Levels { projections, count: projections.len() as u32 }
 }
 
 fn blur_rows(test: MapTest, p: &FilterParams, depths: &[f32], rows: &mut [Vec4]) {

@@ -7,6 +7,7 @@ use lt_shaders::abi::{DepthParams, Material, Vertex};
 use lt_shaders::depth::{corner, map_position, placed_corner, weights_at};
 use lt_shaders::surface::{blocks, corners_of};
 use rayon::prelude::*;
+use std::ops::Range;
 
 use crate::{PackedScene, packed::DrawRange};
 
@@ -18,6 +19,12 @@ const BAND: usize = 64;
 const BATCH: u32 = 1 << 18;
 /// Triangles one thread prepares at a time.
 const PREPARE: u32 = 1 << 12;
+/// Depths one thread clears at a time.
+const CLEAR: usize = 1 << 16;
+/// Layers of depth that triangles with holes are sorted into.
+const LAYERS: usize = 1024;
+/// Texels of a row that are compared together.
+const LANES: usize = 16;
 /// Corners farther out than this many texels are clamped, which keeps edge functions inside 63 bits.
 const GUARD_TEXELS: f32 = 1.0e6;
 
@@ -27,18 +34,53 @@ struct Prepared {
     /// Corners in texels; z is the depth.
     corners: [Vec3; 3],
     /// The same, snapped, in counter-clockwise order on a y-down map.
-    snapped: [[i64; 2]; 3],
+    snapped: [[i32; 2]; 3],
     triangle: u32,
     has_holes: bool,
 }
 
-/// Draws every caster of the scene into `map`: `map_size²` depths, row by row, 1 where nothing is.
-pub fn draw_depths(scene: &PackedScene, p: &DepthParams, map: &mut [f32]) {
-    let size = p.map_size as usize;
-    map.par_chunks_mut(BAND * size).for_each(|band| band.fill(1.0));
-    for batch in batches(scene.draws()) {
-        draw_batch(scene, p, &batch, map);
+/// Empties a map: 1 everywhere.
+pub fn clear(map: &mut [f32]) {
+    map.par_chunks_mut(CLEAR).for_each(|part| part.fill(1.0));
+}
+
+/// Draws casters into `map`: `map_size²` depths, row by row, each of which keeps the least that fell on it. Returns the
+/// rows that may have changed.
+pub fn draw_depths(
+    scene: &PackedScene,
+    draws: &[DrawRange],
+    p: &DepthParams,
+    map: &mut [f32],
+) -> Range<usize> {
+    let seen: Vec<DrawRange> = draws.iter().filter(|draw| may_appear(scene, p, draw)).copied().collect();
+    batches(&seen).iter().map(|batch| draw_batch(scene, p, batch, map)).fold(0..0, joined)
+}
+
+/// The least range that holds both; an empty one counts for nothing.
+fn joined(a: Range<usize>, b: Range<usize>) -> Range<usize> {
+    match (a.is_empty(), b.is_empty()) {
+        (true, _) => b,
+        (_, true) => a,
+        _ => a.start.min(b.start)..a.end.max(b.end),
     }
+}
+
+/// Whether any of a draw may fall on the map, by the box of its instance; without instances anything may.
+fn may_appear(scene: &PackedScene, p: &DepthParams, draw: &DrawRange) -> bool {
+    let Some(instance) = scene.instances().get(draw.instance as usize) else { return true };
+    let (low, high) = (instance.low_world, instance.high_world);
+    let corners: [Vec3; 8] = std::array::from_fn(|i| {
+        let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
+        map_position(&p.projection, Vec3::new(pick(0), pick(1), pick(2)), p.map_size)
+    });
+    // A texel of margin for rounding. Comparisons are false for NaN, which keeps the draw.
+    let size = p.map_size as f32;
+    let is_beyond = |beyond: &dyn Fn(Vec3) -> bool| corners.iter().all(|&c| beyond(c));
+    !(is_beyond(&|c| c.x < -1.0)
+        || is_beyond(&|c| c.y < -1.0)
+        || is_beyond(&|c| c.x > size + 1.0)
+        || is_beyond(&|c| c.y > size + 1.0)
+        || is_beyond(&|c| c.z > 1.0 + 1e-3))
 }
 
 /// Cuts and joins draws into lists of about [`BATCH`] triangles.
@@ -63,32 +105,66 @@ fn batches(draws: &[DrawRange]) -> Vec<Vec<DrawRange>> {
     batches
 }
 
-fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &mut [f32]) {
-    let size = p.map_size as usize;
-    let prepared: Vec<Prepared> = draws
-        .par_iter()
-        .flat_map_iter(|draw| {
-            let triangles = draw.first_triangle..draw.first_triangle + draw.triangles;
-            triangles.filter_map(|i| prepare(scene, p, draw, i, &scene.triangles()[i as usize]))
-        })
-        .collect();
-    let mut bands: Vec<Vec<u32>> = vec![Vec::new(); size.div_ceil(BAND)];
-    for (i, t) in prepared.iter().enumerate() {
-        let (low, high) = rows_of(t, size);
-        for band in bands.iter_mut().take(high.div_ceil(BAND)).skip(low / BAND) {
-            band.push(i as u32);
+/// Triangles that one thread prepared, and which of them each band of rows meets.
+struct Piece {
+    triangles: Vec<Prepared>,
+    bands: Vec<Vec<u32>>,
+    rows: Range<usize>,
+}
+
+impl Piece {
+    fn of(scene: &PackedScene, p: &DepthParams, draw: &DrawRange) -> Self {
+        let size = p.map_size as usize;
+        let range = draw.first_triangle..draw.first_triangle + draw.triangles;
+        let mut piece =
+            Self { triangles: Vec::new(), bands: vec![Vec::new(); size.div_ceil(BAND)], rows: 0..0 };
+        for i in range {
+            let Some(t) = prepare(scene, p, draw, i, &scene.triangles()[i as usize]) else { continue };
+            let (low, high) = rows_of(&t, size);
+            for band in &mut piece.bands[low / BAND..high.div_ceil(BAND)] {
+                band.push(piece.triangles.len() as u32);
+            }
+            piece.rows = joined(piece.rows, low..high);
+            piece.triangles.push(t);
         }
+        piece
     }
-    map.par_chunks_mut(BAND * size).zip(bands).enumerate().for_each(|(band, (rows, mut members))| {
+}
+
+fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &mut [f32]) -> Range<usize> {
+    let size = p.map_size as usize;
+    let pieces: Vec<Piece> = draws.par_iter().map(|draw| Piece::of(scene, p, draw)).collect();
+    let has_holes = draws.iter().any(|d| d.has_holes);
+    map.par_chunks_mut(BAND * size).enumerate().for_each(|(band, rows)| {
+        let members = pieces.iter().flat_map(|p| p.bands[band].iter().map(|&i| &p.triangles[i as usize]));
+        let mut draw = |t: &Prepared| draw_triangle(scene, t, band * BAND, size, rows);
         // Nearest first where casters have holes: what lies behind then fails the depth test before it costs an alpha
         // test. The map is the same in any order.
-        if draws.iter().any(|d| d.has_holes) {
-            members.sort_by_cached_key(|&i| prepared[i as usize].nearest().to_bits());
-        }
-        for i in members {
-            draw_triangle(scene, &prepared[i as usize], band * BAND, size, rows);
+        match has_holes {
+            true => nearest_first(members.collect()).into_iter().for_each(&mut draw),
+            false => members.for_each(&mut draw),
         }
     });
+    pieces.into_iter().map(|p| p.rows).fold(0..0, joined)
+}
+
+/// Sorts by the least depth, as finely as [`LAYERS`] tell: a counting sort.
+fn nearest_first(members: Vec<&Prepared>) -> Vec<&Prepared> {
+    let layer = |t: &Prepared| (t.nearest() * LAYERS as f32) as usize;
+    let mut ends = [0; LAYERS + 1];
+    members.iter().for_each(|t| ends[layer(t)] += 1);
+    let mut total = 0;
+    for end in &mut ends {
+        total += *end;
+        *end = total;
+    }
+    let mut sorted = members.clone();
+    for t in members {
+        let end = &mut ends[layer(t)];
+        *end -= 1;
+        sorted[*end] = t;
+    }
+    sorted
 }
 
 fn prepare(
@@ -103,7 +179,9 @@ fn prepare(
         placed => placed_corner(t, i, &placed[draw.instance as usize]),
     };
     let corners = [0, 1, 2].map(|i| map_position(&p.projection, world(i), p.map_size));
-    let snap = |x: f32| (x.clamp(-GUARD_TEXELS, GUARD_TEXELS) * SUBTEXEL).round_ties_even() as i64;
+    if !corners.iter().any(|c| c.z < 1.0) {
+        return None;
+    }
     let mut snapped = corners.map(|c| [snap(c.x), snap(c.y)]);
     let area = edge(snapped[0], snapped[1], snapped[2]);
     if area == 0 {
@@ -114,20 +192,32 @@ fn prepare(
     }
     let has_holes = draw.has_holes && !t.is_opaque();
     let prepared = Prepared { corners, snapped, triangle: index, has_holes };
-    let (low, high) = rows_of(&prepared, p.map_size as usize);
-    let (left, right) = span(prepared.snapped.map(|c| c[0]), p.map_size as usize);
-    (low < high && left < right && corners.iter().any(|c| c.z < 1.0)).then_some(prepared)
+    let size = p.map_size as usize;
+    let is_on_map = [0, 1].iter().all(|&axis| {
+        let (low, high) = span(snapped.map(|c| c[axis]), size);
+        low < high
+    });
+    is_on_map.then_some(prepared)
+}
+
+/// A coordinate in texels as a whole number of subtexels, ties to even.
+fn snap(x: f32) -> i32 {
+    let scaled = x.clamp(-GUARD_TEXELS, GUARD_TEXELS) * SUBTEXEL;
+    // Adding 1.5·2⁵² rounds an f64 to a whole number without a call.
+    const ROUNDER: f64 = 6_755_399_441_055_744.0;
+    ((f64::from(scaled) + ROUNDER) - ROUNDER) as i32
 }
 
 impl Prepared {
-    /// The least depth of a corner, not below 0, so that its bits sort as it does.
+    /// The least depth of a corner, in [0, 1].
     fn nearest(&self) -> f32 {
         self.corners.iter().fold(1.0, |least: f32, c| least.min(c.z)).max(0.0)
     }
 }
 
 /// Twice the signed area of a triangle of snapped points.
-fn edge(a: [i64; 2], b: [i64; 2], c: [i64; 2]) -> i64 {
+fn edge(a: [i32; 2], b: [i32; 2], c: [i32; 2]) -> i64 {
+    let [a, b, c] = [a, b, c].map(|p| p.map(i64::from));
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
@@ -137,12 +227,12 @@ fn rows_of(t: &Prepared, size: usize) -> (usize, usize) {
 }
 
 /// First and one past the last texel whose centre lies between the least and the greatest of three snapped numbers.
-fn span(at: [i64; 3], size: usize) -> (usize, usize) {
+fn span(at: [i32; 3], size: usize) -> (usize, usize) {
     let (low, high) = (at[0].min(at[1]).min(at[2]), at[0].max(at[1]).max(at[2]));
     // A centre lies at 256·i + 128.
-    let first = (low - 128).div_euclid(256) + i64::from((low - 128).rem_euclid(256) != 0);
-    let last = (high - 128).div_euclid(256) + 1;
-    let clamp = |x: i64| x.clamp(0, size as i64) as usize;
+    let first = (low + 127) >> 8;
+    let last = ((high - 128) >> 8) + 1;
+    let clamp = |x: i32| x.clamp(0, size as i32) as usize;
     (clamp(first), clamp(last))
 }
 
@@ -156,7 +246,8 @@ struct Edge {
 
 impl Edge {
     /// From a to b, evaluated at texel centres, with the top-left rule as an offset of one unit.
-    fn new(a: [i64; 2], b: [i64; 2]) -> Self {
+    fn new(a: [i32; 2], b: [i32; 2]) -> Self {
+        let [a, b] = [a, b].map(|p| p.map(i64::from));
         let (dx, dy) = (-(b[1] - a[1]), b[0] - a[0]);
         // y points down and the inside is to the right of an edge that goes up.
         let is_top_left = dx > 0 || (dx == 0 && dy > 0);
@@ -190,14 +281,16 @@ fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usiz
         for e in &edges {
             e.narrow(row as i64, &mut low, &mut high);
         }
-        let depths = &mut rows[(row - first_row) * size..][..size];
-        for column in low..high {
-            let centre = Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
-            let depth = plane.at(centre);
-            let stored = &mut depths[column as usize];
-            let is_nearer = depth < *stored && depth >= 0.0;
-            if is_nearer && holes.as_ref().is_none_or(|h| h.is_covered(t, centre)) {
-                *stored = depth;
+        if low >= high {
+            continue;
+        }
+        let depths = &mut rows[(row - first_row) * size..][low as usize..high as usize];
+        let y = row as f32 + 0.5;
+        for (group, stored) in depths.chunks_mut(LANES).enumerate() {
+            let first = low as usize + group * LANES;
+            match &holes {
+                None => plane.draw(first, y, stored),
+                Some(holes) => plane.draw_where(first, y, stored, |centre| holes.is_covered(t, centre)),
             }
         }
     }
@@ -244,9 +337,40 @@ impl DepthPlane {
         Self { origin: corners[0], gradient, low: z[0].min(z[1]).min(z[2]), high: z[0].max(z[1]).max(z[2]) }
     }
 
-    fn at(&self, p: Vec2) -> f32 {
-        let offset = (p - self.origin.truncate()).dot(self.gradient);
-        (self.origin.z + offset).clamp(self.low, self.high)
+    #[inline(always)]
+    fn at(&self, x: f32, y: f32) -> f32 {
+        let offset = (x - self.origin.x) * self.gradient.x + (y - self.origin.y) * self.gradient.y;
+        let depth = self.origin.z + offset;
+        let depth = if depth < self.low { self.low } else { depth };
+        if depth > self.high { self.high } else { depth }
+    }
+
+    /// Draws neighbours in a row, the first of them texel `first`; y is their centres'.
+    #[inline(always)]
+    fn draw(&self, first: usize, y: f32, stored: &mut [f32]) {
+        for (i, stored) in stored.iter_mut().enumerate() {
+            let depth = self.at((first + i) as f32 + 0.5, y);
+            *stored = if depth < *stored && depth >= 0.0 { depth } else { *stored };
+        }
+    }
+
+    /// [`DepthPlane::draw`] of the centres that are covered. Most texels that a leaf falls on are nearer already: the
+    /// others are found together.
+    #[inline(always)]
+    fn draw_where(&self, first: usize, y: f32, stored: &mut [f32], is_covered: impl Fn(Vec2) -> bool) {
+        let mut depths = [0.0; LANES];
+        let mut nearer = 0u32;
+        for (i, (depth, stored)) in depths.iter_mut().zip(&*stored).enumerate() {
+            *depth = self.at((first + i) as f32 + 0.5, y);
+            nearer |= u32::from(*depth < *stored && *depth >= 0.0) << i;
+        }
+        while nearer != 0 {
+            let i = nearer.trailing_zeros() as usize;
+            nearer &= nearer - 1;
+            if is_covered(Vec2::new((first + i) as f32 + 0.5, y)) {
+                stored[i] = depths[i];
+            }
+        }
     }
 }
 
@@ -256,7 +380,6 @@ mod tests {
 
     fn covered(corners: [[f32; 2]; 3], size: usize) -> Vec<bool> {
         let corners = corners.map(|c| Vec3::new(c[0], c[1], 0.5));
-        let snap = |x: f32| (x * SUBTEXEL).round_ties_even() as i64;
         let mut snapped = corners.map(|c| [snap(c.x), snap(c.y)]);
         if edge(snapped[0], snapped[1], snapped[2]) < 0 {
             snapped.swap(1, 2);

@@ -27,10 +27,20 @@ impl Tiles {
         (self.columns * self.rows) as usize * BLOCK
     }
 
+    /// Blocks in a row of blocks.
+    #[inline]
+    pub fn columns(&self) -> u32 {
+        self.columns
+    }
+
+    /// The pixel at a block's upper left corner.
+    pub fn origin(&self, block: usize) -> UVec2 {
+        UVec2::new(block as u32 % self.columns, block as u32 / self.columns) * SIDE
+    }
+
     /// The pixel of position `index` in block `block`, or `None` in the padding.
     pub fn pixel(&self, block: usize, index: usize) -> Option<UVec2> {
-        let origin = UVec2::new(block as u32 % self.columns, block as u32 / self.columns) * SIDE;
-        let px = origin + UVec2::new(even_bits(index as u32), even_bits(index as u32 >> 1));
+        let px = self.origin(block) + UVec2::new(even_bits(index as u32), even_bits(index as u32 >> 1));
         px.cmplt(self.size).all().then_some(px)
     }
 

@@ -222,7 +222,7 @@ impl Recorder {
     ) -> Result<(), RenderError> {
         let slot = self.slot(frame, job)?;
         let (Some(map), Some(map_job)) = (&slot.map, &job.map) else { return Err(self.unprepared()) };
-        for &level in &map_job.draws {
+        for level in map_job.drawn() {
             self.draw_level(encoder, scene, map, &map_job.levels[level as usize])?;
             encoder.copy_texture_to_buffer(
                 wgpu::TexelCopyTextureInfo {
@@ -305,7 +305,7 @@ impl Recorder {
         };
         let Some([rows, vectors]) = &map.filtered else { return Err(self.unprepared()) };
         let uniform = self.allocator.filled("filter", &[map_job.filter], Usage::UNIFORM)?;
-        for &level in &map_job.draws {
+        for level in map_job.drawn() {
             let name = match kind {
                 PassKind::FilterX => format!("filter_x_{}_cs", test.id().replace('-', "_")),
                 _ => "filter_y_cs".to_owned(),

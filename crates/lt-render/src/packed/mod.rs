@@ -4,6 +4,7 @@
 //! a TLAS, unless the scene is small enough that copies cost less than a second level of traversal.
 
 mod meshes;
+mod moving;
 mod textures;
 
 use lt_bvh::{BuildQuality, Bvh, Dropped, Instance, InstancedBvh, Node, Placement, Triangle};
@@ -69,6 +70,8 @@ pub struct PackedScene {
     alpha_texels: Vec<u32>,
     color_texels: Vec<u32>,
     draws: Vec<DrawRange>,
+    still_draws: Vec<DrawRange>,
+    moving_draws: Vec<DrawRange>,
     bounds: Bounds,
     stats: PackStats,
     previous_positions: Vec<Vec4>,
@@ -120,6 +123,8 @@ impl PackedScene {
             alpha_texels: textures.alpha_texels,
             color_texels: textures.color_texels,
             draws,
+            still_draws: Vec::new(),
+            moving_draws: Vec::new(),
             bounds: scene.bounds(),
             stats,
             previous_positions: Vec::new(),
@@ -127,6 +132,8 @@ impl PackedScene {
         packed.stats.bvh_bytes = (size_of_val(packed.nodes())
             + size_of_val(packed.triangles())
             + size_of_val(packed.instances())) as u64;
+        let moving = moving::moving_vertices(scene, &groups);
+        (packed.still_draws, packed.moving_draws) = moving::split(&packed.draws, packed.triangles(), &moving);
         Ok(packed)
     }
 
@@ -222,6 +229,16 @@ impl PackedScene {
     /// What the depth map pass draws.
     pub fn draws(&self) -> &[DrawRange] {
         &self.draws
+    }
+
+    /// The part of [`PackedScene::draws`] that stands still in every pose.
+    pub fn still_draws(&self) -> &[DrawRange] {
+        &self.still_draws
+    }
+
+    /// The part of [`PackedScene::draws`] that moves.
+    pub fn moving_draws(&self) -> &[DrawRange] {
+        &self.moving_draws
     }
 }
 

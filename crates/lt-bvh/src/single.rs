@@ -1,0 +1,36 @@
+//! One ray against one triangle, outside of any tree.
+
+use crate::any_hit::AnyHit;
+use crate::node::Node;
+use crate::ray::Ray;
+use crate::slab::{Slab, WHOLE_RAY};
+use crate::triangle::{Shear, Triangle};
+
+/// A ray ready to be put to triangles one by one, for structures that find their candidates in another way than a tree of boxes.
+///
+/// The answer of [`occluded`](crate::occluded) is whether [`RayTest::is_blocked_by`] holds for any triangle of the tree.
+#[derive(Clone, Copy)]
+pub struct RayTest {
+    ray: Ray,
+    slab: Slab,
+    shear: Shear,
+}
+
+impl RayTest {
+    /// Prepares a ray for the triangles of the tree whose root is `root`: the root's box is what the margins of the test are in
+    /// proportion to. `None` for a ray that hits nothing ([`Ray::is_valid`]).
+    #[inline]
+    pub fn new(ray: &Ray, root: &Node) -> Option<Self> {
+        ray.is_valid().then(|| RayTest { ray: *ray, slab: root.slab(ray), shear: Shear::new(ray) })
+    }
+
+    /// Whether `triangle`, which `any_hit` knows as `index`, blocks the ray.
+    #[inline]
+    pub fn is_blocked_by<A: AnyHit>(&self, triangle: &Triangle, index: u32, any_hit: A) -> bool {
+        let hit = self.shear.intersect(&self.ray, &self.slab, triangle, WHOLE_RAY);
+        hit.is_hit
+            && hit.t > self.ray.tmin
+            && hit.t < self.ray.tmax
+            && (triangle.is_opaque() || any_hit.accepts(index, hit.u, hit.v))
+    }
+}

@@ -1,0 +1,365 @@
+//! Several f32 at once, and lists that are thinned out by a mask: AVX-512, AVX2, or plain arrays.
+//!
+//! Unlike the lanes of lt-bvh, nothing here need round as the scalar operation does: what these compute has margins.
+
+/// Lanes and how to compute with them.
+pub(crate) trait Lanes: Copy {
+    /// [`Lanes::WIDTH`] f32.
+    type F: Copy;
+    const WIDTH: usize;
+    /// The first lanes' worth of `from`, which must be that long.
+    fn load(self, from: &[f32]) -> Self::F;
+    fn splat(self, x: f32) -> Self::F;
+    fn add(self, a: Self::F, b: Self::F) -> Self::F;
+    fn sub(self, a: Self::F, b: Self::F) -> Self::F;
+    fn mul(self, a: Self::F, b: Self::F) -> Self::F;
+    fn div(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a · b + c, rounded once or twice.
+    fn mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    /// −(a · b) + c, rounded once or twice.
+    fn neg_mul_add(self, a: Self::F, b: Self::F, c: Self::F) -> Self::F;
+    fn min(self, a: Self::F, b: Self::F) -> Self::F;
+    fn max(self, a: Self::F, b: Self::F) -> Self::F;
+    /// A bit per lane where a ≤ b; clear where either is NaN.
+    fn le(self, a: Self::F, b: Self::F) -> u32;
+    /// A bit per lane where a < b; clear where either is NaN.
+    fn lt(self, a: Self::F, b: Self::F) -> u32;
+    /// Writes the lanes whose bit is set to the start of `to`, in order; what follows them is unspecified. `to` holds
+    /// [`Lanes::WIDTH`] at least.
+    fn compress(self, mask: u32, from: Self::F, to: &mut [f32]);
+    /// The same of the first [`Lanes::WIDTH`] words of `from`.
+    fn compress_words(self, mask: u32, from: &[u32], to: &mut [u32]);
+}
+
+/// The lanes of a processor: eight for the children of a node or the triangles of a block, more where it has them for points.
+pub(crate) trait Level: Copy {
+    type Eight: Lanes;
+    type Points: Lanes;
+    fn eight(self) -> Self::Eight;
+    fn points(self) -> Self::Points;
+}
+
+/// Plain arrays of eight, for every processor.
+#[derive(Clone, Copy)]
+pub(crate) struct Portable;
+
+#[inline(always)]
+fn zip(a: [f32; 8], b: [f32; 8], f: impl Fn(f32, f32) -> f32) -> [f32; 8] {
+    core::array::from_fn(|i| f(a[i], b[i]))
+}
+
+#[inline(always)]
+fn bits(a: [f32; 8], b: [f32; 8], holds: impl Fn(f32, f32) -> bool) -> u32 {
+    let mut mask = 0;
+    for i in 0..8 {
+        mask |= u32::from(holds(a[i], b[i])) << i;
+    }
+    mask
+}
+
+#[inline(always)]
+fn pack<T: Copy>(mut mask: u32, from: &[T], to: &mut [T]) {
+    let mut len = 0;
+    while mask != 0 {
+        to[len] = from[mask.trailing_zeros() as usize];
+        mask &= mask - 1;
+        len += 1;
+    }
+}
+
+impl Lanes for Portable {
+    type F = [f32; 8];
+    const WIDTH: usize = 8;
+    #[inline(always)]
+    fn load(self, from: &[f32]) -> [f32; 8] {
+        let mut lanes = [0.0; 8];
+        lanes.copy_from_slice(&from[..8]);
+        lanes
+    }
+    #[inline(always)]
+    fn splat(self, x: f32) -> [f32; 8] {
+        [x; 8]
+    }
+    #[inline(always)]
+    fn add(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        zip(a, b, |a, b| a + b)
+    }
+    #[inline(always)]
+    fn sub(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        zip(a, b, |a, b| a - b)
+    }
+    #[inline(always)]
+    fn mul(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        zip(a, b, |a, b| a * b)
+    }
+    #[inline(always)]
+    fn div(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        zip(a, b, |a, b| a / b)
+    }
+    #[inline(always)]
+    fn mul_add(self, a: [f32; 8], b: [f32; 8], c: [f32; 8]) -> [f32; 8] {
+        core::array::from_fn(|i| a[i] * b[i] + c[i])
+    }
+    #[inline(always)]
+    fn neg_mul_add(self, a: [f32; 8], b: [f32; 8], c: [f32; 8]) -> [f32; 8] {
+        core::array::from_fn(|i| c[i] - a[i] * b[i])
+    }
+    #[inline(always)]
+    fn min(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        zip(a, b, |a, b| if a < b { a } else { b })
+    }
+    #[inline(always)]
+    fn max(self, a: [f32; 8], b: [f32; 8]) -> [f32; 8] {
+        zip(a, b, |a, b| if a > b { a } else { b })
+    }
+    #[inline(always)]
+    fn le(self, a: [f32; 8], b: [f32; 8]) -> u32 {
+        bits(a, b, |a, b| a <= b)
+    }
+    #[inline(always)]
+    fn lt(self, a: [f32; 8], b: [f32; 8]) -> u32 {
+        bits(a, b, |a, b| a < b)
+    }
+    #[inline(always)]
+    fn compress(self, mask: u32, from: [f32; 8], to: &mut [f32]) {
+        pack(mask, &from, to);
+    }
+    #[inline(always)]
+    fn compress_words(self, mask: u32, from: &[u32], to: &mut [u32]) {
+        pack(mask, &from[..8], to);
+    }
+}
+
+impl Level for Portable {
+    type Eight = Portable;
+    type Points = Portable;
+    #[inline(always)]
+    fn eight(self) -> Portable {
+        self
+    }
+    #[inline(always)]
+    fn points(self) -> Portable {
+        self
+    }
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+pub(crate) mod x86 {
+    //! The same on x86-64 extensions.
+    use super::{Lanes, Level};
+    use core::arch::x86_64::*;
+
+    /// Proof that the processor has AVX2, FMA, BMI1, BMI2 and POPCNT.
+    #[derive(Clone, Copy)]
+    pub(crate) struct Avx2(());
+
+    /// Proof that the processor has AVX-512F and AVX-512VL as well; eight lanes.
+    #[derive(Clone, Copy)]
+    pub(crate) struct Avx512(Avx2);
+
+    /// The same proof; sixteen lanes.
+    #[derive(Clone, Copy)]
+    pub(crate) struct Avx512Points(Avx512);
+
+    impl Avx2 {
+        pub fn detect() -> Option<Self> {
+            let has = std::is_x86_feature_detected!("avx2")
+                && std::is_x86_feature_detected!("fma")
+                && std::is_x86_feature_detected!("bmi1")
+                && std::is_x86_feature_detected!("bmi2")
+                && std::is_x86_feature_detected!("popcnt");
+            has.then_some(Avx2(()))
+        }
+    }
+
+    impl Avx512 {
+        pub fn detect() -> Option<Self> {
+            let has = std::is_x86_feature_detected!("avx512f") && std::is_x86_feature_detected!("avx512vl");
+            Avx2::detect().filter(|_| has).map(Avx512)
+        }
+    }
+
+    /// For each mask of eight bits, the positions of its set bits: what AVX2 has in place of a compress instruction.
+    static ORDER: [[u32; 8]; 256] = order();
+
+    const fn order() -> [[u32; 8]; 256] {
+        let mut table = [[0; 8]; 256];
+        let mut mask = 0;
+        while mask < 256 {
+            let (mut bit, mut len) = (0, 0);
+            while bit < 8 {
+                if mask >> bit & 1 == 1 {
+                    table[mask][len] = bit;
+                    len += 1;
+                }
+                bit += 1;
+            }
+            mask += 1;
+        }
+        table
+    }
+
+    /// A method of which the body is one or two instructions, safe because `self` proves that the processor has them.
+    macro_rules! instruction {
+        ($name:ident($($argument:ident: $type:ty),*) -> $result:ty, $body:expr) => {
+            #[inline(always)]
+            fn $name(self, $($argument: $type),*) -> $result {
+                // SAFETY: `self` proves that the processor has the instruction, which touches no memory.
+                unsafe { $body }
+            }
+        };
+    }
+
+    /// What all three have in common.
+    macro_rules! common {
+        (
+            $register:ty, $width:literal, $load:ident, $splat:ident, $add:ident, $sub:ident, $mul:ident,
+            $div:ident, $mul_add:ident, $neg_mul_add:ident, $min:ident, $max:ident
+        ) => {
+            type F = $register;
+            const WIDTH: usize = $width;
+            #[inline(always)]
+            fn load(self, from: &[f32]) -> $register {
+                let from: &[f32] = &from[..$width];
+                // SAFETY: `self` proves the instruction; so many f32 are readable, and it asks for no alignment.
+                unsafe { $load(from.as_ptr()) }
+            }
+            instruction!(splat(x: f32) -> $register, $splat(x));
+            instruction!(add(a: $register, b: $register) -> $register, $add(a, b));
+            instruction!(sub(a: $register, b: $register) -> $register, $sub(a, b));
+            instruction!(mul(a: $register, b: $register) -> $register, $mul(a, b));
+            instruction!(div(a: $register, b: $register) -> $register, $div(a, b));
+            instruction!(mul_add(a: $register, b: $register, c: $register) -> $register, $mul_add(a, b, c));
+            instruction!(neg_mul_add(a: $register, b: $register, c: $register) -> $register, $neg_mul_add(a, b, c));
+            instruction!(min(a: $register, b: $register) -> $register, $min(a, b));
+            instruction!(max(a: $register, b: $register) -> $register, $max(a, b));
+        };
+    }
+
+    macro_rules! eight {
+        () => {
+            common!(
+                __m256,
+                8,
+                _mm256_loadu_ps,
+                _mm256_set1_ps,
+                _mm256_add_ps,
+                _mm256_sub_ps,
+                _mm256_mul_ps,
+                _mm256_div_ps,
+                _mm256_fmadd_ps,
+                _mm256_fnmadd_ps,
+                _mm256_min_ps,
+                _mm256_max_ps
+            );
+        };
+    }
+
+    impl Lanes for Avx2 {
+        eight!();
+        instruction!(le(a: __m256, b: __m256) -> u32, _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)) as u32);
+        instruction!(lt(a: __m256, b: __m256) -> u32, _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(a, b)) as u32);
+        #[inline(always)]
+        fn compress(self, mask: u32, from: __m256, to: &mut [f32]) {
+            let to = &mut to[..8];
+            // SAFETY: `self` proves AVX2; a row of the table is eight words, and eight f32 of `to` are writable.
+            unsafe {
+                let order = _mm256_loadu_si256(ORDER[mask as usize & 255].as_ptr().cast());
+                _mm256_storeu_ps(to.as_mut_ptr(), _mm256_permutevar8x32_ps(from, order));
+            }
+        }
+        #[inline(always)]
+        fn compress_words(self, mask: u32, from: &[u32], to: &mut [u32]) {
+            let (from, to) = (&from[..8], &mut to[..8]);
+            // SAFETY: `self` proves AVX2; a row of the table is eight words, and so many are readable and writable.
+            unsafe {
+                let order = _mm256_loadu_si256(ORDER[mask as usize & 255].as_ptr().cast());
+                let packed = _mm256_permutevar8x32_epi32(_mm256_loadu_si256(from.as_ptr().cast()), order);
+                _mm256_storeu_si256(to.as_mut_ptr().cast(), packed);
+            }
+        }
+    }
+
+    impl Lanes for Avx512 {
+        eight!();
+        instruction!(le(a: __m256, b: __m256) -> u32, u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a, b)));
+        instruction!(lt(a: __m256, b: __m256) -> u32, u32::from(_mm256_cmp_ps_mask::<_CMP_LT_OQ>(a, b)));
+        #[inline(always)]
+        fn compress(self, mask: u32, from: __m256, to: &mut [f32]) {
+            let to = &mut to[..8];
+            // SAFETY: `self` proves the instructions; eight f32 are writable. Compressing to memory is several times slower.
+            unsafe { _mm256_storeu_ps(to.as_mut_ptr(), _mm256_maskz_compress_ps(mask as u8, from)) }
+        }
+        #[inline(always)]
+        fn compress_words(self, mask: u32, from: &[u32], to: &mut [u32]) {
+            let (from, to) = (&from[..8], &mut to[..8]);
+            // SAFETY: `self` proves the instructions; eight words are readable and writable.
+            unsafe {
+                let packed =
+                    _mm256_maskz_compress_epi32(mask as u8, _mm256_loadu_si256(from.as_ptr().cast()));
+                _mm256_storeu_si256(to.as_mut_ptr().cast(), packed);
+            }
+        }
+    }
+
+    impl Lanes for Avx512Points {
+        common!(
+            __m512,
+            16,
+            _mm512_loadu_ps,
+            _mm512_set1_ps,
+            _mm512_add_ps,
+            _mm512_sub_ps,
+            _mm512_mul_ps,
+            _mm512_div_ps,
+            _mm512_fmadd_ps,
+            _mm512_fnmadd_ps,
+            _mm512_min_ps,
+            _mm512_max_ps
+        );
+        instruction!(le(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b)));
+        instruction!(lt(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b)));
+        #[inline(always)]
+        fn compress(self, mask: u32, from: __m512, to: &mut [f32]) {
+            let to = &mut to[..16];
+            // SAFETY: `self` proves the instructions; sixteen f32 are writable. Compressing to memory is several times slower.
+            unsafe { _mm512_storeu_ps(to.as_mut_ptr(), _mm512_maskz_compress_ps(mask as u16, from)) }
+        }
+        #[inline(always)]
+        fn compress_words(self, mask: u32, from: &[u32], to: &mut [u32]) {
+            let (from, to) = (&from[..16], &mut to[..16]);
+            // SAFETY: `self` proves the instructions; sixteen words are readable and writable.
+            unsafe {
+                let packed =
+                    _mm512_maskz_compress_epi32(mask as u16, _mm512_loadu_si512(from.as_ptr().cast()));
+                _mm512_storeu_si512(to.as_mut_ptr().cast(), packed);
+            }
+        }
+    }
+
+    impl Level for Avx2 {
+        type Eight = Avx2;
+        type Points = Avx2;
+        #[inline(always)]
+        fn eight(self) -> Avx2 {
+            self
+        }
+        #[inline(always)]
+        fn points(self) -> Avx2 {
+            self
+        }
+    }
+
+    impl Level for Avx512 {
+        type Eight = Avx512;
+        type Points = Avx512Points;
+        #[inline(always)]
+        fn eight(self) -> Avx512 {
+            self
+        }
+        #[inline(always)]
+        fn points(self) -> Avx512Points {
+            Avx512Points(self)
+        }
+    }
+}

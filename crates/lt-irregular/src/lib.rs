@@ -1,0 +1,49 @@
+#![no_std]
+//! Shadow queries in the light's own space: points against triangles, with the ray tracer's answers bit for bit.
+//!
+//! # The idea
+//!
+//! All shadow rays of a sun are parallel, and all rays to a lamp meet in it. In the light's own space ([`View`]) such a ray is a **point**,
+//! "is it blocked?" is "does a triangle contain the point in 2D and lie beyond it?", bounds are rectangles with a nearness, and nothing
+//! divides. Structures over triangles, over points or over both then answer the same question.
+//!
+//! # One arithmetic
+//!
+//! A ray's answer in this project is a function of ray and triangle alone: that of the ray tracer's watertight test, f32 rounding
+//! included. Here the question is first put to planes in light space (`planes.rs`), which say *surely inside and beyond*, *surely not*, or
+//! *unsure*: within a proven bound on all rounding of both computations. What is unsure is put to the ray tracer's own test
+//! (`lt_bvh::RayTest`), with the very ray that it would shoot. So every structure on every instruction set gives the ray tracer's bits **by
+//! construction**, alpha-tested casters included: those always ask it, for the barycentric weights.
+//!
+//! # Structures
+//!
+//! - [`LightBvh`]: a tree over the triangles, for a light that stands still.
+//!
+//! # Conventions
+//!
+//! Lights are homogeneous (w = 0: a sun, `xyz` towards it; w = 1: a position). Rays are those of `lt_bvh::Ray::to_light`. Triangles are
+//! the ray tracer's ([`Casters`]) and are named by their place there, which is how an `AnyHit` knows them.
+
+extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
+
+mod block;
+mod casters;
+mod lanes;
+mod level;
+mod light_bvh;
+mod planes;
+mod rect;
+mod split;
+mod tree;
+mod validate;
+mod view;
+mod walk;
+
+pub use casters::Casters;
+pub use level::Instructions;
+pub use light_bvh::{LightBvh, Scratch};
+pub use rect::Rect;
+pub use validate::Invalid;
+pub use view::{Bounds, LightPoint, View};

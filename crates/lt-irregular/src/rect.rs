@@ -1,0 +1,197 @@
+//! Rectangles with a nearness: what a point must lie in and behind for a triangle to block it.
+//!
+//! The ray tracer says yes only to rays that meet the triangle's box widened by 16εR, at most 20εR with the slab test's own rounding: so to
+//! none of nearness beyond that of the box, and for slivers to none beside the projection of the box. Of a triangle that is no
+//! sliver the projection of the triangle itself will do: if a point outside of its rectangle passed all three edge tests, all three vertices would be seen
+//! from it within an angle of 4ε, and the triangle would be a sliver. Vertices and point are off by 5εD, 2.5εD and 2.5εD.
+
+use crate::planes::EPSILON;
+use crate::view::{Rays, View, permute};
+use lt_bvh::Triangle;
+use lt_math::glam::{DVec3, Vec3};
+
+/// Margin of place for triangles that are no slivers, of nearness for all: in units of R.
+const MARGIN: f32 = 32.0 * EPSILON;
+/// Margin of place for slivers: that of a box, sheared.
+const BOX_MARGIN: f32 = 80.0 * EPSILON;
+/// Closer to a positioned light than this, in units of D, a triangle is clipped before its slopes are bounded.
+const CLIP: f32 = 1e-3;
+
+/// A rectangle of light space and the largest nearness in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rect {
+    /// Least x.
+    pub x0: f32,
+    /// Largest x.
+    pub x1: f32,
+    /// Least y.
+    pub y0: f32,
+    /// Largest y.
+    pub y1: f32,
+    /// Largest nearness; a point of more is blocked by nothing inside.
+    pub z: f32,
+}
+
+impl Rect {
+    /// Holds nothing.
+    pub const EMPTY: Self = Self {
+        x0: f32::INFINITY,
+        x1: f32::NEG_INFINITY,
+        y0: f32::INFINITY,
+        y1: f32::NEG_INFINITY,
+        z: f32::NEG_INFINITY,
+    };
+
+    /// The smallest rectangle over both.
+    #[inline(always)]
+    pub fn union(&self, other: &Self) -> Self {
+        let min = |a: f32, b: f32| if a < b { a } else { b };
+        let max = |a: f32, b: f32| if a > b { a } else { b };
+        Rect {
+            x0: min(self.x0, other.x0),
+            x1: max(self.x1, other.x1),
+            y0: min(self.y0, other.y0),
+            y1: max(self.y1, other.y1),
+            z: max(self.z, other.z),
+        }
+    }
+
+    /// Whether `inner` lies within.
+    pub fn holds(&self, inner: &Self) -> bool {
+        self.x0 <= inner.x0
+            && self.x1 >= inner.x1
+            && self.y0 <= inner.y0
+            && self.y1 >= inner.y1
+            && self.z >= inner.z
+    }
+
+    /// Area; that of an empty one is 0.
+    #[inline(always)]
+    pub fn area(&self) -> f32 {
+        let (w, h) = (self.x1 - self.x0, self.y1 - self.y0);
+        if w > 0.0 && h > 0.0 { w * h } else { 0.0 }
+    }
+
+    fn with(self, x: f32, y: f32) -> Self {
+        Rect { x0: self.x0.min(x), x1: self.x1.max(x), y0: self.y0.min(y), y1: self.y1.max(y), z: self.z }
+    }
+
+    fn widened(self, margin: f32) -> Self {
+        Rect {
+            x0: self.x0 - margin,
+            x1: self.x1 + margin,
+            y0: self.y0 - margin,
+            y1: self.y1 + margin,
+            ..self
+        }
+    }
+
+    /// The rectangle of a triangle; see the [module](self). `None` where the view cannot see it.
+    #[inline(always)]
+    pub(crate) fn of_triangle(view: &View, triangle: &Triangle, is_sliver: bool) -> Option<Self> {
+        let corners = [triangle.v0, triangle.v1, triangle.v2];
+        match view.rays {
+            Rays::Parallel { shear, middle } => {
+                let v = corners.map(|v| permute(v, view.axis) - middle);
+                let z = v.map(|v| view.sign * v.z);
+                let mut rect = Rect { z: z[0].max(z[1]).max(z[2]) + MARGIN * view.reach, ..Self::EMPTY };
+                let flat = |r: Rect, v: Vec3| r.with(v.x - shear.x * v.z, v.y - shear.y * v.z);
+                if is_sliver {
+                    let (low, high) = (v[0].min(v[1]).min(v[2]), v[0].max(v[1]).max(v[2]));
+                    rect = (0..8).fold(rect, |r, corner| flat(r, pick(low, high, corner)));
+                    return Some(rect.widened(BOX_MARGIN * view.reach));
+                }
+                rect = v.into_iter().fold(rect, flat);
+                Some(rect.widened(MARGIN * view.size))
+            }
+            Rays::Converging { light } => {
+                let r = corners.map(|v| {
+                    let r = permute(v, view.axis) - light;
+                    // x / z is the slope either way; distance along the face's axis is −sign · z.
+                    r * -view.sign
+                });
+                Self::seen(view, r, is_sliver)
+            }
+        }
+    }
+
+    /// Of a triangle given relative to the light, with its distance along the face's axis as z.
+    fn seen(view: &View, r: [Vec3; 3], is_sliver: bool) -> Option<Self> {
+        let (low, high) = (r[0].min(r[1]).min(r[2]), r[0].max(r[1]).max(r[2]));
+        let margin = if is_sliver { BOX_MARGIN } else { MARGIN } * view.reach;
+        let near = low.z - MARGIN * view.reach;
+        if high.z + margin < 0.0 {
+            return None;
+        }
+        let mut rect = Self::EMPTY;
+        rect.z = f32::INFINITY;
+        if near > CLIP * view.size {
+            rect.z = 1.0 / near * (1.0 + 8.0 * EPSILON);
+            // Not clipped: slopes of vertices, or of the corners of the box.
+            if is_sliver {
+                rect = (0..8).map(|c| pick(low, high, c)).fold(rect, |q, v| q.with(v.x / v.z, v.y / v.z));
+            } else {
+                rect = r.into_iter().fold(rect, |q, v| q.with(v.x / v.z, v.y / v.z));
+            }
+            rect = rect.widened(2.0 * margin / near);
+        } else if is_sliver {
+            rect = Rect { x0: -1.0, x1: 1.0, y0: -1.0, y1: 1.0, ..rect };
+        } else {
+            rect = clipped(view, r)?;
+        }
+        let is_seen = rect.x0 <= 1.0 && rect.x1 >= -1.0 && rect.y0 <= 1.0 && rect.y1 >= -1.0;
+        is_seen.then_some(rect)
+    }
+}
+
+/// Corner 0 to 7 of a box.
+#[inline(always)]
+fn pick(low: Vec3, high: Vec3, corner: u32) -> Vec3 {
+    Vec3::new(
+        if corner & 1 == 0 { low.x } else { high.x },
+        if corner & 2 == 0 { low.y } else { high.y },
+        if corner & 4 == 0 { low.z } else { high.z },
+    )
+}
+
+/// The rectangle of what lies in the face's pyramid, somewhat widened, of a triangle that comes close to the light's own plane.
+fn clipped(view: &View, r: [Vec3; 3]) -> Option<Rect> {
+    let full = Rect { x0: -1.0, x1: 1.0, y0: -1.0, y1: 1.0, z: f32::INFINITY };
+    let shift = f64::from(view.size) * 1e-4;
+    let mut polygon = [DVec3::ZERO; 8];
+    let mut len = 3;
+    polygon[..3].copy_from_slice(&r.map(|v| v.as_dvec3()));
+    for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
+        let inside = |v: DVec3| 1.001 * v.z + shift - sign * v[axis];
+        let (from, count) = (polygon, len);
+        len = 0;
+        for i in 0..count {
+            let (a, b) = (from[i], from[(i + 1) % count]);
+            let (da, db) = (inside(a), inside(b));
+            if da >= 0.0 {
+                polygon[len] = a;
+                len += 1;
+            }
+            if (da < 0.0) != (db < 0.0) {
+                polygon[len] = a + (b - a) * (da / (da - db));
+                len += 1;
+            }
+            if len == 8 {
+                return Some(full);
+            }
+        }
+        if len == 0 {
+            return None;
+        }
+    }
+    let mut rect = Rect { z: f32::INFINITY, ..Rect::EMPTY };
+    let mut near = f32::INFINITY;
+    for v in &polygon[..len] {
+        near = near.min(v.z as f32);
+        if near <= CLIP * view.size {
+            return Some(full);
+        }
+        rect = rect.with((v.x / v.z) as f32, (v.y / v.z) as f32);
+    }
+    Some(rect.widened(2.0 * MARGIN * view.reach / near))
+}

@@ -1,0 +1,128 @@
+//! Whether a tree is what it should be.
+
+use crate::block::{ASKS, NOBODY};
+use crate::casters::Casters;
+use crate::rect::Rect;
+use crate::tree::{LEAF, Tree, items};
+use alloc::vec::Vec;
+use core::fmt;
+
+/// What is wrong with a structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Invalid {
+    /// A node's rectangle does not hold all that lies below it.
+    Rectangle {
+        /// The node.
+        node: u32,
+    },
+    /// A triangle is not found, or more often than once, or not as it should be.
+    Triangle {
+        /// The triangle.
+        triangle: u32,
+    },
+}
+
+impl fmt::Display for Invalid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Invalid::Rectangle { node } => write!(f, "a rectangle of node {node} is too small"),
+            Invalid::Triangle { triangle } => {
+                write!(f, "triangle {triangle} is missing, doubled or out of place")
+            }
+        }
+    }
+}
+
+impl core::error::Error for Invalid {}
+
+impl Tree {
+    /// Checks that every triangle that the view can see is in the tree once, and that all rectangles hold what lies below them.
+    ///
+    /// # Errors
+    /// The first fault found.
+    pub fn validate(&self, casters: Casters<'_>) -> Result<(), Invalid> {
+        let mut rects: Vec<Option<Rect>> = alloc::vec![None; casters.triangles.len()];
+        for item in items(&self.view, casters) {
+            rects[item.triangle as usize] = Some(item.rect);
+        }
+        if !self.nodes.is_empty() {
+            self.check(0, casters, &mut rects)?;
+        }
+        let missing = rects.iter().position(Option::is_some);
+        missing.map_or(Ok(()), |triangle| Err(Invalid::Triangle { triangle: triangle as u32 }))
+    }
+
+    /// Checks a subtree, takes its triangles out of `rects`, and returns its rectangle.
+    fn check(&self, node: u32, casters: Casters<'_>, rects: &mut [Option<Rect>]) -> Result<Rect, Invalid> {
+        let mut all = Rect::EMPTY;
+        for (slot, &link) in self.nodes[node as usize].links.iter().enumerate() {
+            let rect = self.nodes[node as usize].rect(slot);
+            if rect.x0 > rect.x1 {
+                continue;
+            }
+            let mut below = Rect::EMPTY;
+            if link & LEAF == 0 {
+                below = self.check(link, casters, rects)?;
+            } else {
+                for id in self.block(link).ids.into_iter().filter(|id| *id != NOBODY) {
+                    let triangle = id & !ASKS;
+                    let asks = casters.triangles.get(triangle as usize).is_some_and(|t| !t.is_opaque());
+                    let found = rects.get_mut(triangle as usize).and_then(Option::take);
+                    let Some(rect) = found.filter(|_| asks == (id & ASKS != 0)) else {
+                        return Err(Invalid::Triangle { triangle });
+                    };
+                    below = below.union(&rect);
+                }
+            }
+            if !rect.holds(&below) {
+                return Err(Invalid::Rectangle { node });
+            }
+            all = all.union(&rect);
+        }
+        Ok(all)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::view::{Bounds, View};
+    use lt_bvh::{BuildQuality, Bvh};
+    use lt_math::glam::{Vec3, Vec4};
+
+    fn small() -> (Bvh, Bounds) {
+        let mut positions = Vec::new();
+        let mut triangles = Vec::new();
+        for i in 0..40u32 {
+            let at = Vec3::new(i as f32, (i * 7 % 11) as f32, (i * 3 % 5) as f32);
+            positions.extend([at, at + Vec3::X, at + Vec3::Y]);
+            triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+        }
+        let bounds = positions.iter().fold(Bounds::EMPTY, |b, p| b.with(*p));
+        (Bvh::build(&positions, &triangles, |_| true, BuildQuality::Fast).unwrap(), bounds)
+    }
+
+    #[test]
+    fn faults_are_found() {
+        let (bvh, bounds) = small();
+        let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+        let view = View::of_light(Vec4::new(0.1, 0.2, 1.0, 0.0), bounds, casters.root).next().unwrap();
+        let tree = Tree::build(view, casters);
+        assert_eq!(tree.validate(casters), Ok(()));
+        let mut bad = tree.clone();
+        bad.nodes[0].x1[0] -= 0.01;
+        assert!(matches!(bad.validate(casters), Err(Invalid::Rectangle { .. })));
+        let mut bad = tree.clone();
+        bad.nodes[0].z[1] -= 100.0;
+        assert!(matches!(bad.validate(casters), Err(Invalid::Rectangle { .. })));
+        let mut bad = tree.clone();
+        bad.blocks[0].ids[0] = bad.blocks[0].ids[1];
+        assert!(matches!(bad.validate(casters), Err(Invalid::Triangle { .. })));
+        let mut bad = tree.clone();
+        bad.blocks[0].ids[0] = NOBODY;
+        assert!(matches!(bad.validate(casters), Err(Invalid::Triangle { .. })));
+        let mut bad = tree;
+        bad.blocks[0].ids[0] |= ASKS;
+        assert!(matches!(bad.validate(casters), Err(Invalid::Triangle { .. })));
+    }
+}

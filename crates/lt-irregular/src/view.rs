@@ -1,0 +1,202 @@
+//! The light's own space: where a shadow ray is a point and "blocked" is "inside a triangle and beyond its plane".
+//!
+//! A [`View`] maps shadow rays to points (X, Y, Z) and triangles to planes that are **affine in X and Y**, for a sun and for a light
+//! with a position alike:
+//!
+//! | | X, Y | Z, larger towards the light |
+//! |---|---|---|
+//! | sun | the ray tracer's shear: x − sₓz, y − s_yz | z along the shear's axis |
+//! | face of a positioned light | slopes of the ray, which are the ray tracer's sₓ and s_y | 1 / distance along the axis |
+//!
+//! The axis is the world axis of the ray's largest component, as in the ray tracer's triangle test; so a positioned light sees six
+//! faces of a cube, and no frame of its own needs to be chosen.
+
+use lt_bvh::{Node, Ray};
+use lt_math::glam::{Vec3, Vec4};
+
+/// A shadow ray in light space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LightPoint {
+    /// First place coordinate.
+    pub x: f32,
+    /// Second place coordinate.
+    pub y: f32,
+    /// Nearness to the light: what blocks has more.
+    pub z: f32,
+}
+
+/// An axis-aligned box in world space; empty where `low > high`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Lower corner.
+    pub low: Vec3,
+    /// Upper corner.
+    pub high: Vec3,
+}
+
+impl Bounds {
+    /// Contains nothing.
+    pub const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
+
+    /// The smallest box that holds this one and a point.
+    #[inline]
+    pub fn with(self, point: Vec3) -> Self {
+        Self { low: self.low.min(point), high: self.high.max(point) }
+    }
+
+    /// Whether the point lies in the box, faces included; never for NaN.
+    #[inline]
+    pub fn contains(&self, p: Vec3) -> bool {
+        p.cmpge(self.low).all() && p.cmple(self.high).all()
+    }
+}
+
+/// How the rays of a view run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Rays {
+    /// All in one direction: the ray tracer's sₓ, s_y and s_z for it, and the middle of the domain in permuted axes.
+    Parallel { shear: Vec3, middle: Vec3 },
+    /// To one point, given in permuted axes.
+    Converging { light: Vec3 },
+}
+
+/// One light, or one of the six faces of a light with a position; see the [module](self).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    pub(crate) rays: Rays,
+    /// Axis of the rays' largest component, which becomes z.
+    pub(crate) axis: u32,
+    /// Sign of that component.
+    pub(crate) sign: f32,
+    /// D of the error bounds: at least the distance along any axis between any two of: ray origins, vertices, the light.
+    pub(crate) size: f32,
+    /// The same with the root box of the ray tracer's tree, which its margins are in proportion to.
+    pub(crate) reach: f32,
+    /// Where rays may start.
+    domain: Bounds,
+}
+
+/// A ray shorter than this to a positioned light is put to every triangle: its slopes and nearness may be denormal or infinite.
+const LEAST_LENGTH: f32 = 1e-30;
+
+/// Rotates the components cyclically so that component `axis` becomes z, as the ray tracer does.
+#[inline(always)]
+pub(crate) fn permute(v: Vec3, axis: u32) -> Vec3 {
+    match axis {
+        0 => Vec3::new(v.y, v.z, v.x),
+        1 => Vec3::new(v.z, v.x, v.y),
+        _ => v,
+    }
+}
+
+/// Axis of the largest component by the ray tracer's rule, and that component's sign.
+#[inline(always)]
+fn main_axis(direction: Vec3) -> (u32, f32) {
+    let d = direction.abs();
+    let axis = if d.x >= d.y && d.x >= d.z {
+        0
+    } else if d.y >= d.z {
+        1
+    } else {
+        2
+    };
+    (axis, if direction[axis as usize] < 0.0 { -1.0 } else { 1.0 })
+}
+
+impl View {
+    /// The views of a homogeneous light (w = 0: a sun, `xyz` pointing to it; w = 1: a position): one or six, and none for a light that
+    /// no ray can be shot at (NaN, or a zero direction).
+    ///
+    /// `domain` must hold every triangle; rays that start in it are answered fast. `root` is the root of the ray tracer's tree over the
+    /// same triangles.
+    pub fn of_light(light: Vec4, domain: Bounds, root: &Node) -> impl Iterator<Item = View> {
+        let direction = light.truncate();
+        let is_usable =
+            Ray::new(Vec3::ZERO, direction).is_valid() || (light.w != 0.0 && direction.is_finite());
+        let views = if !is_usable {
+            0
+        } else if light.w == 0.0 {
+            1
+        } else {
+            6
+        };
+        (0..views).map(move |face| {
+            if light.w == 0.0 {
+                Self::sun(direction, domain, root)
+            } else {
+                Self::face(direction, face, domain, root)
+            }
+        })
+    }
+
+    fn sun(direction: Vec3, domain: Bounds, root: &Node) -> Self {
+        let (axis, sign) = main_axis(direction);
+        let p = permute(direction, axis);
+        let middle = permute(domain.low * 0.5 + domain.high * 0.5, axis);
+        let rays = Rays::Parallel { shear: Vec3::new(p.x / p.z, p.y / p.z, 1.0 / p.z), middle };
+        Self::new(rays, axis, sign, domain, domain, root)
+    }
+
+    fn face(light: Vec3, face: u32, domain: Bounds, root: &Node) -> Self {
+        let axis = face >> 1;
+        let sign = if face & 1 == 0 { 1.0 } else { -1.0 };
+        let rays = Rays::Converging { light: permute(light, axis) };
+        Self::new(rays, axis, sign, domain, domain.with(light), root)
+    }
+
+    fn new(rays: Rays, axis: u32, sign: f32, domain: Bounds, all: Bounds, root: &Node) -> Self {
+        // A little more than the true extent, for the rounding of the difference itself.
+        let size = (all.high - all.low).max_element() * 1.000_001;
+        let with_root = all.with(root.low()).with(root.high());
+        let reach = (with_root.high - with_root.low).max_element() * 1.000_001;
+        View { rays, axis, sign, size, reach, domain }
+    }
+
+    /// Whether the view takes this ray: it starts in the domain and leaves through this face.
+    #[inline(always)]
+    pub fn takes(&self, ray: &Ray) -> bool {
+        self.is_near(ray) && self.faces(ray)
+    }
+
+    /// Whether the ray leaves through this face, yet is none that planes are made for.
+    pub(crate) fn is_stray(&self, ray: &Ray) -> bool {
+        !self.is_near(ray) && self.faces(ray) && ray.is_valid()
+    }
+
+    /// Whether the ray starts in the domain, and not so close to the light that its nearness is no number.
+    #[inline(always)]
+    fn is_near(&self, ray: &Ray) -> bool {
+        let length = ray.direction[self.axis as usize].abs();
+        self.domain.contains(ray.origin)
+            && (matches!(self.rays, Rays::Parallel { .. }) || length > LEAST_LENGTH)
+    }
+
+    #[inline(always)]
+    fn faces(&self, ray: &Ray) -> bool {
+        matches!(self.rays, Rays::Parallel { .. }) || main_axis(ray.direction) == (self.axis, self.sign)
+    }
+
+    /// The ray as a point. It must be one that the view takes.
+    #[inline(always)]
+    pub fn point(&self, ray: &Ray) -> LightPoint {
+        match self.rays {
+            Rays::Parallel { shear, middle } => {
+                let q = permute(ray.origin, self.axis) - middle;
+                LightPoint { x: q.x - shear.x * q.z, y: q.y - shear.y * q.z, z: self.sign * q.z }
+            }
+            Rays::Converging { .. } => {
+                let d = permute(ray.direction, self.axis);
+                LightPoint { x: d.x / d.z, y: d.y / d.z, z: self.sign / d.z }
+            }
+        }
+    }
+
+    /// The depth test's tolerance of a point of nearness z is `.0 + .1 · z`; see [`crate::planes`].
+    #[inline(always)]
+    pub(crate) fn depth_tolerance(&self) -> (f32, f32) {
+        match self.rays {
+            Rays::Parallel { .. } => (1.0, 0.0),
+            Rays::Converging { .. } => (0.0, 1.0),
+        }
+    }
+}

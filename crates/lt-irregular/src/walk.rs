@@ -1,0 +1,387 @@
+//! Points through a tree: in streams that are thinned out on the way down, one by one where few are left.
+
+use crate::block::{ASKS, Answer, Block, NOBODY, Spreadout};
+use crate::casters::{Plane, Query};
+use crate::lanes::{Lanes, Level};
+use crate::rect::Rect;
+use crate::tree::{LEAF, Tree};
+use crate::view::{View, permute};
+use alloc::vec::Vec;
+use lt_bvh::{AnyHit, Ray};
+use lt_math::glam::{Vec3, Vec4};
+
+/// Room behind every list, so that whole registers may be written at its end.
+const SLACK: usize = 16;
+/// Nearness of a point that is settled: nothing is beyond it.
+const SETTLED: f32 = f32::INFINITY;
+/// Up to this many points a subtree is walked point by point.
+const FEW: usize = 6;
+/// Levels that a walk point by point can hold; a tree over so many triangles that fit memory has fewer.
+const DEPTH: usize = 64;
+
+/// Rays of one view, as points, and the lists on the way down.
+#[derive(Default)]
+pub(crate) struct Stream {
+    /// Light space, by place in the stream; z is [`SETTLED`] once the point is blocked.
+    x: Vec<f32>,
+    y: Vec<f32>,
+    z: Vec<f32>,
+    origins: Vec<Vec3>,
+    /// Places in the caller's list.
+    sources: Vec<u32>,
+    lists: Lists,
+    path: Vec<Step>,
+    /// Points blocked so far.
+    blocked: usize,
+}
+
+/// A node that is being passed through.
+struct Step {
+    node: u32,
+    /// The child that comes next.
+    slot: usize,
+    /// Its list.
+    start: usize,
+    len: usize,
+    /// What was blocked when the list was last purged.
+    blocked: usize,
+}
+
+/// Lists of points, one behind the other.
+#[derive(Default)]
+struct Lists {
+    x: Vec<f32>,
+    y: Vec<f32>,
+    z: Vec<f32>,
+    /// Places in the stream.
+    ids: Vec<u32>,
+}
+
+impl Lists {
+    fn reserve(&mut self, end: usize) {
+        if self.x.len() < end + SLACK {
+            let len = (end + SLACK).next_power_of_two();
+            self.x.resize(len, 0.0);
+            self.y.resize(len, 0.0);
+            self.z.resize(len, SETTLED);
+            self.ids.resize(len, 0);
+        }
+    }
+}
+
+impl Stream {
+    /// Takes the rays that the view takes from `origins`, whose first is the caller's `first`; those of no view go to `strays`.
+    pub fn fill(&mut self, view: &View, light: Vec4, origins: &[Vec3], first: u32) {
+        self.x.clear();
+        self.y.clear();
+        self.z.clear();
+        self.origins.clear();
+        self.sources.clear();
+        self.blocked = 0;
+        for (i, &origin) in origins.iter().enumerate() {
+            let ray = Ray::to_light(origin, light);
+            if view.takes(&ray) {
+                let point = view.point(&ray);
+                self.x.push(point.x);
+                self.y.push(point.y);
+                self.z.push(point.z);
+                self.origins.push(origin);
+                self.sources.push(first + i as u32);
+            }
+        }
+    }
+
+    /// Rays of the list that start outside of the view's domain.
+    #[inline(always)]
+    pub fn strays<'a>(
+        view: &'a View,
+        light: Vec4,
+        origins: &'a [Vec3],
+    ) -> impl Iterator<Item = (usize, Vec3)> + 'a {
+        origins
+            .iter()
+            .enumerate()
+            .filter(move |(_, o)| view.is_stray(&Ray::to_light(**o, light)))
+            .map(|(i, o)| (i, *o))
+    }
+
+    /// The caller's places of the points that are blocked.
+    pub fn blocked(&self) -> impl Iterator<Item = usize> + '_ {
+        self.z.iter().zip(&self.sources).filter(|(z, _)| **z == SETTLED).map(|(_, s)| *s as usize)
+    }
+
+    /// Walks the tree with all points.
+    #[inline(always)]
+    pub fn walk<L: Level, A: AnyHit>(&mut self, level: L, tree: &Tree, query: &Query<'_, A>) {
+        let len = self.x.len();
+        if tree.nodes.is_empty() || len == 0 {
+            return;
+        }
+        self.lists.reserve(len);
+        self.lists.x[..len].copy_from_slice(&self.x);
+        self.lists.y[..len].copy_from_slice(&self.y);
+        self.lists.z[..len].copy_from_slice(&self.z);
+        for (i, id) in self.lists.ids[..len].iter_mut().enumerate() {
+            *id = i as u32;
+        }
+        self.descend(level, tree, query, len);
+    }
+
+    /// Passes the first list down the tree. A loop and not a recursion: a function that calls itself is not inlined, and so would
+    /// not be compiled for the instructions that it is asked to use.
+    #[inline(always)]
+    fn descend<L: Level, A: AnyHit>(&mut self, level: L, tree: &Tree, query: &Query<'_, A>, len: usize) {
+        let mut path = core::mem::take(&mut self.path);
+        path.push(Step { node: 0, slot: 0, start: 0, len, blocked: self.blocked });
+        while let Some(step) = path.last_mut() {
+            let node = &tree.nodes[step.node as usize];
+            let slot = step.slot;
+            if slot == node.links.len() || node.x0[slot] > node.x1[slot] {
+                path.pop();
+                continue;
+            }
+            step.slot += 1;
+            if self.blocked != step.blocked {
+                step.blocked = self.blocked;
+                step.len = self.purge(step.start, step.len);
+            }
+            let to = step.start + step.len;
+            let found = self.filter(level.points(), &node.rect(slot), step.start, step.len);
+            if found == 0 {
+                continue;
+            }
+            let link = node.links[slot];
+            if link & LEAF != 0 {
+                self.leaf(level.points(), tree, query, tree.block(link), to, found);
+            } else if found > FEW {
+                path.push(Step { node: link, slot: 0, start: to, len: found, blocked: self.blocked });
+            } else {
+                for i in to..to + found {
+                    let id = self.lists.ids[i];
+                    let point = [self.lists.x[i], self.lists.y[i], self.lists.z[i]];
+                    if walk_one(level.eight(), tree, query, link, self.origins[id as usize], point) {
+                        self.settle(id);
+                    }
+                }
+            }
+        }
+        self.path = path;
+    }
+
+    fn settle(&mut self, id: u32) {
+        self.z[id as usize] = SETTLED;
+        self.blocked += 1;
+    }
+
+    /// Drops what is settled from a list; its new length.
+    fn purge(&mut self, start: usize, len: usize) -> usize {
+        let lists = &mut self.lists;
+        let mut to = start;
+        for i in start..start + len {
+            let id = lists.ids[i];
+            (lists.x[to], lists.y[to], lists.z[to], lists.ids[to]) = (lists.x[i], lists.y[i], lists.z[i], id);
+            to += usize::from(self.z[id as usize] != SETTLED);
+        }
+        to - start
+    }
+
+    /// Writes the points of a list that lie in a rectangle and are not beyond it behind the list; how many.
+    #[inline(always)]
+    fn filter<P: Lanes>(&mut self, lanes: P, rect: &Rect, start: usize, len: usize) -> usize {
+        let mut to = start + len;
+        self.lists.reserve(start + 2 * len + SLACK);
+        let lists = &mut self.lists;
+        let (x0, x1) = (lanes.splat(rect.x0), lanes.splat(rect.x1));
+        let (y0, y1) = (lanes.splat(rect.y0), lanes.splat(rect.y1));
+        let far = lanes.splat(rect.z);
+        let mut at = start;
+        while at < start + len {
+            let (x, y, z) =
+                (lanes.load(&lists.x[at..]), lanes.load(&lists.y[at..]), lanes.load(&lists.z[at..]));
+            let mut mask =
+                lanes.le(x0, x) & lanes.le(x, x1) & lanes.le(y0, y) & lanes.le(y, y1) & lanes.le(z, far);
+            mask &= first(start + len - at);
+            if mask != 0 {
+                let mut ids = [0; 16];
+                ids[..P::WIDTH].copy_from_slice(&lists.ids[at..at + P::WIDTH]);
+                lanes.compress(mask, x, &mut lists.x[to..]);
+                lanes.compress(mask, y, &mut lists.y[to..]);
+                lanes.compress(mask, z, &mut lists.z[to..]);
+                lanes.compress_words(mask, &ids, &mut lists.ids[to..]);
+                to += mask.count_ones() as usize;
+            }
+            at += P::WIDTH;
+        }
+        to - start - len
+    }
+
+    /// Holds a list against a block.
+    #[inline(always)]
+    fn leaf<P: Lanes, A: AnyHit>(
+        &mut self,
+        lanes: P,
+        tree: &Tree,
+        query: &Query<'_, A>,
+        block: &Block,
+        start: usize,
+        len: usize,
+    ) {
+        let (constant, factor) = tree.view.depth_tolerance();
+        let (constant, factor) = (lanes.splat(constant), lanes.splat(factor));
+        // No lane beyond the list is ever possible.
+        self.lists.z[start + len..start + len + SLACK].fill(SETTLED);
+        for (slot, &id) in block.ids.iter().enumerate() {
+            if id == NOBODY {
+                break;
+            }
+            let planes = Spreadout::new(lanes, &block.planes(slot));
+            let mut at = start;
+            while at < start + len {
+                let x = lanes.load(&self.lists.x[at..]);
+                let y = lanes.load(&self.lists.y[at..]);
+                let z = lanes.load(&self.lists.z[at..]);
+                let answer = planes.test(lanes, x, y, z, lanes.mul_add(factor, z, constant));
+                if answer.possible != 0 {
+                    self.decide(lanes, tree, query, id, at, answer);
+                }
+                at += P::WIDTH;
+            }
+        }
+    }
+
+    /// Settles the points of a register that a triangle blocks.
+    #[inline(always)]
+    fn decide<P: Lanes, A: AnyHit>(
+        &mut self,
+        lanes: P,
+        tree: &Tree,
+        query: &Query<'_, A>,
+        triangle: u32,
+        at: usize,
+        answer: Answer,
+    ) {
+        let asks = !A::IS_OPAQUE && triangle & ASKS != 0;
+        let mut blocked = if asks { 0 } else { answer.sure };
+        let mut unsure = answer.possible & !blocked;
+        if unsure != 0 {
+            let index = triangle & !ASKS;
+            let plane = Plane::new(&tree.view, &query.casters.triangles[index as usize]);
+            unsure &= self.meets(lanes, tree, &plane, at, unsure);
+            while unsure != 0 {
+                let lane = unsure.trailing_zeros();
+                unsure &= unsure - 1;
+                let origin = self.origins[self.lists.ids[at + lane as usize] as usize];
+                blocked |= u32::from(query.is_blocked(origin, index)) << lane;
+            }
+        }
+        while blocked != 0 {
+            let i = at + blocked.trailing_zeros() as usize;
+            blocked &= blocked - 1;
+            self.lists.z[i] = SETTLED;
+            self.settle(self.lists.ids[i]);
+        }
+    }
+
+    /// The lanes whose ray may meet the triangle's plane by the ray tracer's own arithmetic.
+    #[inline(always)]
+    fn meets<P: Lanes>(&self, lanes: P, tree: &Tree, plane: &Plane, at: usize, mask: u32) -> u32 {
+        if mask.count_ones() < 4 {
+            let (mut rest, mut found) = (mask, 0);
+            while rest != 0 {
+                let lane = rest.trailing_zeros();
+                rest &= rest - 1;
+                let id = self.lists.ids[at + lane as usize] as usize;
+                let point = [self.x[id], self.y[id], self.lists.z[at + lane as usize]];
+                found |= u32::from(plane.meets_one(self.origins[id], point)) << lane;
+            }
+            return found;
+        }
+        let mut o = [[0.0; 16]; 3];
+        for (lane, &id) in self.lists.ids[at..at + P::WIDTH].iter().enumerate() {
+            let p = permute(self.origins[(id as usize).min(self.origins.len() - 1)], tree.view.axis);
+            (o[0][lane], o[1][lane], o[2][lane]) = (p.x, p.y, p.z);
+        }
+        let point = [
+            lanes.load(&self.lists.x[at..]),
+            lanes.load(&self.lists.y[at..]),
+            lanes.load(&self.lists.z[at..]),
+        ];
+        plane.meets(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])], point)
+    }
+}
+
+/// The lowest bits, as many as `count`.
+#[inline(always)]
+fn first(count: usize) -> u32 {
+    if count >= 32 { u32::MAX } else { (1 << count) - 1 }
+}
+
+/// Whether anything below `link` blocks one point.
+#[inline(always)]
+pub(crate) fn walk_one<E: Lanes, A: AnyHit>(
+    lanes: E,
+    tree: &Tree,
+    query: &Query<'_, A>,
+    link: u32,
+    origin: Vec3,
+    point: [f32; 3],
+) -> bool {
+    let (constant, factor) = tree.view.depth_tolerance();
+    let tolerance = constant + factor * point[2];
+    let around = Rect { x0: point[0], x1: point[0], y0: point[1], y1: point[1], z: point[2] };
+    let mut stack = [(0u32, 0u32); DEPTH];
+    let mut top = 0;
+    let mut at = link;
+    let mut hits = tree.nodes[at as usize].hits(lanes, &around);
+    loop {
+        if hits == 0 {
+            if top == 0 {
+                return false;
+            }
+            top -= 1;
+            (at, hits) = stack[top];
+            continue;
+        }
+        let link = tree.nodes[at as usize].links[hits.trailing_zeros() as usize & 7];
+        hits &= hits - 1;
+        if link & LEAF == 0 {
+            if hits != 0 && top < DEPTH {
+                stack[top] = (at, hits);
+                top += 1;
+            }
+            at = link;
+            hits = tree.nodes[at as usize].hits(lanes, &around);
+        } else if is_blocked_by(lanes, tree, query, tree.block(link), origin, point, tolerance) {
+            return true;
+        }
+    }
+}
+
+#[inline(always)]
+fn is_blocked_by<E: Lanes, A: AnyHit>(
+    lanes: E,
+    tree: &Tree,
+    query: &Query<'_, A>,
+    block: &Block,
+    origin: Vec3,
+    point: [f32; 3],
+    tolerance: f32,
+) -> bool {
+    let answer = block.test_one(lanes, point, tolerance);
+    let mut possible = answer.possible;
+    while possible != 0 {
+        let slot = possible.trailing_zeros();
+        possible &= possible - 1;
+        let id = block.ids[slot as usize & 7];
+        let asks = !A::IS_OPAQUE && id & ASKS != 0;
+        if answer.sure >> slot & 1 == 1 && !asks {
+            return true;
+        }
+        let triangle = id & !ASKS;
+        let plane = Plane::new(&tree.view, &query.casters.triangles[triangle as usize]);
+        if plane.meets_one(origin, point) && query.is_blocked(origin, triangle) {
+            return true;
+        }
+    }
+    false
+}

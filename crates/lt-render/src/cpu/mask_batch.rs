@@ -1,0 +1,539 @@
+//! The mask pass in batches: 64 pixels at a time, in stages over arrays, with the bits of [`lt_shaders::mask::mask`].
+//!
+//! What the shared function reads neighbour by neighbour is one bit of [`Asks`] here. The stages are plain loops without
+//! branches, compiled for several instruction sets as in [`super::batch`]: place in the last frame, ask, decide.
+
+use lt_math::float;
+use lt_math::glam::{UVec2, Vec3};
+use lt_shaders::abi::{CameraParams, MaskParams, Sample};
+use lt_shaders::evaluate::Verdict;
+
+use super::asks::Asks;
+use super::batch::{BATCH, LIT, Lanes, MAPPED, Rows};
+use super::planes::{BlockBits, PIECE, pack, place_in_block, store_piece};
+use super::tiles::{SIDE, Tiles};
+use crate::MaskEffects;
+
+const _: () = assert!(BATCH == PIECE);
+
+/// What the kernel knows of both frames.
+#[derive(Clone, Copy)]
+pub struct Frames<'a> {
+    /// The order of pixels.
+    pub tiles: Tiles,
+    /// Cameras, light, flags. Patterns are [`Asks`]'s matter.
+    pub params: &'a MaskParams,
+    /// Which parts of the kernel run.
+    pub effects: MaskEffects,
+    /// The last frame's neighbourhoods.
+    pub asks: &'a Asks,
+    /// The last frame's depths in tile order; empty without the temporal depth test.
+    pub last_depths: &'a [f32],
+}
+
+/// One block's pixels in tile order, [`super::tiles::BLOCK`] of each.
+pub struct BlockPixels<'a> {
+    /// Visible samples.
+    pub samples: &'a [Sample],
+    /// Where they were in the last frame; empty if only the camera moves.
+    pub previous: &'a [Vec3],
+    /// The estimate; becomes 0 or 1.
+    pub visibility: &'a mut [f32],
+    /// Becomes who needs a ray.
+    pub is_doubted: &'a mut [bool],
+    /// Becomes what to remember if every ray finds the light.
+    pub bits: &'a mut BlockBits,
+    /// Becomes what the next frame's depth test compares with; empty without it.
+    pub depths: &'a mut [f32],
+}
+
+/// Runs the mask over block `block`, by the best instructions that the processor has.
+pub fn mask_block(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
+    #[cfg(target_arch = "x86_64")]
+    if super::batch::x86::has_avx512() {
+        // SAFETY: the processor has what the function was compiled for.
+        return unsafe { x86::mask_avx512(frames, block, pixels) };
+    } else if super::batch::x86::has_avx2() {
+        // SAFETY: as above.
+        return unsafe { x86::mask_avx2(frames, block, pixels) };
+    }
+    mask_any(frames, block, pixels);
+}
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    //! The same loops for x86-64 extensions.
+    use super::{BlockPixels, Frames, mask_any};
+
+    #[target_feature(enable = "avx2")]
+    pub fn mask_avx2(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
+        mask_any(frames, block, pixels);
+    }
+
+    #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
+    pub fn mask_avx512(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
+        mask_any(frames, block, pixels);
+    }
+}
+
+#[inline(always)]
+fn mask_any(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
+    let effects = frames.effects;
+    match (effects.motion, effects.depth_test) {
+        (false, false) => mask_all::<false, false>(frames, block, pixels),
+        (false, true) => mask_all::<false, true>(frames, block, pixels),
+        (true, false) => mask_all::<true, false>(frames, block, pixels),
+        (true, true) => mask_all::<true, true>(frames, block, pixels),
+    }
+}
+
+/// Where the pixels of a batch were in the last frame.
+struct Places {
+    x: [u32; BATCH],
+    y: [u32; BATCH],
+    /// 1 where that is on the screen and the same surface, else 0; x and y are then on the screen all the same.
+    is_valid: [u32; BATCH],
+    has_moved: [u32; BATCH],
+}
+
+#[inline(always)]
+fn mask_all<const MOTION: bool, const DEPTH: bool>(
+    frames: Frames<'_>,
+    block: usize,
+    pixels: BlockPixels<'_>,
+) {
+    let Frames { tiles, params: p, effects, .. } = frames;
+    let BlockPixels { samples, previous, visibility, is_doubted, bits, depths } = pixels;
+    let origin = tiles.origin(block);
+    let batches = samples.as_chunks::<BATCH>().0.iter().zip(visibility.as_chunks_mut::<BATCH>().0);
+    for (piece, ((samples, estimates), is_doubted)) in
+        batches.zip(is_doubted.as_chunks_mut::<BATCH>().0).enumerate()
+    {
+        let rows = Rows::of(samples);
+        let states = rows.settle(p.light.to_array());
+        let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
+        if DEPTH {
+            let depths = &mut depths[piece * BATCH..][..BATCH];
+            let depth = depth_along(&rows.position, &p.current);
+            for i in 0..BATCH {
+                let is_valid =
+                    (rows.normal[0][i] != 0.0) | (rows.normal[1][i] != 0.0) | (rows.normal[2][i] != 0.0);
+                depths[i] = if is_valid { depth[i] } else { 0.0 };
+            }
+        }
+        if !is_any_open {
+            for i in 0..BATCH {
+                estimates[i] = if states[i] == LIT { 1.0 } else { 0.0 };
+                is_doubted[i] = false;
+            }
+            store_piece(&mut bits.shadowed, piece, 0);
+            store_piece(&mut bits.traced, piece, 0);
+            store_piece(&mut bits.hit, piece, 0);
+            continue;
+        }
+        let before = match previous.is_empty() || !(MOTION || DEPTH) {
+            true => None,
+            false => Some(rows_of_points(&previous[piece * BATCH..][..BATCH])),
+        };
+        let before = before.as_ref().unwrap_or(&rows.position);
+        let mut places = in_this_frame(tiles, origin, piece);
+        if MOTION {
+            places.follow(&rows.position, before, p);
+        }
+        if DEPTH {
+            places.compare_depths(frames, &depth_along(before, &p.previous));
+        }
+        let has_history = u32::from(p.flags & MaskParams::HAS_HISTORY != 0);
+        let may_remove = u32::from(effects.removes && p.flags & MaskParams::MAY_REMOVE != 0);
+        let guards_motion = u32::from(p.flags & MaskParams::MAY_REMOVE_MOVING == 0);
+        let expands = u32::from(effects.expands);
+        let asked = ask(frames, &places, estimates);
+        let (mut shadowed, mut traced) = ([0u8; BATCH], [0u8; BATCH]);
+        for i in 0..BATCH {
+            let v = estimates[i];
+            let st = u32::from(v < lt_mask::SHADOW_TEST_THRESHOLD);
+            let is_between = u32::from(v > 0.0) & u32::from(v < 1.0);
+            let is_unjudged = u32::from(v == Verdict::UNJUDGED);
+            let is_open = u32::from(states[i] == MAPPED);
+            let is_unseen = 1 ^ (places.is_valid[i] & has_history);
+            let removes = may_remove & (1 ^ (places.has_moved[i] & guards_motion)) & (1 ^ asked[i]);
+            let by_rule = (is_between & (1 ^ removes)) | ((1 ^ is_between) & expands & asked[i]);
+            let needs_ray = is_open & (is_unjudged | is_unseen | by_rule);
+            shadowed[i] = (is_open & st) as u8;
+            traced[i] = needs_ray as u8;
+            let snapped = if st != 0 { 0.0 } else { 1.0 };
+            let settled = if states[i] == LIT { 1.0 } else { 0.0 };
+            estimates[i] = if is_open != 0 { snapped } else { settled };
+        }
+        for i in 0..BATCH {
+            is_doubted[i] = traced[i] != 0;
+        }
+        store_piece(&mut bits.shadowed, piece, pack(&shadowed));
+        store_piece(&mut bits.traced, piece, pack(&traced));
+        store_piece(&mut bits.hit, piece, 0);
+    }
+}
+
+/// The pixels themselves: where they were if nothing moved.
+#[inline(always)]
+fn in_this_frame(tiles: Tiles, origin: UVec2, piece: usize) -> Places {
+    let corner = place_in_block((piece * BATCH) as u32);
+    let last = tiles.size() - 1;
+    let mut places = Places { x: [0; BATCH], y: [0; BATCH], is_valid: [1; BATCH], has_moved: [0; BATCH] };
+    let [columns, rows] = &IN_PIECE;
+    for i in 0..BATCH {
+        // Padding has nothing to say, but must not read outside.
+        places.x[i] = (origin.x + corner.0 + columns[i]).min(last.x);
+        places.y[i] = (origin.y + corner.1 + rows[i]).min(last.y);
+    }
+    places
+}
+
+/// Column and row in a piece, by position.
+const IN_PIECE: [[u32; BATCH]; 2] = {
+    let mut at = [[0; BATCH]; 2];
+    let mut i = 0;
+    while i < BATCH {
+        let mut bit = 0;
+        while bit < 3 {
+            at[0][i] |= ((i >> (2 * bit) & 1) << bit) as u32;
+            at[1][i] |= ((i >> (2 * bit + 1) & 1) << bit) as u32;
+            bit += 1;
+        }
+        i += 1;
+    }
+    at
+};
+
+impl Places {
+    /// [`lt_mask::reproject`] by [`lt_shaders::mask::motion_px`], and not behind the last camera.
+    #[inline(always)]
+    fn follow(&mut self, position: &[Lanes; 3], before: &[Lanes; 3], p: &MaskParams) {
+        let (now_x, now_y, _) = place_ndc(position, &p.current);
+        let (then_x, then_y, depth) = place_ndc(before, &p.previous);
+        let (width, height) = (p.current.size.x as f32, p.current.size.y as f32);
+        for i in 0..BATCH {
+            let x = (then_x[i] - now_x[i]) * 0.5 * width;
+            let y = (then_y[i] - now_y[i]) * -0.5 * height;
+            let to_x = self.x[i] as f32 + 0.5 + x;
+            let to_y = self.y[i] as f32 + 0.5 + y;
+            // The floor of these is on the screen exactly where they are.
+            let is_on_screen = (to_x >= 0.0) & (to_y >= 0.0) & (to_x < width) & (to_y < height);
+            let whole = |at: f32| float::whole_lane(float::floor_lane(at)) as u32;
+            self.x[i] = if is_on_screen { whole(to_x) } else { self.x[i] };
+            self.y[i] = if is_on_screen { whole(to_y) } else { self.y[i] };
+            self.is_valid[i] = u32::from(is_on_screen) & u32::from(depth[i] > 0.0);
+            self.has_moved[i] = 1 ^ (u32::from(x == 0.0) & u32::from(y == 0.0));
+        }
+    }
+
+    /// Keeps valid what had about this depth in the last frame ([`lt_mask::is_depth_consistent`]).
+    #[inline(always)]
+    fn compare_depths(&mut self, frames: Frames<'_>, expected: &Lanes) {
+        for (i, &expected) in expected.iter().enumerate() {
+            let seen = frames.last_depths[frames.tiles.index(UVec2::new(self.x[i], self.y[i]))];
+            let is_same = lt_mask::is_depth_consistent(expected, seen, frames.params.depth_tolerance);
+            self.is_valid[i] &= u32::from(is_same);
+        }
+    }
+}
+
+/// Per pixel, whether its neighbourhood contradicts its shadow test.
+#[inline(always)]
+fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; BATCH]) -> [u32; BATCH] {
+    let words = frames.asks.rows().as_flattened();
+    let columns = frames.tiles.columns();
+    let mut at = [0; BATCH];
+    for i in 0..BATCH {
+        let (x, y) = (places.x[i], places.y[i]);
+        let st = u32::from(estimates[i] < lt_mask::SHADOW_TEST_THRESHOLD);
+        let row = ((y / SIDE) * columns + x / SIDE) * SIDE + y % SIDE;
+        at[i] = row * 4 + (st | places.has_moved[i] << 1);
+    }
+    let mut asked = at.map(|at| words[at as usize]);
+    for (asked, x) in asked.iter_mut().zip(&places.x) {
+        *asked = *asked >> (x % SIDE) & 1;
+    }
+    asked
+}
+
+/// [`lt_shaders::mask::place_ndc`] and [`lt_shaders::mask::view_depth`] of a batch.
+#[inline(always)]
+fn place_ndc(position: &[Lanes; 3], camera: &CameraParams) -> (Lanes, Lanes, Lanes) {
+    let eye = camera.eye.to_array();
+    let [right, up, forward] = [camera.right, camera.up, camera.forward].map(|v| v.to_array());
+    let (width, height) = (camera.right.length_squared(), camera.up.length_squared());
+    let (mut x, mut y, mut depths) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
+    for i in 0..BATCH {
+        let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
+        let along = |v: [f32; 3]| to[0] * v[0] + to[1] * v[1] + to[2] * v[2];
+        let depth = along(forward);
+        x[i] = along(right) / (width * depth);
+        y[i] = along(up) / (height * depth);
+        depths[i] = depth;
+    }
+    (x, y, depths)
+}
+
+/// [`lt_shaders::mask::view_depth`] of a batch.
+#[inline(always)]
+fn depth_along(position: &[Lanes; 3], camera: &CameraParams) -> Lanes {
+    let (eye, forward) = (camera.eye.to_array(), camera.forward.to_array());
+    let mut depths = [0.0; BATCH];
+    for i in 0..BATCH {
+        let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
+        depths[i] = to[0] * forward[0] + to[1] * forward[1] + to[2] * forward[2];
+    }
+    depths
+}
+
+/// Coordinates of points in rows of their own.
+#[inline(always)]
+fn rows_of_points(points: &[Vec3]) -> [Lanes; 3] {
+    let mut rows = [[0.0; BATCH]; 3];
+    for (i, point) in points.iter().enumerate() {
+        rows[0][i] = point.x;
+        rows[1][i] = point.y;
+        rows[2][i] = point.z;
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::history::History;
+    use super::super::tiles::BLOCK;
+    use super::*;
+    use lt_mask::{MaskBits, Pattern};
+    use lt_math::glam::Vec4;
+    use lt_shaders::mask::{DepthHistory, bits_after_ray, mask, seen_depth};
+
+    fn camera(size: UVec2, eye: Vec3) -> CameraParams {
+        CameraParams {
+            eye,
+            right: Vec3::new(1.3, 0.1, 0.0),
+            up: Vec3::new(-0.05, 0.8, 0.02),
+            forward: Vec3::new(0.02, 0.01, -1.0),
+            size,
+            ..bytemuck::Zeroable::zeroed()
+        }
+    }
+
+    fn random(seed: u32) -> impl FnMut() -> f32 {
+        let mut state = seed;
+        move || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / 16_777_216.0
+        }
+    }
+
+    /// A picture's samples, where they were, and their estimates, of all kinds, row by row; a few are no numbers.
+    fn hard_case(size: UVec2, unit: &mut impl FnMut() -> f32) -> (Vec<Sample>, Vec<Vec3>, Vec<f32>) {
+        let camera = camera(size, Vec3::ZERO);
+        let (mut samples, mut previous, mut estimates) = (Vec::new(), Vec::new(), Vec::new());
+        for i in 0..size.x * size.y {
+            let (x, y) = ((i % size.x) as f32 + 0.5, (i / size.x) as f32 + 0.5);
+            let (x, y) = (x / size.x as f32 * 2.0 - 1.0, 1.0 - y / size.y as f32 * 2.0);
+            let mut position = (camera.forward + camera.right * x + camera.up * y) * (2.0 + 3.0 * unit());
+            let mut normal = Vec3::new(unit() - 0.5, unit() - 0.5, unit() + 0.1);
+            match i % 61 {
+                0 => normal = Vec3::ZERO,
+                1 => position.x = f32::NAN,
+                2 => position.y = f32::INFINITY,
+                3 => position = -position,
+                _ => {}
+            }
+            let flags = if i % 37 == 0 { 0 } else { Sample::RECEIVES };
+            samples.push(Sample { position, normal, flags, ..Sample::default() });
+            previous.push(if i % 3 == 0 {
+                position
+            } else {
+                position + Vec3::new(unit(), unit(), unit()) * 0.2
+            });
+            estimates.push(match (unit() * 8.0) as u32 {
+                0..3 => 0.0,
+                3..6 => 1.0,
+                6 => unit(),
+                _ => [Verdict::UNJUDGED, f32::NAN, 0.0, 1.0][i as usize % 4],
+            });
+        }
+        (samples, previous, estimates)
+    }
+
+    fn to_tiles<T: Copy + Default>(tiles: Tiles, rows: &[T]) -> Vec<T> {
+        let at = |i: usize| tiles.pixel(i / BLOCK, i % BLOCK);
+        let read = |px: UVec2| rows[(px.y * tiles.size().x + px.x) as usize];
+        (0..tiles.len()).map(|i| at(i).map_or(T::default(), read)).collect()
+    }
+
+    fn shared<const M: bool, const D: bool>(
+        case: &(Vec<Sample>, Vec<Vec3>, Vec<f32>),
+        p: &MaskParams,
+        effects: MaskEffects,
+        history: DepthHistory<'_>,
+        i: usize,
+    ) -> lt_shaders::mask::Masked {
+        let px = UVec2::new(i as u32 % history.width, i as u32 / history.width);
+        let (sample, before, v) = (&case.0[i], case.1[i], case.2[i]);
+        match (effects.expands, effects.removes) {
+            (true, true) => mask::<_, M, D, true, true>(px, sample, before, v, p, history),
+            (true, false) => mask::<_, M, D, true, false>(px, sample, before, v, p, history),
+            (false, true) => mask::<_, M, D, false, true>(px, sample, before, v, p, history),
+            (false, false) => mask::<_, M, D, false, false>(px, sample, before, v, p, history),
+        }
+    }
+
+    /// Three frames of random samples, each decided by the history that the one before left, rays and all.
+    fn check(size: UVec2, p: &MaskParams, effects: MaskEffects, object_motion: bool) -> [usize; 2] {
+        let tiles = Tiles::new(size);
+        let mut unit = random(size.x + p.still_pattern + 31 * p.flags);
+        let (mut bits, mut depths) = (vec![0u32; (size.x * size.y) as usize], vec![]);
+        depths.resize(bits.len(), 0.0f32);
+        let mut history = History::default();
+        let mut tally = [0; 2];
+        for frame in 0..3 {
+            let mut case = hard_case(size, &mut unit);
+            if !object_motion {
+                case.1 = case.0.iter().map(|s| s.position).collect();
+            }
+            let p = MaskParams { frame, flags: if frame == 0 { 0 } else { p.flags }, ..*p };
+            let last = DepthHistory { bits: &bits, depths: &depths, width: size.x };
+            let expected: Vec<_> = (0..bits.len())
+                .map(|i| match (effects.motion, effects.depth_test) {
+                    (false, false) => shared::<false, false>(&case, &p, effects, last, i),
+                    (false, true) => shared::<false, true>(&case, &p, effects, last, i),
+                    (true, false) => shared::<true, false>(&case, &p, effects, last, i),
+                    (true, true) => shared::<true, true>(&case, &p, effects, last, i),
+                })
+                .collect();
+            let rays: Vec<f32> = expected
+                .iter()
+                .map(|m| if m.needs_ray { f32::from(u8::from(unit() > 0.4)) } else { m.visibility })
+                .collect();
+            let samples = to_tiles(tiles, &case.0);
+            let previous = if object_motion { to_tiles(tiles, &case.1) } else { Vec::new() };
+            let (mut lit, mut doubted) = (to_tiles(tiles, &case.2), vec![false; tiles.len()]);
+            history.begin(tiles, Some(effects));
+            let seen_rays = to_tiles(tiles, &rays);
+            let mut open = history.open(tiles, &p, effects);
+            for (block, memory) in open.blocks.iter_mut().enumerate() {
+                let range = block * BLOCK..(block + 1) * BLOCK;
+                let pixels = BlockPixels {
+                    samples: &samples[range.clone()],
+                    previous: previous.get(range.clone()).unwrap_or(&[]),
+                    visibility: &mut lit[range.clone()],
+                    is_doubted: &mut doubted[range.clone()],
+                    bits: memory.bits,
+                    depths: memory.depths,
+                };
+                mask_block(open.frames, block, pixels);
+                memory.learn(&seen_rays[range.clone()], &doubted[range]);
+            }
+            let (lit, doubted) = (tiles.to_rows(&lit), tiles.to_rows(&doubted));
+            let learnt = history.rows(tiles);
+            for (i, m) in expected.iter().enumerate() {
+                let decided = (lit[i], doubted[i]);
+                assert_eq!((m.visibility, m.needs_ray), decided, "{size} {effects:?} {p:?} pixel {i}");
+                let after = if m.needs_ray { bits_after_ray(m.bits, rays[i]) } else { m.bits };
+                assert_eq!(after, learnt[i], "{size} {effects:?} {p:?} pixel {i}");
+                tally[usize::from(m.needs_ray)] += 1;
+            }
+            bits = learnt.into_iter().map(MaskBits::to_bits).collect();
+            depths = case.0.iter().map(|s| seen_depth(s, &p.current)).collect();
+        }
+        tally
+    }
+
+    #[test]
+    fn batches_decide_as_the_shared_function_for_all_patterns_effects_and_borders() {
+        let mut tally = [0; 2];
+        for size in [UVec2::new(64, 32), UVec2::new(35, 33), UVec2::new(7, 40)] {
+            for pattern in Pattern::ALL {
+                for bits in 0..32u32 {
+                    let flag = |i: u32| bits >> i & 1 == 1;
+                    let effects = MaskEffects {
+                        motion: flag(0),
+                        depth_test: flag(1),
+                        expands: flag(2),
+                        removes: flag(3) || !flag(2),
+                    };
+                    let published = if flag(3) { MaskParams::MAY_REMOVE_MOVING } else { 0 };
+                    let p = MaskParams {
+                        current: camera(size, Vec3::ZERO),
+                        previous: camera(size, if flag(4) { Vec3::ZERO } else { Vec3::new(0.1, 0.05, 0.3) }),
+                        light: Vec4::new(0.1, 0.2, 1.0, 0.0),
+                        still_pattern: pattern.to_index(),
+                        moving_pattern: Pattern::ALL[(bits % 8) as usize].to_index(),
+                        flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | published,
+                        depth_tolerance: 0.3,
+                        ..bytemuck::Zeroable::zeroed()
+                    };
+                    let counts = check(size, &p, effects, flag(4));
+                    tally = [tally[0] + counts[0], tally[1] + counts[1]];
+                }
+            }
+        }
+        assert!(tally.iter().all(|&n| n > 100_000), "both occur: {tally:?}");
+    }
+
+    #[test]
+    fn every_instruction_set_decides_alike() {
+        let size = UVec2::new(45, 33);
+        let tiles = Tiles::new(size);
+        let case = hard_case(size, &mut random(3));
+        let (samples, previous) = (to_tiles(tiles, &case.0), to_tiles(tiles, &case.1));
+        let mut unit = random(9);
+        let last: Vec<BlockBits> = (0..tiles.len() / BLOCK)
+            .map(|_| {
+                let mut rows = || std::array::from_fn(|_| (unit() * 65536.0) as u32 * 65537);
+                let (shadowed, traced) = (rows(), rows());
+                BlockBits { shadowed, traced, hit: traced }
+            })
+            .collect();
+        let p = MaskParams {
+            current: camera(size, Vec3::ZERO),
+            previous: camera(size, Vec3::new(0.1, 0.05, 0.3)),
+            light: Vec4::new(0.1, 0.2, 1.0, 0.0),
+            flags: MaskParams::HAS_HISTORY | MaskParams::MAY_REMOVE | MaskParams::MAY_REMOVE_MOVING,
+            depth_tolerance: 0.3,
+            ..bytemuck::Zeroable::zeroed()
+        };
+        let mut asks = Asks::default();
+        asks.hear(tiles, &last, [Pattern::GATHER_2X2, Pattern::FULL_3X3], 1);
+        let last_depths: Vec<f32> = (0..tiles.len()).map(|i| 2.0 + (i % 5) as f32 * 0.7).collect();
+        let effects = MaskEffects { motion: true, depth_test: true, expands: true, removes: true };
+        let frames = Frames { tiles, params: &p, effects, asks: &asks, last_depths: &last_depths };
+        let by = |run: &dyn Fn(usize, BlockPixels<'_>)| {
+            let mut all = Vec::new();
+            for block in 0..tiles.len() / BLOCK {
+                let range = block * BLOCK..(block + 1) * BLOCK;
+                let mut visibility = to_tiles(tiles, &case.2)[range.clone()].to_vec();
+                let (mut is_doubted, mut depths) = (vec![false; BLOCK], vec![0.0; BLOCK]);
+                let mut bits = BlockBits::default();
+                let pixels = BlockPixels {
+                    samples: &samples[range.clone()],
+                    previous: &previous[range],
+                    visibility: &mut visibility,
+                    is_doubted: &mut is_doubted,
+                    bits: &mut bits,
+                    depths: &mut depths,
+                };
+                run(block, pixels);
+                all.push((
+                    visibility,
+                    is_doubted,
+                    bits,
+                    depths.iter().map(|d| d.to_bits()).collect::<Vec<_>>(),
+                ));
+            }
+            all
+        };
+        let portable = by(&|block, pixels| mask_any(frames, block, pixels));
+        assert!(by(&|block, pixels| mask_block(frames, block, pixels)) == portable);
+        #[cfg(target_arch = "x86_64")]
+        if super::super::batch::x86::has_avx2() {
+            // SAFETY: the processor has AVX2, as was asked.
+            assert!(by(&|block, pixels| unsafe { x86::mask_avx2(frames, block, pixels) }) == portable);
+        }
+    }
+}

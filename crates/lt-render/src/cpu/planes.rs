@@ -1,0 +1,139 @@
+//! A frame's mask as planes of bits: a block of 32×32 pixels is 32 words a plane, a row each.
+//!
+//! Rows of bits are what neighbourhoods are made of by shifts ([`super::asks`]); pixels come and go in tile order, eight
+//! by eight, and are turned by [`store_piece`].
+
+use lt_mask::MaskBits;
+
+use super::tiles::{BLOCK, SIDE};
+
+/// The bits of one block; bit x of word y is the pixel at (x, y) in it. Bits outside the picture may be anything.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BlockBits {
+    /// ST: the shadow test said shadow.
+    pub shadowed: [u32; SIDE as usize],
+    /// LTT: a ray was traced.
+    pub traced: [u32; SIDE as usize],
+    /// RS: it hit something; 0 where none was traced.
+    pub hit: [u32; SIDE as usize],
+}
+
+/// Pixels of a batch, an eight by eight piece of a block.
+pub const PIECE: usize = 64;
+
+impl BlockBits {
+    /// What a pixel at (x, y) of the block remembers.
+    pub fn get(&self, x: u32, y: u32) -> MaskBits {
+        let has = |rows: &[u32; SIDE as usize]| rows[y as usize] >> x & 1 != 0;
+        match has(&self.traced) {
+            true => MaskBits::traced(has(&self.shadowed), has(&self.hit)),
+            false => MaskBits::untraced(has(&self.shadowed)),
+        }
+    }
+
+    /// The whole block in tile order.
+    pub fn in_tile_order(&self) -> impl Iterator<Item = MaskBits> + '_ {
+        (0..BLOCK).map(|i| {
+            let (x, y) = place_in_block(i as u32);
+            self.get(x, y)
+        })
+    }
+}
+
+/// The column and row of a position in a block.
+pub fn place_in_block(index: u32) -> (u32, u32) {
+    let even = |bits: u32| (0..5).fold(0, |packed, i| packed | (bits >> (2 * i) & 1) << i);
+    (even(index), even(index >> 1))
+}
+
+/// Writes 64 bits in tile order as piece `piece` < 16 of a block's rows.
+#[inline(always)]
+pub fn store_piece(rows: &mut [u32; SIDE as usize], piece: usize, bits: u64) {
+    let (x, y) = place_in_block((piece * PIECE) as u32);
+    for (row, byte) in rows[y as usize..][..8].iter_mut().zip(rows_of_morton(bits).to_le_bytes()) {
+        *row = *row & !(0xff << x) | u32::from(byte) << x;
+    }
+}
+
+/// 64 zeros and ones as bits.
+#[inline(always)]
+pub fn pack(ones: &[u8; PIECE]) -> u64 {
+    let mut bits = 0;
+    for (i, eight) in ones.as_chunks::<8>().0.iter().enumerate() {
+        // The product's highest byte collects one bit of each.
+        bits |= (u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080) >> 56) << (8 * i);
+    }
+    bits
+}
+
+/// 64 bits of an eight by eight square from Morton order (y₂x₂y₁x₁y₀x₀) to rows (y₂y₁y₀x₂x₁x₀): index bits change places
+/// two by two.
+#[inline(always)]
+fn rows_of_morton(bits: u64) -> u64 {
+    // x₀y₀x₁y₁x₂y₂ → x₀x₁y₀y₁x₂y₂ → x₀x₁x₂y₁y₀y₂ → x₀x₁x₂y₀y₁y₂, lowest first.
+    swap_index_bits::<3, 4>(swap_index_bits::<2, 4>(swap_index_bits::<1, 2>(bits)))
+}
+
+/// Moves every bit to the index with bits `A` < `B` of its index exchanged.
+#[inline(always)]
+fn swap_index_bits<const A: u32, const B: u32>(bits: u64) -> u64 {
+    let shift = (1 << B) - (1 << A);
+    let mask = const { indices_with::<A, B>() };
+    let moved = (bits >> shift ^ bits) & mask;
+    bits ^ moved ^ moved << shift
+}
+
+/// Bits at the indices whose bit `A` is set and bit `B` is not.
+const fn indices_with<const A: u32, const B: u32>() -> u64 {
+    let (mut mask, mut i) = (0, 0);
+    while i < 64 {
+        if i >> A & 1 == 1 && i >> B & 1 == 0 {
+            mask |= 1 << i;
+        }
+        i += 1;
+    }
+    mask
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_are_turned_to_rows() {
+        for piece in 0..BLOCK / PIECE {
+            for i in 0..PIECE {
+                assert_eq!(pack(&std::array::from_fn(|k| u8::from(k == i))), 1 << i);
+                let mut rows = [0; SIDE as usize];
+                store_piece(&mut rows, piece, 1 << i);
+                let (x, y) = place_in_block((piece * PIECE + i) as u32);
+                let mut expected = [0; SIDE as usize];
+                expected[y as usize] = 1 << x;
+                assert_eq!(rows, expected, "piece {piece} pixel {i}");
+                store_piece(&mut rows, piece, 0);
+                assert_eq!(rows, [0; SIDE as usize], "a store replaces");
+            }
+        }
+    }
+
+    #[test]
+    fn a_pixel_remembers_one_of_the_six_states() {
+        let bits = BlockBits {
+            shadowed: [0b101_010; SIDE as usize],
+            traced: [0b111_100; SIDE as usize],
+            hit: [0b011_000; SIDE as usize],
+        };
+        let states: Vec<_> = (0..6).map(|x| bits.get(x, 7)).collect();
+        let expected = [
+            MaskBits::BLACK,
+            MaskBits::GREEN,
+            MaskBits::RED,
+            MaskBits::WHITE,
+            MaskBits::PURPLE,
+            MaskBits::YELLOW,
+        ];
+        assert_eq!(states, expected);
+        assert_eq!(bits.in_tile_order().nth(1), Some(bits.get(1, 0)));
+        assert_eq!(bits.in_tile_order().nth(2), Some(bits.get(0, 1)));
+    }
+}

@@ -1,0 +1,303 @@
+//! The passes over pixels, block by block: estimate, correct and resolve one block while its samples are in the cache.
+//!
+//! No pass reads what an earlier one wrote of another pixel (the mask reads the *last* frame's neighbours), so that the
+//! order of blocks is free, and a block may run through all passes before the next begins. A pass's time is then its share
+//! of the threads' time, times the time that all took.
+
+use std::time::Instant;
+
+use lt_bvh::{AnyHit, Opaque, Ray, Simd, Tracer};
+use lt_math::glam::{Vec3, Vec4};
+use lt_math::{
+    Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
+};
+use lt_shaders::abi::{Material, Sample, ShadowParams};
+use lt_shaders::evaluate::{
+    FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels, settle,
+};
+use lt_shaders::resolve::shadow_ray;
+use rayon::prelude::*;
+
+use super::batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
+use super::history::Memory;
+use super::mask_batch::{BlockPixels, Frames, mask_block};
+use super::tiles::BLOCK;
+use super::{CpuBackend, coverage, milliseconds, tracer};
+use crate::{FrameJob, MapSource, MapTest, PassKind};
+
+/// Times of the passes over pixels.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PixelMs {
+    evaluate: f64,
+    mask: f64,
+    resolve: f64,
+}
+
+impl PixelMs {
+    /// The time of one of them.
+    pub fn of(&self, kind: PassKind) -> Option<f64> {
+        match kind {
+            PassKind::Evaluate => Some(self.evaluate),
+            PassKind::Mask => Some(self.mask),
+            PassKind::Resolve => Some(self.resolve),
+            _ => None,
+        }
+    }
+}
+
+/// Estimate and doubt of a block's samples.
+type Estimator<'a> = Box<dyn Fn(&[Sample], &mut [f32], &mut [bool]) + Sync + 'a>;
+
+impl CpuBackend {
+    /// Runs the frame's passes over pixels.
+    pub(super) fn shadow(&mut self, job: &FrameJob) {
+        let start = Instant::now();
+        let slot = &mut self.slots[self.slot];
+        let levels = job.searched_levels();
+        let maps =
+            Maps { p: &job.shadow, levels: levels.as_deref(), depths: &slot.depths, vectors: &slot.vectors };
+        let estimator = job.plan.map.map(|(test, source)| maps.estimator(test, source, job.plan.doubt_list));
+        let open = match (&job.mask, job.plan.mask) {
+            (Some(params), Some(effects)) => Some(slot.history.open(self.tiles, params, effects)),
+            _ => None,
+        };
+        let (frames, memories) = match open {
+            Some(open) => (Some(open.frames), open.blocks),
+            None => (None, Vec::new()),
+        };
+        let listen_ms = milliseconds(start);
+        let passes = Passes {
+            tracer: tracer(&self.scene),
+            light: job.shadow.light,
+            estimator,
+            frames,
+            traces_all: job.plan.trace_all,
+            traces_doubted: job.plan.doubt_list,
+        };
+        let mut memories: Vec<Option<Memory<'_>>> = memories.into_iter().map(Some).collect();
+        memories.resize_with(self.tiles.len() / BLOCK, || None);
+        let previous: &[Vec3] = if job.plan.object_motion { &self.previous } else { &[] };
+        let blocks = memories
+            .into_par_iter()
+            .zip(self.samples.par_chunks(BLOCK))
+            .zip(self.visibility.par_chunks_mut(BLOCK))
+            .zip(self.is_doubted.par_chunks_mut(BLOCK))
+            .enumerate();
+        let blocks = blocks.map(|(block, (((memory, samples), visibility), is_doubted))| Block {
+            index: block,
+            samples,
+            previous: previous.get(block * BLOCK..(block + 1) * BLOCK).unwrap_or(&[]),
+            visibility,
+            is_doubted,
+            memory,
+        });
+        let start = Instant::now();
+        let totals = match job.plan.alpha_test {
+            true => passes.run(blocks, coverage(&self.scene, Material::CASTS)),
+            false => passes.run(blocks, Opaque),
+        };
+        let (wall, all) = (milliseconds(start), totals.seconds.iter().sum::<f64>());
+        let [evaluate, mask, resolve] = totals.seconds.map(|s| if all > 0.0 { wall * s / all } else { 0.0 });
+        self.rays = totals.rays;
+        self.pixel_ms = Some(PixelMs { evaluate, mask: mask + listen_ms, resolve });
+    }
+}
+
+/// A block's pixels on their way through the passes.
+struct Block<'a> {
+    index: usize,
+    samples: &'a [Sample],
+    previous: &'a [Vec3],
+    visibility: &'a mut [f32],
+    is_doubted: &'a mut [bool],
+    memory: Option<Memory<'a>>,
+}
+
+/// What a thread's blocks took.
+#[derive(Clone, Copy, Default)]
+struct Totals {
+    /// Evaluate, mask, resolve.
+    seconds: [f64; 3],
+    rays: u64,
+}
+
+impl Totals {
+    fn plus(mut self, other: Self) -> Self {
+        self.seconds.iter_mut().zip(other.seconds).for_each(|(a, b)| *a += b);
+        Self { rays: self.rays + other.rays, ..self }
+    }
+}
+
+/// The passes of a frame, for any block.
+struct Passes<'a> {
+    tracer: Simd<'a>,
+    light: Vec4,
+    estimator: Option<Estimator<'a>>,
+    frames: Option<Frames<'a>>,
+    traces_all: bool,
+    traces_doubted: bool,
+}
+
+impl Passes<'_> {
+    fn run<'b, A: AnyHit + Sync>(
+        &self,
+        blocks: impl ParallelIterator<Item = Block<'b>>,
+        any_hit: A,
+    ) -> Totals {
+        blocks
+            .map_init(Rays::default, |rays, block| self.run_block(block, any_hit, rays))
+            .reduce(Totals::default, Totals::plus)
+    }
+
+    fn run_block<A: AnyHit>(&self, block: Block<'_>, any_hit: A, rays: &mut Rays) -> Totals {
+        let Block { index, samples, previous, visibility, is_doubted, mut memory } = block;
+        let mut totals = Totals::default();
+        let start = Instant::now();
+        match &self.estimator {
+            Some(estimate) => estimate(samples, visibility, is_doubted),
+            None => is_doubted.fill(false),
+        }
+        let estimated = Instant::now();
+        if let (Some(frames), Some(Memory { bits, depths })) = (self.frames, &mut memory) {
+            mask_block(
+                frames,
+                index,
+                BlockPixels { samples, previous, visibility, is_doubted, bits, depths },
+            );
+        }
+        let corrected = Instant::now();
+        rays.clear();
+        if self.traces_all {
+            for (i, sample) in samples.iter().enumerate() {
+                let (verdict, is_settled) = settle(sample, self.light);
+                visibility[i] = verdict.visibility;
+                if !is_settled {
+                    rays.push(i, shadow_ray(sample, self.light));
+                }
+            }
+        } else if self.traces_doubted {
+            for (i, sample) in samples.iter().enumerate() {
+                if is_doubted[i] {
+                    rays.push(i, shadow_ray(sample, self.light));
+                }
+            }
+        }
+        totals.rays = rays.trace(&self.tracer, any_hit, visibility);
+        if let Some(memory) = &mut memory {
+            memory.learn(visibility, is_doubted);
+        }
+        let resolved = Instant::now();
+        totals.seconds =
+            [estimated - start, corrected - estimated, resolved - corrected].map(|d| d.as_secs_f64());
+        totals
+    }
+}
+
+/// The rays of one block and the pixels they belong to.
+#[derive(Default)]
+struct Rays {
+    pixels: Vec<usize>,
+    rays: Vec<Ray>,
+    is_blocked: Vec<bool>,
+}
+
+impl Rays {
+    fn clear(&mut self) {
+        self.pixels.clear();
+        self.rays.clear();
+    }
+
+    fn push(&mut self, pixel: usize, ray: Ray) {
+        self.pixels.push(pixel);
+        self.rays.push(ray);
+    }
+
+    fn trace<A: AnyHit>(&mut self, tracer: &Simd<'_>, any_hit: A, visibility: &mut [f32]) -> u64 {
+        self.is_blocked.clear();
+        self.is_blocked.resize(self.rays.len(), false);
+        tracer.occluded_batch(&self.rays, any_hit, &mut self.is_blocked);
+        for (&pixel, &is_blocked) in self.pixels.iter().zip(&self.is_blocked) {
+            visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
+        }
+        self.rays.len() as u64
+    }
+}
+
+/// What a frame's evaluate pass reads.
+#[derive(Clone, Copy)]
+struct Maps<'a> {
+    p: &'a ShadowParams,
+    levels: Option<&'a [LightProjection]>,
+    depths: &'a [f32],
+    vectors: &'a [Vec4],
+}
+
+impl<'a> Maps<'a> {
+    fn estimator(self, test: MapTest, source: MapSource, has_doubts: bool) -> Estimator<'a> {
+        match test {
+            MapTest::Vsm if source == MapSource::Gather => self.batched::<Vsm>(has_doubts),
+            MapTest::Evsm if source == MapSource::Gather => self.batched::<Evsm>(has_doubts),
+            MapTest::Sm => self.any_source::<Sm>(source, has_doubts),
+            MapTest::Pcf => self.any_source::<Pcf>(source, has_doubts),
+            MapTest::Vsm => self.any_source::<Vsm>(source, has_doubts),
+            MapTest::Esm => self.any_source::<Esm>(source, has_doubts),
+            MapTest::Evsm => self.any_source::<Evsm>(source, has_doubts),
+            MapTest::Msm => self.any_source::<MsmHamburger>(source, has_doubts),
+            MapTest::MsmHausdorff => self.any_source::<MsmHausdorff>(source, has_doubts),
+        }
+    }
+
+    fn batched<T: BatchTest>(self, has_doubts: bool) -> Estimator<'a> {
+        let Maps { p, depths, .. } = self;
+        match (self.levels, has_doubts) {
+            (None, false) => Box::new(move |s, v, d| evaluate_batch::<T, false>(s, p, depths, v, d)),
+            (None, true) => Box::new(move |s, v, d| evaluate_batch::<T, true>(s, p, depths, v, d)),
+            (Some(l), false) => {
+                Box::new(move |s, v, d| evaluate_batch_levels::<T, false>(s, p, l, depths, v, d))
+            }
+            (Some(l), true) => {
+                Box::new(move |s, v, d| evaluate_batch_levels::<T, true>(s, p, l, depths, v, d))
+            }
+        }
+    }
+
+    fn any_source<T: TestFromParams>(self, source: MapSource, has_doubts: bool) -> Estimator<'a> {
+        match source {
+            MapSource::Gather => self.any_levels::<T, _>(GatheredDepths { depths: self.depths }, has_doubts),
+            MapSource::Prefiltered => {
+                self.any_levels::<T, _>(FilteredVectors { vectors: self.vectors }, has_doubts)
+            }
+        }
+    }
+
+    fn any_levels<T: TestFromParams, M: MapView + Sync + 'a>(
+        self,
+        map: M,
+        has_doubts: bool,
+    ) -> Estimator<'a> {
+        let one = OneLevel { projection: self.p.projection };
+        let levels =
+            |projections: &'a [LightProjection]| Levels { projections, count: projections.len() as u32 };
+        match (self.levels, has_doubts) {
+            (None, false) => self.one_by_one::<T, M, _, false>(map, one),
+            (None, true) => self.one_by_one::<T, M, _, true>(map, one),
+            (Some(all), false) => self.one_by_one::<T, M, _, false>(map, levels(all)),
+            (Some(all), true) => self.one_by_one::<T, M, _, true>(map, levels(all)),
+        }
+    }
+
+    fn one_by_one<T, M, L, const LTT: bool>(self, map: M, levels: L) -> Estimator<'a>
+    where
+        T: TestFromParams,
+        M: MapView + Sync + 'a,
+        L: LevelSource + Sync + 'a,
+    {
+        Box::new(move |samples, visibility, is_doubted| {
+            for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
+                let verdict = evaluate_levels::<T, M, L, LTT>(sample, self.p, map, levels);
+                *visibility = verdict.visibility;
+                *is_doubted = verdict.is_doubted;
+            }
+        })
+    }
+}
