@@ -85,6 +85,31 @@ pub fn map_size(text: &str) -> Result<u32, String> {
     }
 }
 
+/// A spot light's cone, half-angles in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cone {
+    /// Past which it does not shine.
+    pub outer_deg: f32,
+    /// Up to which it shines fully.
+    pub inner_deg: f32,
+}
+
+/// A cone, `outer` or `outer,inner`; the inner one is five sixths of the outer one unless given.
+pub fn cone(text: &str) -> Result<Cone, String> {
+    let (outer, inner) = text.split_once(',').map_or((text, None), |(outer, inner)| (outer, Some(inner)));
+    let outer_deg = finite(outer)?;
+    let inner_deg = inner.map_or(Ok(outer_deg * 5.0 / 6.0), finite)?;
+    match 0.0 <= inner_deg && inner_deg <= outer_deg && 0.0 < outer_deg && outer_deg < 90.0 {
+        true => Ok(Cone { outer_deg, inner_deg }),
+        false => Err("must be half-angles with 0 ≤ inner ≤ outer < 90 degrees, such as 30 or 30,20".into()),
+    }
+}
+
+/// A distance above 0.
+pub fn range(text: &str) -> Result<f32, String> {
+    finite(text).and_then(|r| if r > 0.0 { Ok(r) } else { Err("must lie above 0".into()) })
+}
+
 /// A ground square: its height and, unless it should fit the scene, half its side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground {
@@ -193,6 +218,16 @@ mod tests {
             assert_eq!(direction(text), Ok(Vec3::new(0.0, -1.0, 0.0)), "{text}");
         }
         assert!(direction("0,-0,0").is_err());
+    }
+
+    #[test]
+    fn cones_are_ordered_and_below_a_right_angle() {
+        assert_eq!(cone("30"), Ok(Cone { outer_deg: 30.0, inner_deg: 25.0 }));
+        assert_eq!(cone("30,0"), Ok(Cone { outer_deg: 30.0, inner_deg: 0.0 }));
+        for text in ["0", "90", "30,31", "30,-1", "x", "30,x", ""] {
+            assert!(cone(text).is_err(), "{text}");
+        }
+        assert!(range("0").is_err() && range("-1").is_err() && range("2") == Ok(2.0));
     }
 
     #[test]

@@ -96,7 +96,7 @@ const TURNS: u32 = 8;
 fn fit_level(frame: &LightFrame, seen: &[Vec3], scene: Bounds, growth: f32, map_size: u32) -> LightFit {
     if seen.is_empty() {
         let nowhere = LightProjection::orthographic(frame, Vec3::ZERO, Vec3::ZERO);
-        return LightFit { projection: nowhere, extent_world: Vec3::ZERO };
+        return LightFit { projection: nowhere, extent_world: Vec3::ZERO, near: 0.0 };
     }
     let area = |b: &Bounds| (b.max - b.min).truncate().element_product();
     let turned = |i: u32| {
@@ -122,7 +122,11 @@ fn fit_level(frame: &LightFrame, seen: &[Vec3], scene: Bounds, growth: f32, map_
     let depths = if column.is_empty() { casters } else { column };
     let margin = depth_margin(depths);
     let (min, max) = (Vec3::new(x.0, y.0, depths.min.z - margin), Vec3::new(x.1, y.1, depths.max.z + margin));
-    LightFit { projection: LightProjection::orthographic(&frame, min, max), extent_world: max - min }
+    LightFit {
+        projection: LightProjection::orthographic(&frame, min, max),
+        extent_world: max - min,
+        near: 0.0,
+    }
 }
 
 /// Whether a kept level still does what a fresh one would: it holds the slice and the footprints in it.

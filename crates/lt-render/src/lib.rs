@@ -30,6 +30,7 @@ mod error;
 mod frame;
 #[cfg(feature = "gpu")]
 pub mod gpu;
+mod lamp;
 mod levels;
 mod light_fit;
 pub mod metrics;

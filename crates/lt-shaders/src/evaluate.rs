@@ -6,7 +6,7 @@ use lt_math::{
     Pcf, ShadowTest, Sm, Vsm, bilinear_footprint, needs_ray,
 };
 
-use crate::abi::{Sample, ShadowParams};
+use crate::abi::{LightParams, Sample, ShadowParams};
 
 /// Estimate and doubt of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,21 +27,33 @@ impl Verdict {
     const LIT: Self = Self { visibility: 1.0, is_doubted: false };
 }
 
-/// Unnormalised vector from a point to the light; see [`ShadowParams::light`].
+/// Unnormalised vector from a point to the light; see [`LightParams::place`].
 #[inline]
-pub fn to_light(position: Vec3, light: Vec4) -> Vec3 {
-    light.truncate() - position * light.w
+pub fn to_light(position: Vec3, light: &LightParams) -> Vec3 {
+    light.place.truncate() - position * light.place.w
 }
 
-/// What needs neither map nor ray: nothing visible or facing away is blocked, and what receives no shadow is lit.
+/// Whether a light shines towards a point at all, `to_light` away from it: within its range and its cone. The edge of
+/// either counts as inside.
+#[inline]
+pub fn reaches(to_light: Vec3, light: &LightParams) -> bool {
+    let squared = to_light.dot(to_light);
+    let along = -to_light.dot(light.axis);
+    light.place.w == 0.0
+        || (squared <= light.range_squared && along >= light.cos_outer * lt_math::float::sqrt(squared))
+}
+
+/// What needs neither map nor ray: nothing visible, facing away or out of the light's reach is blocked, and what receives
+/// no shadow is lit.
 /// The last field says whether a pixel is settled so.
 #[inline]
-pub fn settle(sample: &Sample, light: Vec4) -> (Verdict, bool) {
+pub fn settle(sample: &Sample, light: &LightParams) -> (Verdict, bool) {
     if !sample.is_valid() {
         return (Verdict::BLOCKED, true);
     }
-    let faces = sample.normal.dot(to_light(sample.position, light)) > 0.0;
-    if !faces {
+    let to_light = to_light(sample.position, light);
+    let faces = sample.normal.dot(to_light) > 0.0;
+    if !faces || !reaches(to_light, light) {
         return (Verdict::BLOCKED, true);
     }
     (Verdict::LIT, sample.flags & Sample::RECEIVES == 0)
@@ -261,7 +273,7 @@ pub fn evaluate_levels<T: TestFromParams, M: MapSource, L: LevelSource, const LT
     map: M,
     levels: L,
 ) -> Verdict {
-    let (verdict, is_settled) = settle(sample, p.light);
+    let (verdict, is_settled) = settle(sample, &p.light);
     if is_settled {
         return verdict;
     }

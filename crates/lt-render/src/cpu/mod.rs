@@ -8,6 +8,7 @@ mod batch;
 mod history;
 mod kept_map;
 mod mask_batch;
+mod perspective;
 mod planes;
 mod raster;
 mod shadow;
@@ -213,7 +214,7 @@ impl Backend for CpuBackend {
             + size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
-            let lit_side = |s: &Sample| !settle(s, job.shadow.light).1;
+            let lit_side = |s: &Sample| !settle(s, &job.shadow.light).1;
             let traced: Vec<bool> = self.samples.iter().map(lit_side).collect();
             doubt = self.tiles.to_rows(&traced);
         }

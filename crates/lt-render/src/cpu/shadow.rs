@@ -11,7 +11,7 @@ use lt_math::glam::{Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
 };
-use lt_shaders::abi::{Material, Sample, ShadowParams};
+use lt_shaders::abi::{LightParams, Material, Sample, ShadowParams};
 use lt_shaders::evaluate::{
     FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels, settle,
 };
@@ -131,7 +131,7 @@ impl Totals {
 /// The passes of a frame, for any block.
 struct Passes<'a> {
     tracer: Simd<'a>,
-    light: Vec4,
+    light: LightParams,
     estimator: Option<Estimator<'a>>,
     frames: Option<Frames<'a>>,
     traces_all: bool,
@@ -169,16 +169,16 @@ impl Passes<'_> {
         rays.clear();
         if self.traces_all {
             for (i, sample) in samples.iter().enumerate() {
-                let (verdict, is_settled) = settle(sample, self.light);
+                let (verdict, is_settled) = settle(sample, &self.light);
                 visibility[i] = verdict.visibility;
                 if !is_settled {
-                    rays.push(i, shadow_ray(sample, self.light));
+                    rays.push(i, shadow_ray(sample, &self.light));
                 }
             }
         } else if self.traces_doubted {
             for (i, sample) in samples.iter().enumerate() {
                 if is_doubted[i] {
-                    rays.push(i, shadow_ray(sample, self.light));
+                    rays.push(i, shadow_ray(sample, &self.light));
                 }
             }
         }

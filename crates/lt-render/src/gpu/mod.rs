@@ -140,7 +140,7 @@ impl GpuBackend {
     /// Doubted pixels and rays of the frame that was just run.
     fn doubt(&self, job: &FrameJob) -> Result<(Vec<bool>, u64), RenderError> {
         if job.plan.trace_all {
-            let traced: Vec<bool> = self.samples.iter().map(|s| !settle(s, job.shadow.light).1).collect();
+            let traced: Vec<bool> = self.samples.iter().map(|s| !settle(s, &job.shadow.light).1).collect();
             let rays = traced.iter().filter(|t| **t).count() as u64;
             return Ok((traced, rays));
         }
