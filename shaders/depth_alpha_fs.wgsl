@@ -18,9 +18,9 @@ struct lt_math_LightProjection {
 struct abi_DepthParams {
     projection: lt_math_LightProjection,
     map_size: u32,
+    near: f32,
     pad0_: u32,
     pad1_: u32,
-    pad2_: u32,
 }
 
 struct type_19 {
@@ -96,54 +96,54 @@ fn spirv_std_arch_kill() {
 }
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_538_: f32;
-    var phi_543_: f32;
-    var phi_544_: bool;
-    var phi_545_: f32;
-    var phi_546_: bool;
-    var phi_550_: f32;
-    var phi_576_: f32;
-    var phi_581_: f32;
-    var phi_582_: bool;
     var phi_583_: f32;
-    var phi_584_: bool;
     var phi_588_: f32;
-    var phi_596_: f32;
-    var phi_597_: f32;
-    var phi_598_: f32;
-    var phi_607_: f32;
-    var phi_608_: f32;
-    var phi_626_: u32;
-    var phi_640_: u32;
-    var phi_647_: u32;
-    var phi_652_: u32;
-    var phi_658_: u32;
-    var phi_663_: u32;
-    var phi_665_: texture_Axis;
-    var phi_693_: f32;
-    var phi_698_: f32;
-    var phi_699_: bool;
-    var phi_700_: f32;
-    var phi_701_: bool;
-    var phi_705_: f32;
-    var phi_731_: f32;
-    var phi_736_: f32;
-    var phi_737_: bool;
+    var phi_589_: bool;
+    var phi_590_: f32;
+    var phi_591_: bool;
+    var phi_595_: f32;
+    var phi_621_: f32;
+    var phi_626_: f32;
+    var phi_627_: bool;
+    var phi_628_: f32;
+    var phi_629_: bool;
+    var phi_633_: f32;
+    var phi_641_: f32;
+    var phi_642_: f32;
+    var phi_643_: f32;
+    var phi_652_: f32;
+    var phi_653_: f32;
+    var phi_671_: u32;
+    var phi_685_: u32;
+    var phi_692_: u32;
+    var phi_697_: u32;
+    var phi_703_: u32;
+    var phi_708_: u32;
+    var phi_710_: texture_Axis;
     var phi_738_: f32;
-    var phi_739_: bool;
     var phi_743_: f32;
-    var phi_751_: f32;
-    var phi_752_: f32;
-    var phi_753_: f32;
-    var phi_762_: f32;
-    var phi_763_: f32;
-    var phi_781_: u32;
-    var phi_795_: u32;
-    var phi_802_: u32;
-    var phi_807_: u32;
-    var phi_813_: u32;
-    var phi_818_: u32;
-    var phi_820_: texture_Axis;
+    var phi_744_: bool;
+    var phi_745_: f32;
+    var phi_746_: bool;
+    var phi_750_: f32;
+    var phi_776_: f32;
+    var phi_781_: f32;
+    var phi_782_: bool;
+    var phi_783_: f32;
+    var phi_784_: bool;
+    var phi_788_: f32;
+    var phi_796_: f32;
+    var phi_797_: f32;
+    var phi_798_: f32;
+    var phi_807_: f32;
+    var phi_808_: f32;
+    var phi_826_: u32;
+    var phi_840_: u32;
+    var phi_847_: u32;
+    var phi_852_: u32;
+    var phi_858_: u32;
+    var phi_863_: u32;
+    var phi_865_: texture_Axis;
 
     let _e43 = (*param).size;
     let _e44 = (_e43 & 65535u);
@@ -157,286 +157,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e70 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e70 > param_1) {
-                phi_538_ = 1f;
+                phi_583_ = 1f;
             } else {
-                phi_538_ = 0f;
+                phi_583_ = 0f;
             }
-            let _e73 = phi_538_;
+            let _e73 = phi_583_;
             if (param_1 < 8388608f) {
-                phi_543_ = (_e70 - _e73);
-                phi_544_ = false;
+                phi_588_ = (_e70 - _e73);
+                phi_589_ = false;
             } else {
-                phi_543_ = f32();
-                phi_544_ = true;
+                phi_588_ = f32();
+                phi_589_ = true;
             }
-            let _e76 = phi_543_;
-            let _e78 = phi_544_;
-            phi_545_ = _e76;
-            phi_546_ = _e78;
+            let _e76 = phi_588_;
+            let _e78 = phi_589_;
+            phi_590_ = _e76;
+            phi_591_ = _e78;
         } else {
-            phi_545_ = f32();
-            phi_546_ = true;
+            phi_590_ = f32();
+            phi_591_ = true;
         }
-        let _e80 = phi_545_;
-        let _e82 = phi_546_;
+        let _e80 = phi_590_;
+        let _e82 = phi_591_;
         if _e82 {
-            phi_550_ = param_1;
+            phi_595_ = param_1;
         } else {
-            phi_550_ = _e80;
+            phi_595_ = _e80;
         }
-        let _e84 = phi_550_;
-        phi_598_ = (param_1 - _e84);
+        let _e84 = phi_595_;
+        phi_643_ = (param_1 - _e84);
     } else {
         if (_e57 == 1u) {
             let _e87 = (param_1 * 0.5f);
             if (_e87 > -8388608f) {
                 let _e99 = f32(select(0i, select(select(i32(_e87), i32(-2147483648), (_e87 < bitcast<f32>(3472883712u))), 2147483647i, (_e87 > bitcast<f32>(1325400063u))), (_e87 == _e87)));
                 if (_e99 > _e87) {
-                    phi_576_ = 1f;
+                    phi_621_ = 1f;
                 } else {
-                    phi_576_ = 0f;
+                    phi_621_ = 0f;
                 }
-                let _e102 = phi_576_;
+                let _e102 = phi_621_;
                 if (_e87 < 8388608f) {
-                    phi_581_ = (_e99 - _e102);
-                    phi_582_ = false;
+                    phi_626_ = (_e99 - _e102);
+                    phi_627_ = false;
                 } else {
-                    phi_581_ = f32();
-                    phi_582_ = true;
+                    phi_626_ = f32();
+                    phi_627_ = true;
                 }
-                let _e105 = phi_581_;
-                let _e107 = phi_582_;
-                phi_583_ = _e105;
-                phi_584_ = _e107;
+                let _e105 = phi_626_;
+                let _e107 = phi_627_;
+                phi_628_ = _e105;
+                phi_629_ = _e107;
             } else {
-                phi_583_ = f32();
-                phi_584_ = true;
+                phi_628_ = f32();
+                phi_629_ = true;
             }
-            let _e109 = phi_583_;
-            let _e111 = phi_584_;
+            let _e109 = phi_628_;
+            let _e111 = phi_629_;
             if _e111 {
-                phi_588_ = _e87;
+                phi_633_ = _e87;
             } else {
-                phi_588_ = _e109;
+                phi_633_ = _e109;
             }
-            let _e113 = phi_588_;
+            let _e113 = phi_633_;
             let _e115 = (param_1 - (2f * _e113));
             if (_e115 > 1f) {
-                phi_596_ = (2f - _e115);
+                phi_641_ = (2f - _e115);
             } else {
-                phi_596_ = _e115;
+                phi_641_ = _e115;
             }
-            let _e119 = phi_596_;
-            phi_597_ = _e119;
+            let _e119 = phi_641_;
+            phi_642_ = _e119;
         } else {
-            phi_597_ = param_1;
+            phi_642_ = param_1;
         }
-        let _e121 = phi_597_;
-        phi_598_ = _e121;
+        let _e121 = phi_642_;
+        phi_643_ = _e121;
     }
-    let _e123 = phi_598_;
+    let _e123 = phi_643_;
     if (_e123 > 0f) {
         if (_e123 < 1f) {
-            phi_607_ = _e123;
+            phi_652_ = _e123;
         } else {
-            phi_607_ = 1f;
+            phi_652_ = 1f;
         }
-        let _e127 = phi_607_;
-        phi_608_ = _e127;
+        let _e127 = phi_652_;
+        phi_653_ = _e127;
     } else {
-        phi_608_ = 0f;
+        phi_653_ = 0f;
     }
-    let _e129 = phi_608_;
+    let _e129 = phi_653_;
     let _e130 = (_e44 - 1u);
     let _e132 = (_e129 * f32(_e44));
     if _e52 {
         let _e139 = select(select(u32(_e132), 0u, (_e132 < bitcast<f32>(0u))), 4294967295u, (_e132 > bitcast<f32>(1333788671u)));
         if (_e130 < _e139) {
-            phi_626_ = _e130;
+            phi_671_ = _e130;
         } else {
-            phi_626_ = _e139;
+            phi_671_ = _e139;
         }
-        let _e142 = phi_626_;
-        phi_665_ = texture_Axis(_e142, _e142, 0f);
+        let _e142 = phi_671_;
+        phi_710_ = texture_Axis(_e142, _e142, 0f);
     } else {
         let _e144 = (_e132 + 0.5f);
         let _e151 = select(select(u32(_e144), 0u, (_e144 < bitcast<f32>(0u))), 4294967295u, (_e144 > bitcast<f32>(1333788671u)));
         if (_e44 < _e151) {
-            phi_640_ = _e44;
+            phi_685_ = _e44;
         } else {
-            phi_640_ = _e151;
+            phi_685_ = _e151;
         }
-        let _e154 = phi_640_;
+        let _e154 = phi_685_;
         if (_e57 == 0u) {
-            phi_647_ = _e130;
+            phi_692_ = _e130;
         } else {
-            phi_647_ = 0u;
+            phi_692_ = 0u;
         }
-        let _e159 = phi_647_;
+        let _e159 = phi_692_;
         if (_e57 == 0u) {
-            phi_652_ = 0u;
+            phi_697_ = 0u;
         } else {
-            phi_652_ = _e130;
+            phi_697_ = _e130;
         }
-        let _e162 = phi_652_;
+        let _e162 = phi_697_;
         if (_e154 == 0u) {
-            phi_658_ = _e159;
+            phi_703_ = _e159;
         } else {
-            phi_658_ = (_e154 - 1u);
+            phi_703_ = (_e154 - 1u);
         }
-        let _e166 = phi_658_;
+        let _e166 = phi_703_;
         if (_e154 > _e130) {
-            phi_663_ = _e162;
+            phi_708_ = _e162;
         } else {
-            phi_663_ = _e154;
+            phi_708_ = _e154;
         }
-        let _e169 = phi_663_;
-        phi_665_ = texture_Axis(_e166, _e169, (_e144 - f32(_e154)));
+        let _e169 = phi_708_;
+        phi_710_ = texture_Axis(_e166, _e169, (_e144 - f32(_e154)));
     }
-    let _e172 = phi_665_;
+    let _e172 = phi_710_;
     let _e174 = (*param).flags;
     let _e177 = ((_e174 >> bitcast<u32>(6u)) & 3u);
     if (_e177 == 0u) {
         if (param_2 > -8388608f) {
             let _e190 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e190 > param_2) {
-                phi_693_ = 1f;
+                phi_738_ = 1f;
             } else {
-                phi_693_ = 0f;
+                phi_738_ = 0f;
             }
-            let _e193 = phi_693_;
+            let _e193 = phi_738_;
             if (param_2 < 8388608f) {
-                phi_698_ = (_e190 - _e193);
-                phi_699_ = false;
+                phi_743_ = (_e190 - _e193);
+                phi_744_ = false;
             } else {
-                phi_698_ = f32();
-                phi_699_ = true;
+                phi_743_ = f32();
+                phi_744_ = true;
             }
-            let _e196 = phi_698_;
-            let _e198 = phi_699_;
-            phi_700_ = _e196;
-            phi_701_ = _e198;
+            let _e196 = phi_743_;
+            let _e198 = phi_744_;
+            phi_745_ = _e196;
+            phi_746_ = _e198;
         } else {
-            phi_700_ = f32();
-            phi_701_ = true;
+            phi_745_ = f32();
+            phi_746_ = true;
         }
-        let _e200 = phi_700_;
-        let _e202 = phi_701_;
+        let _e200 = phi_745_;
+        let _e202 = phi_746_;
         if _e202 {
-            phi_705_ = param_2;
+            phi_750_ = param_2;
         } else {
-            phi_705_ = _e200;
+            phi_750_ = _e200;
         }
-        let _e204 = phi_705_;
-        phi_753_ = (param_2 - _e204);
+        let _e204 = phi_750_;
+        phi_798_ = (param_2 - _e204);
     } else {
         if (_e177 == 1u) {
             let _e207 = (param_2 * 0.5f);
             if (_e207 > -8388608f) {
                 let _e219 = f32(select(0i, select(select(i32(_e207), i32(-2147483648), (_e207 < bitcast<f32>(3472883712u))), 2147483647i, (_e207 > bitcast<f32>(1325400063u))), (_e207 == _e207)));
                 if (_e219 > _e207) {
-                    phi_731_ = 1f;
+                    phi_776_ = 1f;
                 } else {
-                    phi_731_ = 0f;
+                    phi_776_ = 0f;
                 }
-                let _e222 = phi_731_;
+                let _e222 = phi_776_;
                 if (_e207 < 8388608f) {
-                    phi_736_ = (_e219 - _e222);
-                    phi_737_ = false;
+                    phi_781_ = (_e219 - _e222);
+                    phi_782_ = false;
                 } else {
-                    phi_736_ = f32();
-                    phi_737_ = true;
+                    phi_781_ = f32();
+                    phi_782_ = true;
                 }
-                let _e225 = phi_736_;
-                let _e227 = phi_737_;
-                phi_738_ = _e225;
-                phi_739_ = _e227;
+                let _e225 = phi_781_;
+                let _e227 = phi_782_;
+                phi_783_ = _e225;
+                phi_784_ = _e227;
             } else {
-                phi_738_ = f32();
-                phi_739_ = true;
+                phi_783_ = f32();
+                phi_784_ = true;
             }
-            let _e229 = phi_738_;
-            let _e231 = phi_739_;
+            let _e229 = phi_783_;
+            let _e231 = phi_784_;
             if _e231 {
-                phi_743_ = _e207;
+                phi_788_ = _e207;
             } else {
-                phi_743_ = _e229;
+                phi_788_ = _e229;
             }
-            let _e233 = phi_743_;
+            let _e233 = phi_788_;
             let _e235 = (param_2 - (2f * _e233));
             if (_e235 > 1f) {
-                phi_751_ = (2f - _e235);
+                phi_796_ = (2f - _e235);
             } else {
-                phi_751_ = _e235;
+                phi_796_ = _e235;
             }
-            let _e239 = phi_751_;
-            phi_752_ = _e239;
+            let _e239 = phi_796_;
+            phi_797_ = _e239;
         } else {
-            phi_752_ = param_2;
+            phi_797_ = param_2;
         }
-        let _e241 = phi_752_;
-        phi_753_ = _e241;
+        let _e241 = phi_797_;
+        phi_798_ = _e241;
     }
-    let _e243 = phi_753_;
+    let _e243 = phi_798_;
     if (_e243 > 0f) {
         if (_e243 < 1f) {
-            phi_762_ = _e243;
+            phi_807_ = _e243;
         } else {
-            phi_762_ = 1f;
+            phi_807_ = 1f;
         }
-        let _e247 = phi_762_;
-        phi_763_ = _e247;
+        let _e247 = phi_807_;
+        phi_808_ = _e247;
     } else {
-        phi_763_ = 0f;
+        phi_808_ = 0f;
     }
-    let _e249 = phi_763_;
+    let _e249 = phi_808_;
     let _e250 = (_e48 - 1u);
     let _e252 = (_e249 * f32(_e48));
     if _e52 {
         let _e259 = select(select(u32(_e252), 0u, (_e252 < bitcast<f32>(0u))), 4294967295u, (_e252 > bitcast<f32>(1333788671u)));
         if (_e250 < _e259) {
-            phi_781_ = _e250;
+            phi_826_ = _e250;
         } else {
-            phi_781_ = _e259;
+            phi_826_ = _e259;
         }
-        let _e262 = phi_781_;
-        phi_820_ = texture_Axis(_e262, _e262, 0f);
+        let _e262 = phi_826_;
+        phi_865_ = texture_Axis(_e262, _e262, 0f);
     } else {
         let _e264 = (_e252 + 0.5f);
         let _e271 = select(select(u32(_e264), 0u, (_e264 < bitcast<f32>(0u))), 4294967295u, (_e264 > bitcast<f32>(1333788671u)));
         if (_e48 < _e271) {
-            phi_795_ = _e48;
+            phi_840_ = _e48;
         } else {
-            phi_795_ = _e271;
+            phi_840_ = _e271;
         }
-        let _e274 = phi_795_;
+        let _e274 = phi_840_;
         if (_e177 == 0u) {
-            phi_802_ = _e250;
+            phi_847_ = _e250;
         } else {
-            phi_802_ = 0u;
+            phi_847_ = 0u;
         }
-        let _e279 = phi_802_;
+        let _e279 = phi_847_;
         if (_e177 == 0u) {
-            phi_807_ = 0u;
+            phi_852_ = 0u;
         } else {
-            phi_807_ = _e250;
+            phi_852_ = _e250;
         }
-        let _e282 = phi_807_;
+        let _e282 = phi_852_;
         if (_e274 == 0u) {
-            phi_813_ = _e279;
+            phi_858_ = _e279;
         } else {
-            phi_813_ = (_e274 - 1u);
+            phi_858_ = (_e274 - 1u);
         }
-        let _e286 = phi_813_;
+        let _e286 = phi_858_;
         if (_e274 > _e250) {
-            phi_818_ = _e282;
+            phi_863_ = _e282;
         } else {
-            phi_818_ = _e274;
+            phi_863_ = _e274;
         }
-        let _e289 = phi_818_;
-        phi_820_ = texture_Axis(_e286, _e289, (_e264 - f32(_e274)));
+        let _e289 = phi_863_;
+        phi_865_ = texture_Axis(_e286, _e289, (_e264 - f32(_e274)));
     }
-    let _e292 = phi_820_;
+    let _e292 = phi_865_;
     let _e296 = (*param).offset;
     let _e303 = (*param).offset;
     let _e310 = (*param).offset;
@@ -448,14 +448,14 @@ fn function_() {
     var local: texture_TextureView;
     var phi_139_: vec3<f32>;
     var phi_140_: vec3<f32>;
-    var phi_189_: vec3<f32>;
-    var phi_190_: vec3<f32>;
-    var phi_239_: vec3<f32>;
-    var phi_240_: vec3<f32>;
-    var phi_303_: vec3<f32>;
-    var phi_487_: f32;
-    var phi_491_: bool;
-    var phi_492_: bool;
+    var phi_202_: vec3<f32>;
+    var phi_203_: vec3<f32>;
+    var phi_265_: vec3<f32>;
+    var phi_266_: vec3<f32>;
+    var phi_348_: vec3<f32>;
+    var phi_532_: f32;
+    var phi_536_: bool;
+    var phi_537_: bool;
 
     let _e40 = at_1;
     let _e41 = triangle_1;
@@ -482,131 +482,137 @@ fn function_() {
     let _e76 = f32(_e71);
     let _e78 = p.member.projection.row_x;
     let _e92 = p.member.projection.row_y;
+    let _e108 = p.member.projection.row_w;
+    let _e119 = ((((_e108.x * _e69.x) + (_e108.y * _e69.y)) + (_e108.z * _e69.z)) + (_e108.w * 1f));
     if (1u == 0u) {
-        phi_190_ = _e58.v0_;
+        phi_203_ = _e58.v0_;
     } else {
         if (1u == 1u) {
-            phi_189_ = _e58.v1_;
+            phi_202_ = _e58.v1_;
         } else {
-            phi_189_ = _e58.v2_;
+            phi_202_ = _e58.v2_;
         }
-        let _e113 = phi_189_;
-        phi_190_ = _e113;
+        let _e126 = phi_202_;
+        phi_203_ = _e126;
     }
-    let _e115 = phi_190_;
-    let _e117 = p.member.map_size;
-    let _e122 = f32(_e117);
-    let _e124 = p.member.projection.row_x;
-    let _e138 = p.member.projection.row_y;
+    let _e128 = phi_203_;
+    let _e130 = p.member.map_size;
+    let _e135 = f32(_e130);
+    let _e137 = p.member.projection.row_x;
+    let _e151 = p.member.projection.row_y;
+    let _e167 = p.member.projection.row_w;
+    let _e178 = ((((_e167.x * _e128.x) + (_e167.y * _e128.y)) + (_e167.z * _e128.z)) + (_e167.w * 1f));
     if (2u == 0u) {
-        phi_240_ = _e58.v0_;
+        phi_266_ = _e58.v0_;
     } else {
         if (2u == 1u) {
-            phi_239_ = _e58.v1_;
+            phi_265_ = _e58.v1_;
         } else {
-            phi_239_ = _e58.v2_;
+            phi_265_ = _e58.v2_;
         }
-        let _e159 = phi_239_;
-        phi_240_ = _e159;
+        let _e185 = phi_265_;
+        phi_266_ = _e185;
     }
-    let _e161 = phi_240_;
-    let _e163 = p.member.map_size;
-    let _e168 = f32(_e163);
-    let _e170 = p.member.projection.row_x;
-    let _e184 = p.member.projection.row_y;
-    let _e199 = ((((((_e78.x * _e69.x) + (_e78.y * _e69.y)) + (_e78.z * _e69.z)) + (_e78.w * 1f)) * _e76) - _e40.x);
-    let _e200 = ((((((_e92.x * _e69.x) + (_e92.y * _e69.y)) + (_e92.z * _e69.z)) + (_e92.w * 1f)) * _e76) - _e40.y);
-    let _e201 = ((((((_e124.x * _e115.x) + (_e124.y * _e115.y)) + (_e124.z * _e115.z)) + (_e124.w * 1f)) * _e122) - _e40.x);
-    let _e202 = ((((((_e138.x * _e115.x) + (_e138.y * _e115.y)) + (_e138.z * _e115.z)) + (_e138.w * 1f)) * _e122) - _e40.y);
-    let _e203 = ((((((_e170.x * _e161.x) + (_e170.y * _e161.y)) + (_e170.z * _e161.z)) + (_e170.w * 1f)) * _e168) - _e40.x);
-    let _e204 = ((((((_e184.x * _e161.x) + (_e184.y * _e161.y)) + (_e184.z * _e161.z)) + (_e184.w * 1f)) * _e168) - _e40.y);
-    let _e207 = ((_e203 * _e202) - (_e204 * _e201));
-    let _e210 = ((_e199 * _e204) - (_e200 * _e203));
-    let _e213 = ((_e201 * _e200) - (_e202 * _e199));
-    let _e215 = ((_e207 + _e210) + _e213);
-    if (_e215 == 0f) {
-        phi_303_ = vec3<f32>(1f, 0f, 0f);
+    let _e187 = phi_266_;
+    let _e189 = p.member.map_size;
+    let _e194 = f32(_e189);
+    let _e196 = p.member.projection.row_x;
+    let _e210 = p.member.projection.row_y;
+    let _e226 = p.member.projection.row_w;
+    let _e237 = ((((_e226.x * _e187.x) + (_e226.y * _e187.y)) + (_e226.z * _e187.z)) + (_e226.w * 1f));
+    let _e240 = ((((((_e78.x * _e69.x) + (_e78.y * _e69.y)) + (_e78.z * _e69.z)) + (_e78.w * 1f)) * _e76) - (_e40.x * _e119));
+    let _e241 = ((((((_e92.x * _e69.x) + (_e92.y * _e69.y)) + (_e92.z * _e69.z)) + (_e92.w * 1f)) * _e76) - (_e40.y * _e119));
+    let _e244 = ((((((_e137.x * _e128.x) + (_e137.y * _e128.y)) + (_e137.z * _e128.z)) + (_e137.w * 1f)) * _e135) - (_e40.x * _e178));
+    let _e245 = ((((((_e151.x * _e128.x) + (_e151.y * _e128.y)) + (_e151.z * _e128.z)) + (_e151.w * 1f)) * _e135) - (_e40.y * _e178));
+    let _e248 = ((((((_e196.x * _e187.x) + (_e196.y * _e187.y)) + (_e196.z * _e187.z)) + (_e196.w * 1f)) * _e194) - (_e40.x * _e237));
+    let _e249 = ((((((_e210.x * _e187.x) + (_e210.y * _e187.y)) + (_e210.z * _e187.z)) + (_e210.w * 1f)) * _e194) - (_e40.y * _e237));
+    let _e252 = ((_e248 * _e245) - (_e249 * _e244));
+    let _e255 = ((_e240 * _e249) - (_e241 * _e248));
+    let _e258 = ((_e244 * _e241) - (_e245 * _e240));
+    let _e260 = ((_e252 + _e255) + _e258);
+    if (_e260 == 0f) {
+        phi_348_ = vec3<f32>(1f, 0f, 0f);
     } else {
-        phi_303_ = vec3<f32>((_e207 / _e215), (_e210 / _e215), (_e213 / _e215));
+        phi_348_ = vec3<f32>((_e252 / _e260), (_e255 / _e260), (_e258 / _e260));
     }
-    let _e222 = phi_303_;
-    let _e224 = (_e58.i0_ & 2147483647u);
-    if (_e224 < _e48) {
+    let _e267 = phi_348_;
+    let _e269 = (_e58.i0_ & 2147483647u);
+    if (_e269 < _e48) {
     } else {
         return;
     }
-    let _e230 = vertices.member[(0u + _e224)];
+    let _e275 = vertices.member[(0u + _e269)];
     if (_e58.i1_ < _e48) {
     } else {
         return;
     }
-    let _e234 = vertices.member[(0u + _e58.i1_)];
+    let _e279 = vertices.member[(0u + _e58.i1_)];
     if (_e58.i2_ < _e48) {
     } else {
         return;
     }
-    let _e238 = vertices.member[(0u + _e58.i2_)];
-    let _e239 = array<abi_Vertex, 3>(_e230, _e234, _e238);
-    if (_e239[0].material < arrayLength((&materials.member))) {
+    let _e283 = vertices.member[(0u + _e58.i2_)];
+    let _e284 = array<abi_Vertex, 3>(_e275, _e279, _e283);
+    if (_e284[0].material < arrayLength((&materials.member))) {
     } else {
         return;
     }
-    let _e246 = materials.member[(0u + _e239[0].material)].flags;
-    if ((_e246 & 1u) == 0u) {
-        phi_492_ = false;
+    let _e291 = materials.member[(0u + _e284[0].material)].flags;
+    if ((_e291 & 1u) == 0u) {
+        phi_537_ = false;
     } else {
-        let _e250 = materials.member[(0u + _e239[0].material)].cutoff;
-        if (_e250 <= 0f) {
-            phi_491_ = true;
+        let _e295 = materials.member[(0u + _e284[0].material)].cutoff;
+        if (_e295 <= 0f) {
+            phi_536_ = true;
         } else {
-            let _e254 = materials.member[(0u + _e239[0].material)].base_color[3u];
-            let _e280 = (_e254 * ((((f32((_e239[0].color >> bitcast<u32>(24i))) * _e222.x) + (f32((_e239[1].color >> bitcast<u32>(24i))) * _e222.y)) + (f32((_e239[2].color >> bitcast<u32>(24i))) * _e222.z)) * (1f / 255f)));
-            let _e282 = materials.member[(0u + _e239[0].material)].alpha_size;
-            if (_e282 == 0u) {
-                phi_487_ = _e280;
+            let _e299 = materials.member[(0u + _e284[0].material)].base_color[3u];
+            let _e325 = (_e299 * ((((f32((_e284[0].color >> bitcast<u32>(24i))) * _e267.x) + (f32((_e284[1].color >> bitcast<u32>(24i))) * _e267.y)) + (f32((_e284[2].color >> bitcast<u32>(24i))) * _e267.z)) * (1f / 255f)));
+            let _e327 = materials.member[(0u + _e284[0].material)].alpha_size;
+            if (_e327 == 0u) {
+                phi_532_ = _e325;
             } else {
-                let _e285 = materials.member[(0u + _e239[0].material)].alpha_offset;
-                let _e287 = materials.member[(0u + _e239[0].material)].alpha_size;
-                let _e289 = materials.member[(0u + _e239[0].material)].flags;
-                local.offset = _e285;
-                local.size = _e287;
-                local.flags = _e289;
-                let _e318 = _lt_shaders_texture_TextureView_quad((&local), (((_e239[0].u * _e222.x) + (_e239[1].u * _e222.y)) + (_e239[2].u * _e222.z)), (((_e239[0].v * _e222.x) + (_e239[1].v * _e222.y)) + (_e239[2].v * _e222.z)));
-                let _e322 = (_e318.indices[0] >> bitcast<u32>(2i));
-                if (_e322 < _e54) {
+                let _e330 = materials.member[(0u + _e284[0].material)].alpha_offset;
+                let _e332 = materials.member[(0u + _e284[0].material)].alpha_size;
+                let _e334 = materials.member[(0u + _e284[0].material)].flags;
+                local.offset = _e330;
+                local.size = _e332;
+                local.flags = _e334;
+                let _e363 = _lt_shaders_texture_TextureView_quad((&local), (((_e284[0].u * _e267.x) + (_e284[1].u * _e267.y)) + (_e284[2].u * _e267.z)), (((_e284[0].v * _e267.x) + (_e284[1].v * _e267.y)) + (_e284[2].v * _e267.z)));
+                let _e367 = (_e363.indices[0] >> bitcast<u32>(2i));
+                if (_e367 < _e54) {
                 } else {
                     return;
                 }
-                let _e326 = alpha_texels.member[(0u + _e322)];
-                let _e342 = (_e318.indices[1] >> bitcast<u32>(2i));
-                if (_e342 < _e54) {
+                let _e371 = alpha_texels.member[(0u + _e367)];
+                let _e387 = (_e363.indices[1] >> bitcast<u32>(2i));
+                if (_e387 < _e54) {
                 } else {
                     return;
                 }
-                let _e346 = alpha_texels.member[(0u + _e342)];
-                let _e363 = (_e318.indices[2] >> bitcast<u32>(2i));
-                if (_e363 < _e54) {
+                let _e391 = alpha_texels.member[(0u + _e387)];
+                let _e408 = (_e363.indices[2] >> bitcast<u32>(2i));
+                if (_e408 < _e54) {
                 } else {
                     return;
                 }
-                let _e367 = alpha_texels.member[(0u + _e363)];
-                let _e384 = (_e318.indices[3] >> bitcast<u32>(2i));
-                if (_e384 < _e54) {
+                let _e412 = alpha_texels.member[(0u + _e408)];
+                let _e429 = (_e363.indices[3] >> bitcast<u32>(2i));
+                if (_e429 < _e54) {
                 } else {
                     return;
                 }
-                let _e388 = alpha_texels.member[(0u + _e384)];
-                phi_487_ = (_e280 * (((((f32(((_e326 >> bitcast<u32>((((_e318.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.x) + ((f32(((_e346 >> bitcast<u32>((((_e318.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.y)) + ((f32(((_e367 >> bitcast<u32>((((_e318.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.z)) + ((f32(((_e388 >> bitcast<u32>((((_e318.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e318.weights.w)));
+                let _e433 = alpha_texels.member[(0u + _e429)];
+                phi_532_ = (_e325 * (((((f32(((_e371 >> bitcast<u32>((((_e363.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.x) + ((f32(((_e391 >> bitcast<u32>((((_e363.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.y)) + ((f32(((_e412 >> bitcast<u32>((((_e363.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.z)) + ((f32(((_e433 >> bitcast<u32>((((_e363.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.w)));
             }
-            let _e404 = phi_487_;
-            let _e406 = materials.member[(0u + _e239[0].material)].cutoff;
-            phi_491_ = (_e404 >= _e406);
+            let _e449 = phi_532_;
+            let _e451 = materials.member[(0u + _e284[0].material)].cutoff;
+            phi_536_ = (_e449 >= _e451);
         }
-        let _e409 = phi_491_;
-        phi_492_ = _e409;
+        let _e454 = phi_536_;
+        phi_537_ = _e454;
     }
-    let _e411 = phi_492_;
-    if _e411 {
+    let _e456 = phi_537_;
+    if _e456 {
     } else {
         spirv_std_arch_kill();
     }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_34 {
+struct type_36 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,45 +87,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_36;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_159_ = false;
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_158_ = lt_bvh_traverse_Tree();
-            phi_159_ = true;
+            phi_162_ = lt_bvh_traverse_Tree();
+            phi_163_ = true;
         }
-        let _e65 = phi_158_;
-        let _e67 = phi_159_;
-        phi_160_ = _e65;
-        phi_161_ = _e67;
+        let _e65 = phi_162_;
+        let _e67 = phi_163_;
+        phi_164_ = _e65;
+        phi_165_ = _e67;
     } else {
-        phi_160_ = lt_bvh_traverse_Tree();
-        phi_161_ = true;
+        phi_164_ = lt_bvh_traverse_Tree();
+        phi_165_ = true;
     }
-    let _e69 = phi_160_;
-    let _e71 = phi_161_;
+    let _e69 = phi_164_;
+    let _e71 = phi_165_;
     if _e71 {
-        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_166_ = _e69;
+        phi_170_ = _e69;
     }
-    let _e76 = phi_166_;
+    let _e76 = phi_170_;
     return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
@@ -125,236 +134,242 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_186_: bool;
-    var phi_190_: f32;
+    var phi_190_: bool;
+    var phi_194_: f32;
 
     let _e53 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_186_ = true;
+        phi_190_ = true;
     } else {
         let _e57 = (84f < _e53);
         if _e57 {
         }
-        phi_186_ = _e57;
+        phi_190_ = _e57;
     }
-    let _e59 = phi_186_;
+    let _e59 = phi_190_;
     if _e59 {
-        phi_190_ = 84f;
+        phi_194_ = 84f;
     } else {
-        phi_190_ = _e53;
+        phi_194_ = _e53;
     }
-    let _e61 = phi_190_;
+    let _e61 = phi_194_;
     return _e61;
 }
 
 fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_5: f32, param_6: f32) -> f32 {
-    var phi_198_: f32;
+    var phi_202_: f32;
 
     if (param_5 < param_6) {
-        phi_198_ = param_5;
+        phi_202_ = param_5;
     } else {
-        phi_198_ = param_6;
+        phi_202_ = param_6;
     }
-    let _e56 = phi_198_;
+    let _e56 = phi_202_;
     return _e56;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_7: ptr<function, f32>, param_8: vec4<f32>, param_9: f32) -> f32 {
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_234_: f32;
-    var phi_239_: f32;
-    var phi_261_: f32;
-    var phi_266_: f32;
-    var phi_267_: bool;
-    var phi_268_: f32;
-    var phi_269_: bool;
-    var phi_273_: f32;
-    var phi_311_: f32;
-    var phi_327_: f32;
-    var phi_328_: f32;
-    var phi_329_: f32;
+    var phi_221_: f32;
+    var phi_222_: f32;
+    var phi_223_: f32;
+    var phi_238_: f32;
+    var phi_243_: f32;
+    var phi_265_: f32;
+    var phi_270_: f32;
+    var phi_271_: bool;
+    var phi_272_: f32;
+    var phi_273_: bool;
+    var phi_277_: f32;
+    var phi_315_: f32;
+    var phi_331_: f32;
+    var phi_332_: f32;
+    var phi_333_: f32;
 
     if ((bitcast<u32>(param_9) & 2147483647u) > 2139095040u) {
-        phi_219_ = param_9;
+        phi_223_ = param_9;
     } else {
         if (param_9 < 0f) {
-            phi_218_ = 0f;
+            phi_222_ = 0f;
         } else {
             if (param_9 > 1f) {
-                phi_217_ = 1f;
+                phi_221_ = 1f;
             } else {
-                phi_217_ = param_9;
+                phi_221_ = param_9;
             }
-            let _e61 = phi_217_;
-            phi_218_ = _e61;
+            let _e61 = phi_221_;
+            phi_222_ = _e61;
         }
-        let _e63 = phi_218_;
-        phi_219_ = _e63;
+        let _e63 = phi_222_;
+        phi_223_ = _e63;
     }
-    let _e65 = phi_219_;
+    let _e65 = phi_223_;
     let _e67 = _lt_math_esm_Esm_clamped_exponent(param_7);
     let _e69 = (_e67 * (1f - _e65));
     if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
-        phi_311_ = _e69;
+        phi_315_ = _e69;
     } else {
         if (_e69 < -87f) {
-            phi_234_ = -87f;
+            phi_238_ = -87f;
         } else {
-            phi_234_ = _e69;
+            phi_238_ = _e69;
         }
-        let _e75 = phi_234_;
+        let _e75 = phi_238_;
         if (_e75 > 88f) {
-            phi_239_ = 88f;
+            phi_243_ = 88f;
         } else {
-            phi_239_ = _e75;
+            phi_243_ = _e75;
         }
-        let _e78 = phi_239_;
+        let _e78 = phi_243_;
         let _e80 = ((_e78 * 1.442695f) + 0.5f);
         if (_e80 > -8388608f) {
             let _e92 = f32(select(0i, select(select(i32(_e80), i32(-2147483648), (_e80 < bitcast<f32>(3472883712u))), 2147483647i, (_e80 > bitcast<f32>(1325400063u))), (_e80 == _e80)));
             if (_e92 > _e80) {
-                phi_261_ = 1f;
+                phi_265_ = 1f;
             } else {
-                phi_261_ = 0f;
+                phi_265_ = 0f;
             }
-            let _e95 = phi_261_;
+            let _e95 = phi_265_;
             if (_e80 < 8388608f) {
-                phi_266_ = (_e92 - _e95);
-                phi_267_ = false;
+                phi_270_ = (_e92 - _e95);
+                phi_271_ = false;
             } else {
-                phi_266_ = f32();
-                phi_267_ = true;
+                phi_270_ = f32();
+                phi_271_ = true;
             }
-            let _e98 = phi_266_;
-            let _e100 = phi_267_;
-            phi_268_ = _e98;
-            phi_269_ = _e100;
+            let _e98 = phi_270_;
+            let _e100 = phi_271_;
+            phi_272_ = _e98;
+            phi_273_ = _e100;
         } else {
-            phi_268_ = f32();
-            phi_269_ = true;
+            phi_272_ = f32();
+            phi_273_ = true;
         }
-        let _e102 = phi_268_;
-        let _e104 = phi_269_;
+        let _e102 = phi_272_;
+        let _e104 = phi_273_;
         if _e104 {
-            phi_273_ = _e80;
+            phi_277_ = _e80;
         } else {
-            phi_273_ = _e102;
+            phi_277_ = _e102;
         }
-        let _e106 = phi_273_;
+        let _e106 = phi_277_;
         let _e110 = ((_e78 - (_e106 * 0.69314575f)) - (_e106 * 0.0000014286068f));
-        phi_311_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
+        phi_315_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e146 = phi_311_;
+    let _e146 = phi_315_;
     let _e147 = (param_8.x * _e146);
     if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
-        phi_329_ = _e147;
+        phi_333_ = _e147;
     } else {
         if (_e147 < 0f) {
-            phi_328_ = 0f;
+            phi_332_ = 0f;
         } else {
             if (_e147 > 1f) {
-                phi_327_ = 1f;
+                phi_331_ = 1f;
             } else {
-                phi_327_ = _e147;
+                phi_331_ = _e147;
             }
-            let _e154 = phi_327_;
-            phi_328_ = _e154;
+            let _e154 = phi_331_;
+            phi_332_ = _e154;
         }
-        let _e156 = phi_328_;
-        phi_329_ = _e156;
+        let _e156 = phi_332_;
+        phi_333_ = _e156;
     }
-    let _e158 = phi_329_;
+    let _e158 = phi_333_;
     return _e158;
 }
 
 fn function_() {
     var local: f32;
-    var phi_390_: bool;
-    var phi_391_: bool;
-    var phi_392_: bool;
     var phi_393_: bool;
-    var phi_397_: bool;
-    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_445_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: lt_math_LightPoint;
-    var phi_468_: u32;
-    var phi_470_: lt_math_LevelPoint;
-    var phi_556_: bool;
-    var phi_565_: bool;
-    var phi_574_: bool;
-    var phi_575_: bool;
-    var phi_576_: bool;
-    var phi_577_: bool;
-    var phi_578_: bool;
-    var phi_579_: bool;
-    var phi_580_: bool;
-    var phi_584_: bool;
-    var phi_611_: bool;
-    var phi_612_: bool;
-    var phi_613_: bool;
-    var phi_614_: bool;
-    var phi_615_: bool;
+    var phi_394_: bool;
+    var phi_395_: bool;
+    var phi_396_: bool;
+    var phi_400_: bool;
+    var phi_470_: bool;
+    var phi_471_: bool;
+    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_483_: bool;
+    var phi_484_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_485_: bool;
+    var phi_492_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_496_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_516_: lt_math_LightPoint;
+    var phi_519_: u32;
+    var phi_521_: lt_math_LevelPoint;
+    var phi_607_: bool;
     var phi_616_: bool;
-    var phi_617_: bool;
-    var phi_618_: bool;
-    var phi_622_: bool;
-    var phi_631_: lt_math_LightPoint;
-    var phi_632_: u32;
-    var phi_633_: lt_math_LevelPoint;
-    var phi_634_: bool;
-    var phi_466_: lt_math_LightPoint;
-    var phi_469_: u32;
-    var phi_471_: lt_math_LevelPoint;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: bool;
     var phi_635_: bool;
+    var phi_662_: bool;
+    var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_668_: bool;
+    var phi_669_: bool;
+    var phi_673_: bool;
+    var phi_682_: lt_math_LightPoint;
+    var phi_683_: u32;
+    var phi_684_: lt_math_LevelPoint;
+    var phi_685_: bool;
+    var phi_517_: lt_math_LightPoint;
+    var phi_520_: u32;
+    var phi_522_: lt_math_LevelPoint;
+    var phi_686_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_675_: bool;
-    var phi_676_: bool;
-    var phi_677_: bool;
-    var phi_678_: bool;
-    var phi_682_: bool;
-    var phi_764_: f32;
-    var phi_880_: f32;
-    var phi_881_: f32;
-    var phi_884_: f32;
-    var phi_913_: f32;
-    var phi_918_: f32;
-    var phi_919_: bool;
-    var phi_920_: f32;
-    var phi_921_: bool;
-    var phi_925_: f32;
-    var phi_945_: f32;
-    var phi_950_: f32;
-    var phi_951_: bool;
-    var phi_952_: f32;
-    var phi_953_: bool;
-    var phi_957_: f32;
+    var phi_726_: bool;
+    var phi_727_: bool;
+    var phi_728_: bool;
+    var phi_729_: bool;
+    var phi_733_: bool;
+    var phi_815_: f32;
+    var phi_931_: f32;
+    var phi_932_: f32;
+    var phi_935_: f32;
+    var phi_964_: f32;
+    var phi_969_: f32;
+    var phi_970_: bool;
+    var phi_971_: f32;
+    var phi_972_: bool;
+    var phi_976_: f32;
+    var phi_996_: f32;
+    var phi_1001_: f32;
+    var phi_1002_: bool;
+    var phi_1003_: f32;
+    var phi_1004_: bool;
+    var phi_1008_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1006_: i32;
-    var phi_1011_: i32;
-    var phi_1016_: i32;
-    var phi_1021_: i32;
-    var phi_1030_: i32;
-    var phi_1035_: i32;
-    var phi_1040_: i32;
-    var phi_1045_: i32;
+    var phi_1057_: i32;
+    var phi_1062_: i32;
+    var phi_1067_: i32;
+    var phi_1072_: i32;
+    var phi_1081_: i32;
+    var phi_1086_: i32;
+    var phi_1091_: i32;
+    var phi_1096_: i32;
     var local_4: lt_math_LevelPoint;
-    var phi_1161_: f32;
-    var phi_1163_: evaluate_Verdict;
-    var phi_1164_: bool;
-    var phi_1165_: evaluate_Verdict;
-    var phi_1166_: bool;
-    var phi_1171_: evaluate_Verdict;
-    var phi_1172_: bool;
-    var phi_1174_: evaluate_Verdict;
-    var phi_1175_: evaluate_Verdict;
-    var phi_1176_: bool;
-    var phi_1180_: evaluate_Verdict;
-    var phi_1181_: evaluate_Verdict;
-    var phi_1182_: bool;
-    var phi_1186_: evaluate_Verdict;
+    var phi_1212_: f32;
+    var phi_1214_: evaluate_Verdict;
+    var phi_1215_: bool;
+    var phi_1216_: evaluate_Verdict;
+    var phi_1217_: bool;
+    var phi_1222_: evaluate_Verdict;
+    var phi_1223_: bool;
+    var phi_1225_: evaluate_Verdict;
+    var phi_1226_: evaluate_Verdict;
+    var phi_1227_: bool;
+    var phi_1231_: evaluate_Verdict;
+    var phi_1232_: evaluate_Verdict;
+    var phi_1233_: bool;
+    var phi_1237_: evaluate_Verdict;
 
     let _e53 = id_1;
     let _e60 = arrayLength((&map.member));
@@ -368,537 +383,576 @@ fn function_() {
         } else {
             return;
         }
-        let _e83 = p.member.light;
-        let _e86 = samples.member[(0u + _e72.first_primitive)].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[(0u + _e72.first_primitive)].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[(0u + _e72.first_primitive)].normal[2u];
-                let _e98 = global[2u];
-                phi_390_ = (_e96 == _e98);
-                phi_391_ = false;
+        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
+                let _e97 = global[2u];
+                phi_393_ = (_e95 == _e97);
+                phi_394_ = false;
             } else {
-                phi_390_ = bool();
-                phi_391_ = true;
+                phi_393_ = bool();
+                phi_394_ = true;
             }
-            let _e101 = phi_390_;
-            let _e103 = phi_391_;
-            phi_392_ = _e101;
-            phi_393_ = _e103;
+            let _e100 = phi_393_;
+            let _e102 = phi_394_;
+            phi_395_ = _e100;
+            phi_396_ = _e102;
         } else {
-            phi_392_ = bool();
-            phi_393_ = true;
+            phi_395_ = bool();
+            phi_396_ = true;
         }
-        let _e105 = phi_392_;
-        let _e107 = phi_393_;
-        if _e107 {
-            phi_397_ = false;
+        let _e104 = phi_395_;
+        let _e106 = phi_396_;
+        if _e106 {
+            phi_400_ = false;
         } else {
-            phi_397_ = _e105;
+            phi_400_ = _e104;
         }
-        let _e109 = phi_397_;
-        if !(_e109) {
-            let _e112 = samples.member[(0u + _e72.first_primitive)].normal;
-            let _e114 = samples.member[(0u + _e72.first_primitive)].position;
-            if ((((_e112.x * (_e83.x - (_e114.x * _e83.w))) + (_e112.y * (_e83.y - (_e114.y * _e83.w)))) + (_e112.z * (_e83.z - (_e114.z * _e83.w)))) > 0f) {
-                let _e138 = samples.member[(0u + _e72.first_primitive)].flags;
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-                phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, ((_e138 & 1u) == 0u));
-            } else {
-                let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-                phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, true);
-            }
-            let _e172 = phi_441_;
-            phi_445_ = _e172;
-        } else {
-            let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
-            phi_445_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, true);
-        }
-        let _e189 = phi_445_;
-        if _e189.unnamed_1 {
-            phi_1180_ = evaluate_Verdict(_e189.unnamed.visibility, _e189.unnamed.is_doubted);
-            phi_1181_ = evaluate_Verdict();
-            phi_1182_ = true;
-        } else {
-            let _e197 = samples.member[(0u + _e72.first_primitive)].position;
-            let _e199 = p.member.map_size;
-            let _e201 = (0.5f / f32(_e199));
-            let _e208 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e215 = lt_math_LightPoint(vec2<f32>(_e208.uv.x, 0f), _e208.depth, _e208.is_inside);
-            let _e219 = lt_math_LightPoint(_e215.uv, 0f, _e215.is_inside);
-            phi_465_ = lt_math_LightPoint();
-            phi_468_ = 0u;
-            phi_470_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e219.uv, _e219.depth, false));
-            loop {
-                let _e226 = phi_465_;
-                let _e228 = phi_468_;
-                let _e230 = phi_470_;
-                local_1 = _e230;
-                local_2 = _e230;
-                local_3 = _e230;
-                local_4 = _e230;
-                if (_e228 < _e78) {
-                    if _e230.point.is_inside {
-                        phi_631_ = lt_math_LightPoint();
-                        phi_632_ = u32();
-                        phi_633_ = lt_math_LevelPoint();
-                        phi_634_ = false;
+        let _e108 = phi_400_;
+        if !(_e108) {
+            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_471_ = true;
+                } else {
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_470_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        if (_e228 < _e66) {
+                        phi_470_ = false;
+                    }
+                    let _e169 = phi_470_;
+                    phi_471_ = _e169;
+                }
+                let _e171 = phi_471_;
+                if _e171 {
+                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_483_ = false;
+                } else {
+                    phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_483_ = true;
+                }
+                let _e192 = phi_482_;
+                let _e194 = phi_483_;
+                phi_484_ = _e192;
+                phi_485_ = _e194;
+            } else {
+                phi_484_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_485_ = true;
+            }
+            let _e196 = phi_484_;
+            let _e198 = phi_485_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_492_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+            } else {
+                phi_492_ = _e196;
+            }
+            let _e215 = phi_492_;
+            phi_496_ = _e215;
+        } else {
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_496_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+        }
+        let _e232 = phi_496_;
+        if _e232.unnamed_1 {
+            phi_1231_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+            phi_1232_ = evaluate_Verdict();
+            phi_1233_ = true;
+        } else {
+            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
+            let _e242 = p.member.map_size;
+            let _e244 = (0.5f / f32(_e242));
+            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
+            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
+            phi_516_ = lt_math_LightPoint();
+            phi_519_ = 0u;
+            phi_521_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            loop {
+                let _e269 = phi_516_;
+                let _e271 = phi_519_;
+                let _e273 = phi_521_;
+                local_1 = _e273;
+                local_2 = _e273;
+                local_3 = _e273;
+                local_4 = _e273;
+                if (_e271 < _e78) {
+                    if _e273.point.is_inside {
+                        phi_682_ = lt_math_LightPoint();
+                        phi_683_ = u32();
+                        phi_684_ = lt_math_LevelPoint();
+                        phi_685_ = false;
+                    } else {
+                        if (_e271 < _e66) {
                         } else {
                             return;
                         }
-                        let _e241 = levels.member[(0u + _e228)].row_w;
-                        let _e252 = ((((_e241.x * _e197.x) + (_e241.y * _e197.y)) + (_e241.z * _e197.z)) + (_e241.w * 1f));
-                        let _e254 = levels.member[(0u + _e228)].row_x;
-                        let _e266 = (((((_e254.x * _e197.x) + (_e254.y * _e197.y)) + (_e254.z * _e197.z)) + (_e254.w * 1f)) / _e252);
-                        let _e268 = levels.member[(0u + _e228)].row_y;
-                        let _e280 = (((((_e268.x * _e197.x) + (_e268.y * _e197.y)) + (_e268.z * _e197.z)) + (_e268.w * 1f)) / _e252);
-                        let _e282 = levels.member[(0u + _e228)].row_z;
-                        let _e293 = ((((_e282.x * _e197.x) + (_e282.y * _e197.y)) + (_e282.z * _e197.z)) + (_e282.w * 1f));
-                        if (_e252 > 0f) {
-                            if (_e266 >= 0f) {
-                                phi_556_ = (_e266 <= 1f);
+                        let _e284 = levels.member[(0u + _e271)].row_w;
+                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
+                        let _e297 = levels.member[(0u + _e271)].row_x;
+                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
+                        let _e311 = levels.member[(0u + _e271)].row_y;
+                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
+                        let _e325 = levels.member[(0u + _e271)].row_z;
+                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
+                        if (_e295 > 0f) {
+                            if (_e309 >= 0f) {
+                                phi_607_ = (_e309 <= 1f);
                             } else {
-                                phi_556_ = false;
+                                phi_607_ = false;
                             }
-                            let _e298 = phi_556_;
-                            if _e298 {
-                                if (_e280 >= 0f) {
-                                    phi_565_ = (_e280 <= 1f);
+                            let _e341 = phi_607_;
+                            if _e341 {
+                                if (_e323 >= 0f) {
+                                    phi_616_ = (_e323 <= 1f);
                                 } else {
-                                    phi_565_ = false;
+                                    phi_616_ = false;
                                 }
-                                let _e302 = phi_565_;
-                                if _e302 {
-                                    if (_e293 >= 0f) {
-                                        phi_574_ = (_e293 <= 1f);
+                                let _e345 = phi_616_;
+                                if _e345 {
+                                    if (_e336 >= 0f) {
+                                        phi_625_ = (_e336 <= 1f);
                                     } else {
-                                        phi_574_ = false;
+                                        phi_625_ = false;
                                     }
-                                    let _e306 = phi_574_;
-                                    phi_575_ = _e306;
-                                    phi_576_ = false;
+                                    let _e349 = phi_625_;
+                                    phi_626_ = _e349;
+                                    phi_627_ = false;
                                 } else {
-                                    phi_575_ = bool();
-                                    phi_576_ = true;
+                                    phi_626_ = bool();
+                                    phi_627_ = true;
                                 }
-                                let _e308 = phi_575_;
-                                let _e310 = phi_576_;
-                                phi_577_ = _e308;
-                                phi_578_ = _e310;
+                                let _e351 = phi_626_;
+                                let _e353 = phi_627_;
+                                phi_628_ = _e351;
+                                phi_629_ = _e353;
                             } else {
-                                phi_577_ = bool();
-                                phi_578_ = true;
+                                phi_628_ = bool();
+                                phi_629_ = true;
                             }
-                            let _e312 = phi_577_;
-                            let _e314 = phi_578_;
-                            phi_579_ = _e312;
-                            phi_580_ = _e314;
+                            let _e355 = phi_628_;
+                            let _e357 = phi_629_;
+                            phi_630_ = _e355;
+                            phi_631_ = _e357;
                         } else {
-                            phi_579_ = bool();
-                            phi_580_ = true;
+                            phi_630_ = bool();
+                            phi_631_ = true;
                         }
-                        let _e316 = phi_579_;
-                        let _e318 = phi_580_;
-                        if _e318 {
-                            phi_584_ = false;
+                        let _e359 = phi_630_;
+                        let _e361 = phi_631_;
+                        if _e361 {
+                            phi_635_ = false;
                         } else {
-                            phi_584_ = _e316;
+                            phi_635_ = _e359;
                         }
-                        let _e320 = phi_584_;
-                        if _e320 {
-                            if (_e266 >= _e201) {
-                                if (_e266 <= (1f - _e201)) {
-                                    if (_e280 >= _e201) {
-                                        phi_611_ = (_e280 <= (1f - _e201));
-                                        phi_612_ = false;
+                        let _e363 = phi_635_;
+                        if _e363 {
+                            if (_e309 >= _e244) {
+                                if (_e309 <= (1f - _e244)) {
+                                    if (_e323 >= _e244) {
+                                        phi_662_ = (_e323 <= (1f - _e244));
+                                        phi_663_ = false;
                                     } else {
-                                        phi_611_ = bool();
-                                        phi_612_ = true;
+                                        phi_662_ = bool();
+                                        phi_663_ = true;
                                     }
-                                    let _e328 = phi_611_;
-                                    let _e330 = phi_612_;
-                                    phi_613_ = _e328;
-                                    phi_614_ = _e330;
+                                    let _e371 = phi_662_;
+                                    let _e373 = phi_663_;
+                                    phi_664_ = _e371;
+                                    phi_665_ = _e373;
                                 } else {
-                                    phi_613_ = bool();
-                                    phi_614_ = true;
+                                    phi_664_ = bool();
+                                    phi_665_ = true;
                                 }
-                                let _e332 = phi_613_;
-                                let _e334 = phi_614_;
-                                phi_615_ = _e332;
-                                phi_616_ = _e334;
+                                let _e375 = phi_664_;
+                                let _e377 = phi_665_;
+                                phi_666_ = _e375;
+                                phi_667_ = _e377;
                             } else {
-                                phi_615_ = bool();
-                                phi_616_ = true;
+                                phi_666_ = bool();
+                                phi_667_ = true;
                             }
-                            let _e336 = phi_615_;
-                            let _e338 = phi_616_;
-                            phi_617_ = _e336;
-                            phi_618_ = _e338;
+                            let _e379 = phi_666_;
+                            let _e381 = phi_667_;
+                            phi_668_ = _e379;
+                            phi_669_ = _e381;
                         } else {
-                            phi_617_ = bool();
-                            phi_618_ = true;
+                            phi_668_ = bool();
+                            phi_669_ = true;
                         }
-                        let _e340 = phi_617_;
-                        let _e342 = phi_618_;
-                        if _e342 {
-                            phi_622_ = false;
+                        let _e383 = phi_668_;
+                        let _e385 = phi_669_;
+                        if _e385 {
+                            phi_673_ = false;
                         } else {
-                            phi_622_ = _e340;
+                            phi_673_ = _e383;
                         }
-                        let _e344 = phi_622_;
-                        let _e351 = lt_math_LightPoint(vec2<f32>(_e266, _e226.uv.y), _e226.depth, _e226.is_inside);
-                        let _e358 = lt_math_LightPoint(vec2<f32>(_e351.uv.x, _e280), _e351.depth, _e351.is_inside);
-                        let _e362 = lt_math_LightPoint(_e358.uv, _e293, _e358.is_inside);
-                        let _e366 = lt_math_LightPoint(_e362.uv, _e362.depth, _e344);
-                        phi_631_ = _e366;
-                        phi_632_ = (_e228 + 1u);
-                        phi_633_ = lt_math_LevelPoint(_e228, _e366);
-                        phi_634_ = true;
+                        let _e387 = phi_673_;
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
+                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
+                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
+                        phi_682_ = _e409;
+                        phi_683_ = (_e271 + 1u);
+                        phi_684_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_685_ = true;
                     }
-                    let _e370 = phi_631_;
-                    let _e372 = phi_632_;
-                    let _e374 = phi_633_;
-                    let _e376 = phi_634_;
-                    phi_466_ = _e370;
-                    phi_469_ = _e372;
-                    phi_471_ = _e374;
-                    phi_635_ = _e376;
+                    let _e413 = phi_682_;
+                    let _e415 = phi_683_;
+                    let _e417 = phi_684_;
+                    let _e419 = phi_685_;
+                    phi_517_ = _e413;
+                    phi_520_ = _e415;
+                    phi_522_ = _e417;
+                    phi_686_ = _e419;
                 } else {
-                    phi_466_ = lt_math_LightPoint();
-                    phi_469_ = u32();
-                    phi_471_ = lt_math_LevelPoint();
-                    phi_635_ = false;
+                    phi_517_ = lt_math_LightPoint();
+                    phi_520_ = u32();
+                    phi_522_ = lt_math_LevelPoint();
+                    phi_686_ = false;
                 }
-                let _e378 = phi_466_;
-                let _e380 = phi_469_;
-                let _e382 = phi_471_;
-                let _e384 = phi_635_;
+                let _e421 = phi_517_;
+                let _e423 = phi_520_;
+                let _e425 = phi_522_;
+                let _e427 = phi_686_;
                 continue;
                 continuing {
-                    phi_465_ = _e378;
-                    phi_468_ = _e380;
-                    phi_470_ = _e382;
-                    break if !(_e384);
+                    phi_516_ = _e421;
+                    phi_519_ = _e423;
+                    phi_521_ = _e425;
+                    break if !(_e427);
                 }
             }
-            let _e387 = local_1;
-            if _e387.point.is_inside {
+            let _e430 = local_1;
+            if _e430.point.is_inside {
                 if (0f > 0f) {
-                    let _e393 = local_2;
-                    if (_e393.level < _e66) {
+                    let _e436 = local_2;
+                    if (_e436.level < _e66) {
                     } else {
                         return;
                     }
-                    let _e398 = levels.member[(0u + _e393.level)];
-                    let _e404 = global[0u];
-                    if (_e398.row_w.x == _e404) {
-                        let _e407 = global[1u];
-                        if (_e398.row_w.y == _e407) {
-                            let _e410 = global[2u];
-                            phi_675_ = (_e398.row_w.z == _e410);
-                            phi_676_ = false;
+                    let _e441 = levels.member[(0u + _e436.level)];
+                    let _e447 = global[0u];
+                    if (_e441.row_w.x == _e447) {
+                        let _e450 = global[1u];
+                        if (_e441.row_w.y == _e450) {
+                            let _e453 = global[2u];
+                            phi_726_ = (_e441.row_w.z == _e453);
+                            phi_727_ = false;
                         } else {
-                            phi_675_ = bool();
-                            phi_676_ = true;
+                            phi_726_ = bool();
+                            phi_727_ = true;
                         }
-                        let _e413 = phi_675_;
-                        let _e415 = phi_676_;
-                        phi_677_ = _e413;
-                        phi_678_ = _e415;
+                        let _e456 = phi_726_;
+                        let _e458 = phi_727_;
+                        phi_728_ = _e456;
+                        phi_729_ = _e458;
                     } else {
-                        phi_677_ = bool();
-                        phi_678_ = true;
+                        phi_728_ = bool();
+                        phi_729_ = true;
                     }
-                    let _e417 = phi_677_;
-                    let _e419 = phi_678_;
-                    if _e419 {
-                        phi_682_ = false;
+                    let _e460 = phi_728_;
+                    let _e462 = phi_729_;
+                    if _e462 {
+                        phi_733_ = false;
                     } else {
-                        phi_682_ = _e417;
+                        phi_733_ = _e460;
                     }
-                    let _e421 = phi_682_;
-                    if _e421 {
-                        let _e423 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e425 = p.member.map_size;
-                        let _e495 = ((abs(((((_e398.row_x.x * _e423.x) + (_e398.row_x.y * _e423.y)) + (_e398.row_x.z * _e423.z)) / (((_e398.row_x.x * _e398.row_x.x) + (_e398.row_x.y * _e398.row_x.y)) + (_e398.row_x.z * _e398.row_x.z)))) + abs(((((_e398.row_y.x * _e423.x) + (_e398.row_y.y * _e423.y)) + (_e398.row_y.z * _e423.z)) / (((_e398.row_y.x * _e398.row_y.x) + (_e398.row_y.y * _e398.row_y.y)) + (_e398.row_y.z * _e398.row_y.z))))) / (abs(((((_e398.row_z.x * _e423.x) + (_e398.row_z.y * _e423.y)) + (_e398.row_z.z * _e423.z)) / (((_e398.row_z.x * _e398.row_z.x) + (_e398.row_z.y * _e398.row_z.y)) + (_e398.row_z.z * _e398.row_z.z)))) * f32(_e425)));
-                        if (_e495 < 0.002f) {
-                            phi_764_ = _e495;
+                    let _e464 = phi_733_;
+                    if _e464 {
+                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e468 = p.member.map_size;
+                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
+                        if (_e538 < 0.002f) {
+                            phi_815_ = _e538;
                         } else {
-                            phi_764_ = 0.002f;
+                            phi_815_ = 0.002f;
                         }
-                        let _e498 = phi_764_;
-                        phi_881_ = _e498;
+                        let _e541 = phi_815_;
+                        phi_932_ = _e541;
                     } else {
-                        let _e500 = p.member.map_size;
-                        let _e506 = samples.member[(0u + _e72.first_primitive)].position;
-                        let _e517 = ((((_e398.row_w.x * _e506.x) + (_e398.row_w.y * _e506.y)) + (_e398.row_w.z * _e506.z)) + _e398.row_w.w);
-                        let _e530 = ((_e398.row_x.x - (_e398.row_w.x * _e387.point.uv.x)) / _e517);
-                        let _e531 = ((_e398.row_x.y - (_e398.row_w.y * _e387.point.uv.x)) / _e517);
-                        let _e532 = ((_e398.row_x.z - (_e398.row_w.z * _e387.point.uv.x)) / _e517);
-                        let _e545 = ((_e398.row_y.x - (_e398.row_w.x * _e387.point.uv.y)) / _e517);
-                        let _e546 = ((_e398.row_y.y - (_e398.row_w.y * _e387.point.uv.y)) / _e517);
-                        let _e547 = ((_e398.row_y.z - (_e398.row_w.z * _e387.point.uv.y)) / _e517);
-                        let _e553 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e558 = ((_e546 * _e553.z) - (_e553.y * _e547));
-                        let _e563 = ((_e547 * _e553.x) - (_e553.z * _e545));
-                        let _e568 = ((_e545 * _e553.y) - (_e553.x * _e546));
-                        let _e570 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e575 = ((_e531 * _e570.z) - (_e570.y * _e532));
-                        let _e580 = ((_e532 * _e570.x) - (_e570.z * _e530));
-                        let _e585 = ((_e530 * _e570.y) - (_e570.x * _e531));
-                        let _e612 = ((abs(((((_e398.row_z.x * _e558) + (_e398.row_z.y * _e563)) + (_e398.row_z.z * _e568)) / (((_e530 * _e558) + (_e531 * _e563)) + (_e532 * _e568)))) + abs(((((_e398.row_z.x * _e575) + (_e398.row_z.y * _e580)) + (_e398.row_z.z * _e585)) / (((_e545 * _e575) + (_e546 * _e580)) + (_e547 * _e585))))) / f32(_e500));
-                        if (_e612 < 0.002f) {
-                            phi_880_ = _e612;
+                        let _e543 = p.member.map_size;
+                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
+                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
+                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
+                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
+                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
+                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
+                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
+                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
+                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
+                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
+                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
+                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
+                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
+                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
+                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
+                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
+                        if (_e655 < 0.002f) {
+                            phi_931_ = _e655;
                         } else {
-                            phi_880_ = 0.002f;
+                            phi_931_ = 0.002f;
                         }
-                        let _e615 = phi_880_;
-                        phi_881_ = _e615;
+                        let _e658 = phi_931_;
+                        phi_932_ = _e658;
                     }
-                    let _e617 = phi_881_;
-                    phi_884_ = (_e387.point.depth - (0f * _e617));
+                    let _e660 = phi_932_;
+                    phi_935_ = (_e430.point.depth - (0f * _e660));
                 } else {
-                    phi_884_ = _e387.point.depth;
+                    phi_935_ = _e430.point.depth;
                 }
-                let _e621 = phi_884_;
-                let _e627 = p.member.map_size;
-                let _e628 = f32(_e627);
-                let _e631 = ((_e387.point.uv.x * _e628) - 0.5f);
-                let _e632 = ((_e387.point.uv.y * _e628) - 0.5f);
-                if (_e631 > -8388608f) {
-                    let _e644 = f32(select(0i, select(select(i32(_e631), i32(-2147483648), (_e631 < bitcast<f32>(3472883712u))), 2147483647i, (_e631 > bitcast<f32>(1325400063u))), (_e631 == _e631)));
-                    if (_e644 > _e631) {
-                        phi_913_ = 1f;
+                let _e664 = phi_935_;
+                let _e670 = p.member.map_size;
+                let _e671 = f32(_e670);
+                let _e674 = ((_e430.point.uv.x * _e671) - 0.5f);
+                let _e675 = ((_e430.point.uv.y * _e671) - 0.5f);
+                if (_e674 > -8388608f) {
+                    let _e687 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
+                    if (_e687 > _e674) {
+                        phi_964_ = 1f;
                     } else {
-                        phi_913_ = 0f;
+                        phi_964_ = 0f;
                     }
-                    let _e647 = phi_913_;
-                    if (_e631 < 8388608f) {
-                        phi_918_ = (_e644 - _e647);
-                        phi_919_ = false;
+                    let _e690 = phi_964_;
+                    if (_e674 < 8388608f) {
+                        phi_969_ = (_e687 - _e690);
+                        phi_970_ = false;
                     } else {
-                        phi_918_ = f32();
-                        phi_919_ = true;
+                        phi_969_ = f32();
+                        phi_970_ = true;
                     }
-                    let _e650 = phi_918_;
-                    let _e652 = phi_919_;
-                    phi_920_ = _e650;
-                    phi_921_ = _e652;
+                    let _e693 = phi_969_;
+                    let _e695 = phi_970_;
+                    phi_971_ = _e693;
+                    phi_972_ = _e695;
                 } else {
-                    phi_920_ = f32();
-                    phi_921_ = true;
+                    phi_971_ = f32();
+                    phi_972_ = true;
                 }
-                let _e654 = phi_920_;
-                let _e656 = phi_921_;
-                if _e656 {
-                    phi_925_ = _e631;
+                let _e697 = phi_971_;
+                let _e699 = phi_972_;
+                if _e699 {
+                    phi_976_ = _e674;
                 } else {
-                    phi_925_ = _e654;
+                    phi_976_ = _e697;
                 }
-                let _e658 = phi_925_;
-                if (_e632 > -8388608f) {
-                    let _e670 = f32(select(0i, select(select(i32(_e632), i32(-2147483648), (_e632 < bitcast<f32>(3472883712u))), 2147483647i, (_e632 > bitcast<f32>(1325400063u))), (_e632 == _e632)));
-                    if (_e670 > _e632) {
-                        phi_945_ = 1f;
+                let _e701 = phi_976_;
+                if (_e675 > -8388608f) {
+                    let _e713 = f32(select(0i, select(select(i32(_e675), i32(-2147483648), (_e675 < bitcast<f32>(3472883712u))), 2147483647i, (_e675 > bitcast<f32>(1325400063u))), (_e675 == _e675)));
+                    if (_e713 > _e675) {
+                        phi_996_ = 1f;
                     } else {
-                        phi_945_ = 0f;
+                        phi_996_ = 0f;
                     }
-                    let _e673 = phi_945_;
-                    if (_e632 < 8388608f) {
-                        phi_950_ = (_e670 - _e673);
-                        phi_951_ = false;
+                    let _e716 = phi_996_;
+                    if (_e675 < 8388608f) {
+                        phi_1001_ = (_e713 - _e716);
+                        phi_1002_ = false;
                     } else {
-                        phi_950_ = f32();
-                        phi_951_ = true;
+                        phi_1001_ = f32();
+                        phi_1002_ = true;
                     }
-                    let _e676 = phi_950_;
-                    let _e678 = phi_951_;
-                    phi_952_ = _e676;
-                    phi_953_ = _e678;
+                    let _e719 = phi_1001_;
+                    let _e721 = phi_1002_;
+                    phi_1003_ = _e719;
+                    phi_1004_ = _e721;
                 } else {
-                    phi_952_ = f32();
-                    phi_953_ = true;
+                    phi_1003_ = f32();
+                    phi_1004_ = true;
                 }
-                let _e680 = phi_952_;
-                let _e682 = phi_953_;
-                if _e682 {
-                    phi_957_ = _e632;
+                let _e723 = phi_1003_;
+                let _e725 = phi_1004_;
+                if _e725 {
+                    phi_1008_ = _e675;
                 } else {
-                    phi_957_ = _e680;
+                    phi_1008_ = _e723;
                 }
-                let _e684 = phi_957_;
-                let _e685 = (_e631 - _e658);
-                let _e686 = (_e632 - _e684);
-                let _e695 = select(0i, select(select(i32(_e658), i32(-2147483648), (_e658 < bitcast<f32>(3472883712u))), 2147483647i, (_e658 > bitcast<f32>(1325400063u))), (_e658 == _e658));
-                let _e704 = select(0i, select(select(i32(_e684), i32(-2147483648), (_e684 < bitcast<f32>(3472883712u))), 2147483647i, (_e684 > bitcast<f32>(1325400063u))), (_e684 == _e684));
-                let _e707 = ((1f - _e685) * (1f - _e686));
-                let _e709 = (_e685 * (1f - _e686));
-                let _e711 = ((1f - _e685) * _e686);
-                let _e712 = (_e685 * _e686);
-                let _e714 = p.member.test;
-                let _e715 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e714);
-                let _e717 = p.member.map_size;
-                let _e719 = local_3;
-                local = _e715;
-                let _e722 = ((_e719.level * _e717) * _e717);
-                let _e724 = (bitcast<i32>(_e717) - 1i);
-                if (_e695 > 0i) {
-                    phi_1006_ = _e695;
+                let _e727 = phi_1008_;
+                let _e728 = (_e674 - _e701);
+                let _e729 = (_e675 - _e727);
+                let _e738 = select(0i, select(select(i32(_e701), i32(-2147483648), (_e701 < bitcast<f32>(3472883712u))), 2147483647i, (_e701 > bitcast<f32>(1325400063u))), (_e701 == _e701));
+                let _e747 = select(0i, select(select(i32(_e727), i32(-2147483648), (_e727 < bitcast<f32>(3472883712u))), 2147483647i, (_e727 > bitcast<f32>(1325400063u))), (_e727 == _e727));
+                let _e750 = ((1f - _e728) * (1f - _e729));
+                let _e752 = (_e728 * (1f - _e729));
+                let _e754 = ((1f - _e728) * _e729);
+                let _e755 = (_e728 * _e729);
+                let _e757 = p.member.test;
+                let _e758 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e757);
+                let _e760 = p.member.map_size;
+                let _e762 = local_3;
+                local = _e758;
+                let _e765 = ((_e762.level * _e760) * _e760);
+                let _e767 = (bitcast<i32>(_e760) - 1i);
+                if (_e738 > 0i) {
+                    phi_1057_ = _e738;
                 } else {
-                    phi_1006_ = 0i;
+                    phi_1057_ = 0i;
                 }
-                let _e727 = phi_1006_;
-                if (_e704 > 0i) {
-                    phi_1011_ = _e704;
+                let _e770 = phi_1057_;
+                if (_e747 > 0i) {
+                    phi_1062_ = _e747;
                 } else {
-                    phi_1011_ = 0i;
+                    phi_1062_ = 0i;
                 }
-                let _e730 = phi_1011_;
-                if (_e727 < _e724) {
-                    phi_1016_ = _e727;
+                let _e773 = phi_1062_;
+                if (_e770 < _e767) {
+                    phi_1067_ = _e770;
                 } else {
-                    phi_1016_ = _e724;
+                    phi_1067_ = _e767;
                 }
-                let _e733 = phi_1016_;
-                if (_e730 < _e724) {
-                    phi_1021_ = _e730;
+                let _e776 = phi_1067_;
+                if (_e773 < _e767) {
+                    phi_1072_ = _e773;
                 } else {
-                    phi_1021_ = _e724;
+                    phi_1072_ = _e767;
                 }
-                let _e736 = phi_1021_;
-                let _e737 = bitcast<u32>(_e733);
-                let _e739 = (_e695 + 1i);
-                let _e740 = (_e704 + 1i);
-                if (_e739 > 0i) {
-                    phi_1030_ = _e739;
+                let _e779 = phi_1072_;
+                let _e780 = bitcast<u32>(_e776);
+                let _e782 = (_e738 + 1i);
+                let _e783 = (_e747 + 1i);
+                if (_e782 > 0i) {
+                    phi_1081_ = _e782;
                 } else {
-                    phi_1030_ = 0i;
+                    phi_1081_ = 0i;
                 }
-                let _e743 = phi_1030_;
-                if (_e740 > 0i) {
-                    phi_1035_ = _e740;
+                let _e786 = phi_1081_;
+                if (_e783 > 0i) {
+                    phi_1086_ = _e783;
                 } else {
-                    phi_1035_ = 0i;
+                    phi_1086_ = 0i;
                 }
-                let _e746 = phi_1035_;
-                if (_e743 < _e724) {
-                    phi_1040_ = _e743;
+                let _e789 = phi_1086_;
+                if (_e786 < _e767) {
+                    phi_1091_ = _e786;
                 } else {
-                    phi_1040_ = _e724;
+                    phi_1091_ = _e767;
                 }
-                let _e749 = phi_1040_;
-                if (_e746 < _e724) {
-                    phi_1045_ = _e746;
+                let _e792 = phi_1091_;
+                if (_e789 < _e767) {
+                    phi_1096_ = _e789;
                 } else {
-                    phi_1045_ = _e724;
+                    phi_1096_ = _e767;
                 }
-                let _e752 = phi_1045_;
-                let _e753 = bitcast<u32>(_e749);
-                let _e755 = (bitcast<u32>(_e736) * _e717);
-                let _e756 = (bitcast<u32>(_e752) * _e717);
-                let _e761 = ((_e755 + _e737) + _e722);
-                let _e762 = ((_e755 + _e753) + _e722);
-                let _e763 = ((_e756 + _e737) + _e722);
-                let _e764 = ((_e756 + _e753) + _e722);
-                if (_e761 < _e60) {
+                let _e795 = phi_1096_;
+                let _e796 = bitcast<u32>(_e792);
+                let _e798 = (bitcast<u32>(_e779) * _e760);
+                let _e799 = (bitcast<u32>(_e795) * _e760);
+                let _e804 = ((_e798 + _e780) + _e765);
+                let _e805 = ((_e798 + _e796) + _e765);
+                let _e806 = ((_e799 + _e780) + _e765);
+                let _e807 = ((_e799 + _e796) + _e765);
+                if (_e804 < _e60) {
                 } else {
                     return;
                 }
-                let _e768 = map.member[(0u + _e761)];
-                if (_e762 < _e60) {
+                let _e811 = map.member[(0u + _e804)];
+                if (_e805 < _e60) {
                 } else {
                     return;
                 }
-                let _e780 = map.member[(0u + _e762)];
-                if (_e763 < _e60) {
+                let _e823 = map.member[(0u + _e805)];
+                if (_e806 < _e60) {
                 } else {
                     return;
                 }
-                let _e796 = map.member[(0u + _e763)];
-                if (_e764 < _e60) {
+                let _e839 = map.member[(0u + _e806)];
+                if (_e807 < _e60) {
                 } else {
                     return;
                 }
-                let _e812 = map.member[(0u + _e764)];
-                let _e826 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e768.x * _e707) + (_e780.x * _e709)) + (_e796.x * _e711)) + (_e812.x * _e712)), ((((_e768.y * _e707) + (_e780.y * _e709)) + (_e796.y * _e711)) + (_e812.y * _e712)), ((((_e768.z * _e707) + (_e780.z * _e709)) + (_e796.z * _e711)) + (_e812.z * _e712)), ((((_e768.w * _e707) + (_e780.w * _e709)) + (_e796.w * _e711)) + (_e812.w * _e712))), _e621);
-                let _e828 = p.member.fade_uv;
-                if (_e828 > 0f) {
-                    let _e831 = local_4;
-                    if ((_e831.level + 1u) == _e78) {
-                        let _e840 = p.member.fade_uv;
-                        let _e842 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e387.point.uv.x, (1f - _e387.point.uv.x));
-                        let _e844 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e387.point.uv.y, (1f - _e387.point.uv.y));
-                        let _e845 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e842, _e844);
-                        if (_e845 < _e840) {
-                            phi_1161_ = (1f - ((1f - _e826) * (_e845 / _e840)));
+                let _e855 = map.member[(0u + _e807)];
+                let _e869 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e811.x * _e750) + (_e823.x * _e752)) + (_e839.x * _e754)) + (_e855.x * _e755)), ((((_e811.y * _e750) + (_e823.y * _e752)) + (_e839.y * _e754)) + (_e855.y * _e755)), ((((_e811.z * _e750) + (_e823.z * _e752)) + (_e839.z * _e754)) + (_e855.z * _e755)), ((((_e811.w * _e750) + (_e823.w * _e752)) + (_e839.w * _e754)) + (_e855.w * _e755))), _e664);
+                let _e871 = p.member.fade_uv;
+                if (_e871 > 0f) {
+                    let _e874 = local_4;
+                    if ((_e874.level + 1u) == _e78) {
+                        let _e883 = p.member.fade_uv;
+                        let _e885 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e430.point.uv.x, (1f - _e430.point.uv.x));
+                        let _e887 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e430.point.uv.y, (1f - _e430.point.uv.y));
+                        let _e888 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e885, _e887);
+                        if (_e888 < _e883) {
+                            phi_1212_ = (1f - ((1f - _e869) * (_e888 / _e883)));
                         } else {
-                            phi_1161_ = _e826;
+                            phi_1212_ = _e869;
                         }
-                        let _e852 = phi_1161_;
-                        phi_1163_ = evaluate_Verdict(_e852, false);
-                        phi_1164_ = false;
+                        let _e895 = phi_1212_;
+                        phi_1214_ = evaluate_Verdict(_e895, false);
+                        phi_1215_ = false;
                     } else {
-                        phi_1163_ = evaluate_Verdict();
-                        phi_1164_ = true;
+                        phi_1214_ = evaluate_Verdict();
+                        phi_1215_ = true;
                     }
-                    let _e855 = phi_1163_;
-                    let _e857 = phi_1164_;
-                    phi_1165_ = _e855;
-                    phi_1166_ = _e857;
+                    let _e898 = phi_1214_;
+                    let _e900 = phi_1215_;
+                    phi_1216_ = _e898;
+                    phi_1217_ = _e900;
                 } else {
-                    phi_1165_ = evaluate_Verdict();
-                    phi_1166_ = true;
+                    phi_1216_ = evaluate_Verdict();
+                    phi_1217_ = true;
                 }
-                let _e859 = phi_1165_;
-                let _e861 = phi_1166_;
-                if _e861 {
-                    phi_1171_ = evaluate_Verdict(_e826, false);
-                    phi_1172_ = false;
+                let _e902 = phi_1216_;
+                let _e904 = phi_1217_;
+                if _e904 {
+                    phi_1222_ = evaluate_Verdict(_e869, false);
+                    phi_1223_ = false;
                 } else {
-                    phi_1171_ = evaluate_Verdict();
-                    phi_1172_ = true;
+                    phi_1222_ = evaluate_Verdict();
+                    phi_1223_ = true;
                 }
-                let _e864 = phi_1171_;
-                let _e866 = phi_1172_;
-                phi_1174_ = _e864;
-                phi_1175_ = _e859;
-                phi_1176_ = _e866;
+                let _e907 = phi_1222_;
+                let _e909 = phi_1223_;
+                phi_1225_ = _e907;
+                phi_1226_ = _e902;
+                phi_1227_ = _e909;
             } else {
-                phi_1174_ = evaluate_Verdict();
-                phi_1175_ = evaluate_Verdict(1f, false);
-                phi_1176_ = true;
+                phi_1225_ = evaluate_Verdict();
+                phi_1226_ = evaluate_Verdict(1f, false);
+                phi_1227_ = true;
             }
-            let _e869 = phi_1174_;
-            let _e871 = phi_1175_;
-            let _e873 = phi_1176_;
-            if _e873 {
+            let _e912 = phi_1225_;
+            let _e914 = phi_1226_;
+            let _e916 = phi_1227_;
+            if _e916 {
             }
-            phi_1180_ = _e871;
-            phi_1181_ = _e869;
-            phi_1182_ = _e873;
+            phi_1231_ = _e914;
+            phi_1232_ = _e912;
+            phi_1233_ = _e916;
         }
-        let _e875 = phi_1180_;
-        let _e877 = phi_1181_;
-        let _e879 = phi_1182_;
-        if _e879 {
-            phi_1186_ = _e875;
+        let _e918 = phi_1231_;
+        let _e920 = phi_1232_;
+        let _e922 = phi_1233_;
+        if _e922 {
+            phi_1237_ = _e918;
         } else {
-            phi_1186_ = _e877;
+            phi_1237_ = _e920;
         }
-        let _e881 = phi_1186_;
+        let _e924 = phi_1237_;
         if (_e72.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e72.first_primitive)] = _e881.visibility;
+        visibility.member[(0u + _e72.first_primitive)] = _e924.visibility;
     }
     return;
 }

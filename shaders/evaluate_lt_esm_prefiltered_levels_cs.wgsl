@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_34 {
+struct type_36 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,45 +87,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_36;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_156_: lt_bvh_traverse_Tree;
-    var phi_157_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_160_: lt_bvh_traverse_Tree;
+    var phi_161_: bool;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_157_ = false;
+            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_161_ = false;
         } else {
-            phi_156_ = lt_bvh_traverse_Tree();
-            phi_157_ = true;
+            phi_160_ = lt_bvh_traverse_Tree();
+            phi_161_ = true;
         }
-        let _e64 = phi_156_;
-        let _e66 = phi_157_;
-        phi_158_ = _e64;
-        phi_159_ = _e66;
+        let _e64 = phi_160_;
+        let _e66 = phi_161_;
+        phi_162_ = _e64;
+        phi_163_ = _e66;
     } else {
-        phi_158_ = lt_bvh_traverse_Tree();
-        phi_159_ = true;
+        phi_162_ = lt_bvh_traverse_Tree();
+        phi_163_ = true;
     }
-    let _e68 = phi_158_;
-    let _e70 = phi_159_;
+    let _e68 = phi_162_;
+    let _e70 = phi_163_;
     if _e70 {
-        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_164_ = _e68;
+        phi_168_ = _e68;
     }
-    let _e75 = phi_164_;
+    let _e75 = phi_168_;
     return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
@@ -125,218 +134,224 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_184_: bool;
-    var phi_188_: f32;
+    var phi_188_: bool;
+    var phi_192_: f32;
 
     let _e52 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_184_ = true;
+        phi_188_ = true;
     } else {
         let _e56 = (84f < _e52);
         if _e56 {
         }
-        phi_184_ = _e56;
+        phi_188_ = _e56;
     }
-    let _e58 = phi_184_;
+    let _e58 = phi_188_;
     if _e58 {
-        phi_188_ = 84f;
+        phi_192_ = 84f;
     } else {
-        phi_188_ = _e52;
+        phi_192_ = _e52;
     }
-    let _e60 = phi_188_;
+    let _e60 = phi_192_;
     return _e60;
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_207_: f32;
-    var phi_208_: f32;
-    var phi_209_: f32;
-    var phi_224_: f32;
-    var phi_229_: f32;
-    var phi_251_: f32;
-    var phi_256_: f32;
-    var phi_257_: bool;
-    var phi_258_: f32;
-    var phi_259_: bool;
-    var phi_263_: f32;
-    var phi_301_: f32;
-    var phi_317_: f32;
-    var phi_318_: f32;
-    var phi_319_: f32;
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_213_: f32;
+    var phi_228_: f32;
+    var phi_233_: f32;
+    var phi_255_: f32;
+    var phi_260_: f32;
+    var phi_261_: bool;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_267_: f32;
+    var phi_305_: f32;
+    var phi_321_: f32;
+    var phi_322_: f32;
+    var phi_323_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_209_ = param_7;
+        phi_213_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_208_ = 0f;
+            phi_212_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_207_ = 1f;
+                phi_211_ = 1f;
             } else {
-                phi_207_ = param_7;
+                phi_211_ = param_7;
             }
-            let _e60 = phi_207_;
-            phi_208_ = _e60;
+            let _e60 = phi_211_;
+            phi_212_ = _e60;
         }
-        let _e62 = phi_208_;
-        phi_209_ = _e62;
+        let _e62 = phi_212_;
+        phi_213_ = _e62;
     }
-    let _e64 = phi_209_;
+    let _e64 = phi_213_;
     let _e66 = _lt_math_esm_Esm_clamped_exponent(param_5);
     let _e68 = (_e66 * (1f - _e64));
     if ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u) {
-        phi_301_ = _e68;
+        phi_305_ = _e68;
     } else {
         if (_e68 < -87f) {
-            phi_224_ = -87f;
+            phi_228_ = -87f;
         } else {
-            phi_224_ = _e68;
+            phi_228_ = _e68;
         }
-        let _e74 = phi_224_;
+        let _e74 = phi_228_;
         if (_e74 > 88f) {
-            phi_229_ = 88f;
+            phi_233_ = 88f;
         } else {
-            phi_229_ = _e74;
+            phi_233_ = _e74;
         }
-        let _e77 = phi_229_;
+        let _e77 = phi_233_;
         let _e79 = ((_e77 * 1.442695f) + 0.5f);
         if (_e79 > -8388608f) {
             let _e91 = f32(select(0i, select(select(i32(_e79), i32(-2147483648), (_e79 < bitcast<f32>(3472883712u))), 2147483647i, (_e79 > bitcast<f32>(1325400063u))), (_e79 == _e79)));
             if (_e91 > _e79) {
-                phi_251_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_251_ = 0f;
+                phi_255_ = 0f;
             }
-            let _e94 = phi_251_;
+            let _e94 = phi_255_;
             if (_e79 < 8388608f) {
-                phi_256_ = (_e91 - _e94);
-                phi_257_ = false;
+                phi_260_ = (_e91 - _e94);
+                phi_261_ = false;
             } else {
-                phi_256_ = f32();
-                phi_257_ = true;
+                phi_260_ = f32();
+                phi_261_ = true;
             }
-            let _e97 = phi_256_;
-            let _e99 = phi_257_;
-            phi_258_ = _e97;
-            phi_259_ = _e99;
+            let _e97 = phi_260_;
+            let _e99 = phi_261_;
+            phi_262_ = _e97;
+            phi_263_ = _e99;
         } else {
-            phi_258_ = f32();
-            phi_259_ = true;
+            phi_262_ = f32();
+            phi_263_ = true;
         }
-        let _e101 = phi_258_;
-        let _e103 = phi_259_;
+        let _e101 = phi_262_;
+        let _e103 = phi_263_;
         if _e103 {
-            phi_263_ = _e79;
+            phi_267_ = _e79;
         } else {
-            phi_263_ = _e101;
+            phi_267_ = _e101;
         }
-        let _e105 = phi_263_;
+        let _e105 = phi_267_;
         let _e109 = ((_e77 - (_e105 * 0.69314575f)) - (_e105 * 0.0000014286068f));
-        phi_301_ = ((((((((((((((((1f / 5040f) * _e109) + (1f / 720f)) * _e109) + (1f / 120f)) * _e109) + (1f / 24f)) * _e109) + (1f / 6f)) * _e109) + 0.5f) * _e109) + 1f) * _e109) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e105), i32(-2147483648), (_e105 < bitcast<f32>(3472883712u))), 2147483647i, (_e105 > bitcast<f32>(1325400063u))), (_e105 == _e105)) + 127i)) << bitcast<u32>(23i))));
+        phi_305_ = ((((((((((((((((1f / 5040f) * _e109) + (1f / 720f)) * _e109) + (1f / 120f)) * _e109) + (1f / 24f)) * _e109) + (1f / 6f)) * _e109) + 0.5f) * _e109) + 1f) * _e109) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e105), i32(-2147483648), (_e105 < bitcast<f32>(3472883712u))), 2147483647i, (_e105 > bitcast<f32>(1325400063u))), (_e105 == _e105)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e145 = phi_301_;
+    let _e145 = phi_305_;
     let _e146 = (param_6.x * _e145);
     if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
-        phi_319_ = _e146;
+        phi_323_ = _e146;
     } else {
         if (_e146 < 0f) {
-            phi_318_ = 0f;
+            phi_322_ = 0f;
         } else {
             if (_e146 > 1f) {
-                phi_317_ = 1f;
+                phi_321_ = 1f;
             } else {
-                phi_317_ = _e146;
+                phi_321_ = _e146;
             }
-            let _e153 = phi_317_;
-            phi_318_ = _e153;
+            let _e153 = phi_321_;
+            phi_322_ = _e153;
         }
-        let _e155 = phi_318_;
-        phi_319_ = _e155;
+        let _e155 = phi_322_;
+        phi_323_ = _e155;
     }
-    let _e157 = phi_319_;
+    let _e157 = phi_323_;
     return _e157;
 }
 
 fn function_() {
     var local: f32;
-    var phi_380_: bool;
-    var phi_381_: bool;
-    var phi_382_: bool;
     var phi_383_: bool;
-    var phi_387_: bool;
-    var phi_431_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_435_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: lt_math_LightPoint;
-    var phi_458_: u32;
-    var phi_460_: lt_math_LevelPoint;
-    var phi_546_: bool;
-    var phi_555_: bool;
-    var phi_564_: bool;
-    var phi_565_: bool;
-    var phi_566_: bool;
-    var phi_567_: bool;
-    var phi_568_: bool;
-    var phi_569_: bool;
-    var phi_570_: bool;
-    var phi_574_: bool;
-    var phi_601_: bool;
-    var phi_602_: bool;
-    var phi_603_: bool;
-    var phi_604_: bool;
-    var phi_605_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_386_: bool;
+    var phi_390_: bool;
+    var phi_460_: bool;
+    var phi_461_: bool;
+    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_473_: bool;
+    var phi_474_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_475_: bool;
+    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_506_: lt_math_LightPoint;
+    var phi_509_: u32;
+    var phi_511_: lt_math_LevelPoint;
+    var phi_597_: bool;
     var phi_606_: bool;
-    var phi_607_: bool;
-    var phi_608_: bool;
-    var phi_612_: bool;
-    var phi_621_: lt_math_LightPoint;
-    var phi_622_: u32;
-    var phi_623_: lt_math_LevelPoint;
-    var phi_624_: bool;
-    var phi_456_: lt_math_LightPoint;
-    var phi_459_: u32;
-    var phi_461_: lt_math_LevelPoint;
+    var phi_615_: bool;
+    var phi_616_: bool;
+    var phi_617_: bool;
+    var phi_618_: bool;
+    var phi_619_: bool;
+    var phi_620_: bool;
+    var phi_621_: bool;
     var phi_625_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_663_: bool;
+    var phi_672_: lt_math_LightPoint;
+    var phi_673_: u32;
+    var phi_674_: lt_math_LevelPoint;
+    var phi_675_: bool;
+    var phi_507_: lt_math_LightPoint;
+    var phi_510_: u32;
+    var phi_512_: lt_math_LevelPoint;
+    var phi_676_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_665_: bool;
-    var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: bool;
-    var phi_672_: bool;
-    var phi_754_: f32;
-    var phi_870_: f32;
-    var phi_871_: f32;
-    var phi_874_: f32;
-    var phi_903_: f32;
-    var phi_908_: f32;
-    var phi_909_: bool;
-    var phi_910_: f32;
-    var phi_911_: bool;
-    var phi_915_: f32;
-    var phi_935_: f32;
-    var phi_940_: f32;
-    var phi_941_: bool;
-    var phi_942_: f32;
-    var phi_943_: bool;
-    var phi_947_: f32;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_719_: bool;
+    var phi_723_: bool;
+    var phi_805_: f32;
+    var phi_921_: f32;
+    var phi_922_: f32;
+    var phi_925_: f32;
+    var phi_954_: f32;
+    var phi_959_: f32;
+    var phi_960_: bool;
+    var phi_961_: f32;
+    var phi_962_: bool;
+    var phi_966_: f32;
+    var phi_986_: f32;
+    var phi_991_: f32;
+    var phi_992_: bool;
+    var phi_993_: f32;
+    var phi_994_: bool;
+    var phi_998_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_996_: i32;
-    var phi_1001_: i32;
-    var phi_1006_: i32;
-    var phi_1011_: i32;
-    var phi_1020_: i32;
-    var phi_1025_: i32;
-    var phi_1030_: i32;
-    var phi_1035_: i32;
-    var phi_1130_: bool;
-    var phi_1138_: bool;
-    var phi_1150_: bool;
-    var phi_1151_: bool;
-    var phi_1155_: f32;
-    var phi_1161_: f32;
-    var phi_1163_: evaluate_Verdict;
-    var phi_1168_: evaluate_Verdict;
-    var phi_1169_: evaluate_Verdict;
+    var phi_1047_: i32;
+    var phi_1052_: i32;
+    var phi_1057_: i32;
+    var phi_1062_: i32;
+    var phi_1071_: i32;
+    var phi_1076_: i32;
+    var phi_1081_: i32;
+    var phi_1086_: i32;
+    var phi_1181_: bool;
+    var phi_1189_: bool;
+    var phi_1201_: bool;
+    var phi_1202_: bool;
+    var phi_1206_: f32;
+    var phi_1212_: f32;
+    var phi_1214_: evaluate_Verdict;
+    var phi_1219_: evaluate_Verdict;
+    var phi_1220_: evaluate_Verdict;
 
     let _e52 = id_1;
     let _e59 = arrayLength((&map.member));
@@ -350,520 +365,559 @@ fn function_() {
         } else {
             return;
         }
-        let _e82 = p.member.light;
-        let _e85 = samples.member[(0u + _e71.first_primitive)].normal[0u];
-        let _e87 = global[0u];
-        if (_e85 == _e87) {
-            let _e90 = samples.member[(0u + _e71.first_primitive)].normal[1u];
-            let _e92 = global[1u];
-            if (_e90 == _e92) {
-                let _e95 = samples.member[(0u + _e71.first_primitive)].normal[2u];
-                let _e97 = global[2u];
-                phi_380_ = (_e95 == _e97);
-                phi_381_ = false;
+        let _e84 = samples.member[(0u + _e71.first_primitive)].normal[0u];
+        let _e86 = global[0u];
+        if (_e84 == _e86) {
+            let _e89 = samples.member[(0u + _e71.first_primitive)].normal[1u];
+            let _e91 = global[1u];
+            if (_e89 == _e91) {
+                let _e94 = samples.member[(0u + _e71.first_primitive)].normal[2u];
+                let _e96 = global[2u];
+                phi_383_ = (_e94 == _e96);
+                phi_384_ = false;
             } else {
-                phi_380_ = bool();
-                phi_381_ = true;
+                phi_383_ = bool();
+                phi_384_ = true;
             }
-            let _e100 = phi_380_;
-            let _e102 = phi_381_;
-            phi_382_ = _e100;
-            phi_383_ = _e102;
+            let _e99 = phi_383_;
+            let _e101 = phi_384_;
+            phi_385_ = _e99;
+            phi_386_ = _e101;
         } else {
-            phi_382_ = bool();
-            phi_383_ = true;
+            phi_385_ = bool();
+            phi_386_ = true;
         }
-        let _e104 = phi_382_;
-        let _e106 = phi_383_;
-        if _e106 {
-            phi_387_ = false;
+        let _e103 = phi_385_;
+        let _e105 = phi_386_;
+        if _e105 {
+            phi_390_ = false;
         } else {
-            phi_387_ = _e104;
+            phi_390_ = _e103;
         }
-        let _e108 = phi_387_;
-        if !(_e108) {
-            let _e111 = samples.member[(0u + _e71.first_primitive)].normal;
-            let _e113 = samples.member[(0u + _e71.first_primitive)].position;
-            if ((((_e111.x * (_e82.x - (_e113.x * _e82.w))) + (_e111.y * (_e82.y - (_e113.y * _e82.w)))) + (_e111.z * (_e82.z - (_e113.z * _e82.w)))) > 0f) {
-                let _e137 = samples.member[(0u + _e71.first_primitive)].flags;
-                let _e145 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e145.unnamed.visibility, false), _e145.unnamed_1);
-                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e151.unnamed, ((_e137 & 1u) == 0u));
-            } else {
-                let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-                phi_431_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, true);
-            }
-            let _e171 = phi_431_;
-            phi_435_ = _e171;
-        } else {
-            let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e177.unnamed.visibility, false), _e177.unnamed_1);
-            phi_435_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e183.unnamed, true);
-        }
-        let _e188 = phi_435_;
-        if _e188.unnamed_1 {
-            phi_1169_ = evaluate_Verdict(_e188.unnamed.visibility, _e188.unnamed.is_doubted);
-        } else {
-            let _e196 = samples.member[(0u + _e71.first_primitive)].position;
-            let _e198 = p.member.map_size;
-            let _e200 = (0.5f / f32(_e198));
-            let _e207 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e214 = lt_math_LightPoint(vec2<f32>(_e207.uv.x, 0f), _e207.depth, _e207.is_inside);
-            let _e218 = lt_math_LightPoint(_e214.uv, 0f, _e214.is_inside);
-            phi_455_ = lt_math_LightPoint();
-            phi_458_ = 0u;
-            phi_460_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e218.uv, _e218.depth, false));
-            loop {
-                let _e225 = phi_455_;
-                let _e227 = phi_458_;
-                let _e229 = phi_460_;
-                local_1 = _e229;
-                local_2 = _e229;
-                local_3 = _e229;
-                if (_e227 < _e77) {
-                    if _e229.point.is_inside {
-                        phi_621_ = lt_math_LightPoint();
-                        phi_622_ = u32();
-                        phi_623_ = lt_math_LevelPoint();
-                        phi_624_ = false;
+        let _e107 = phi_390_;
+        if !(_e107) {
+            let _e110 = samples.member[(0u + _e71.first_primitive)].position;
+            let _e112 = p.member.light.place;
+            let _e118 = p.member.light.place[3u];
+            let _e125 = (_e112.x - (_e110.x * _e118));
+            let _e126 = (_e112.y - (_e110.y * _e118));
+            let _e127 = (_e112.z - (_e110.z * _e118));
+            let _e129 = samples.member[(0u + _e71.first_primitive)].normal;
+            if ((((_e129.x * _e125) + (_e129.y * _e126)) + (_e129.z * _e127)) > 0f) {
+                let _e143 = (((_e125 * _e125) + (_e126 * _e126)) + (_e127 * _e127));
+                let _e145 = p.member.light.axis;
+                let _e157 = p.member.light.place[3u];
+                if (_e157 == 0f) {
+                    phi_461_ = true;
+                } else {
+                    let _e160 = p.member.light.range_squared;
+                    if (_e143 <= _e160) {
+                        let _e163 = p.member.light.cos_outer;
+                        phi_460_ = (-((((_e125 * _e145.x) + (_e126 * _e145.y)) + (_e127 * _e145.z))) >= (_e163 * sqrt(_e143)));
                     } else {
-                        if (_e227 < _e65) {
+                        phi_460_ = false;
+                    }
+                    let _e168 = phi_460_;
+                    phi_461_ = _e168;
+                }
+                let _e170 = phi_461_;
+                if _e170 {
+                    let _e172 = samples.member[(0u + _e71.first_primitive)].flags;
+                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e180.unnamed.visibility, false), _e180.unnamed_1);
+                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e186.unnamed, ((_e172 & 1u) == 0u));
+                    phi_473_ = false;
+                } else {
+                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_473_ = true;
+                }
+                let _e191 = phi_472_;
+                let _e193 = phi_473_;
+                phi_474_ = _e191;
+                phi_475_ = _e193;
+            } else {
+                phi_474_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_475_ = true;
+            }
+            let _e195 = phi_474_;
+            let _e197 = phi_475_;
+            if _e197 {
+                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
+                phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+            } else {
+                phi_482_ = _e195;
+            }
+            let _e214 = phi_482_;
+            phi_486_ = _e214;
+        } else {
+            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e220.unnamed.visibility, false), _e220.unnamed_1);
+            phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e226.unnamed, true);
+        }
+        let _e231 = phi_486_;
+        if _e231.unnamed_1 {
+            phi_1220_ = evaluate_Verdict(_e231.unnamed.visibility, _e231.unnamed.is_doubted);
+        } else {
+            let _e239 = samples.member[(0u + _e71.first_primitive)].position;
+            let _e241 = p.member.map_size;
+            let _e243 = (0.5f / f32(_e241));
+            let _e250 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e257 = lt_math_LightPoint(vec2<f32>(_e250.uv.x, 0f), _e250.depth, _e250.is_inside);
+            let _e261 = lt_math_LightPoint(_e257.uv, 0f, _e257.is_inside);
+            phi_506_ = lt_math_LightPoint();
+            phi_509_ = 0u;
+            phi_511_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e261.uv, _e261.depth, false));
+            loop {
+                let _e268 = phi_506_;
+                let _e270 = phi_509_;
+                let _e272 = phi_511_;
+                local_1 = _e272;
+                local_2 = _e272;
+                local_3 = _e272;
+                if (_e270 < _e77) {
+                    if _e272.point.is_inside {
+                        phi_672_ = lt_math_LightPoint();
+                        phi_673_ = u32();
+                        phi_674_ = lt_math_LevelPoint();
+                        phi_675_ = false;
+                    } else {
+                        if (_e270 < _e65) {
                         } else {
                             return;
                         }
-                        let _e240 = levels.member[(0u + _e227)].row_w;
-                        let _e251 = ((((_e240.x * _e196.x) + (_e240.y * _e196.y)) + (_e240.z * _e196.z)) + (_e240.w * 1f));
-                        let _e253 = levels.member[(0u + _e227)].row_x;
-                        let _e265 = (((((_e253.x * _e196.x) + (_e253.y * _e196.y)) + (_e253.z * _e196.z)) + (_e253.w * 1f)) / _e251);
-                        let _e267 = levels.member[(0u + _e227)].row_y;
-                        let _e279 = (((((_e267.x * _e196.x) + (_e267.y * _e196.y)) + (_e267.z * _e196.z)) + (_e267.w * 1f)) / _e251);
-                        let _e281 = levels.member[(0u + _e227)].row_z;
-                        let _e292 = ((((_e281.x * _e196.x) + (_e281.y * _e196.y)) + (_e281.z * _e196.z)) + (_e281.w * 1f));
-                        if (_e251 > 0f) {
-                            if (_e265 >= 0f) {
-                                phi_546_ = (_e265 <= 1f);
+                        let _e283 = levels.member[(0u + _e270)].row_w;
+                        let _e294 = ((((_e283.x * _e239.x) + (_e283.y * _e239.y)) + (_e283.z * _e239.z)) + (_e283.w * 1f));
+                        let _e296 = levels.member[(0u + _e270)].row_x;
+                        let _e308 = (((((_e296.x * _e239.x) + (_e296.y * _e239.y)) + (_e296.z * _e239.z)) + (_e296.w * 1f)) / _e294);
+                        let _e310 = levels.member[(0u + _e270)].row_y;
+                        let _e322 = (((((_e310.x * _e239.x) + (_e310.y * _e239.y)) + (_e310.z * _e239.z)) + (_e310.w * 1f)) / _e294);
+                        let _e324 = levels.member[(0u + _e270)].row_z;
+                        let _e335 = ((((_e324.x * _e239.x) + (_e324.y * _e239.y)) + (_e324.z * _e239.z)) + (_e324.w * 1f));
+                        if (_e294 > 0f) {
+                            if (_e308 >= 0f) {
+                                phi_597_ = (_e308 <= 1f);
                             } else {
-                                phi_546_ = false;
+                                phi_597_ = false;
                             }
-                            let _e297 = phi_546_;
-                            if _e297 {
-                                if (_e279 >= 0f) {
-                                    phi_555_ = (_e279 <= 1f);
+                            let _e340 = phi_597_;
+                            if _e340 {
+                                if (_e322 >= 0f) {
+                                    phi_606_ = (_e322 <= 1f);
                                 } else {
-                                    phi_555_ = false;
+                                    phi_606_ = false;
                                 }
-                                let _e301 = phi_555_;
-                                if _e301 {
-                                    if (_e292 >= 0f) {
-                                        phi_564_ = (_e292 <= 1f);
+                                let _e344 = phi_606_;
+                                if _e344 {
+                                    if (_e335 >= 0f) {
+                                        phi_615_ = (_e335 <= 1f);
                                     } else {
-                                        phi_564_ = false;
+                                        phi_615_ = false;
                                     }
-                                    let _e305 = phi_564_;
-                                    phi_565_ = _e305;
-                                    phi_566_ = false;
+                                    let _e348 = phi_615_;
+                                    phi_616_ = _e348;
+                                    phi_617_ = false;
                                 } else {
-                                    phi_565_ = bool();
-                                    phi_566_ = true;
+                                    phi_616_ = bool();
+                                    phi_617_ = true;
                                 }
-                                let _e307 = phi_565_;
-                                let _e309 = phi_566_;
-                                phi_567_ = _e307;
-                                phi_568_ = _e309;
+                                let _e350 = phi_616_;
+                                let _e352 = phi_617_;
+                                phi_618_ = _e350;
+                                phi_619_ = _e352;
                             } else {
-                                phi_567_ = bool();
-                                phi_568_ = true;
+                                phi_618_ = bool();
+                                phi_619_ = true;
                             }
-                            let _e311 = phi_567_;
-                            let _e313 = phi_568_;
-                            phi_569_ = _e311;
-                            phi_570_ = _e313;
+                            let _e354 = phi_618_;
+                            let _e356 = phi_619_;
+                            phi_620_ = _e354;
+                            phi_621_ = _e356;
                         } else {
-                            phi_569_ = bool();
-                            phi_570_ = true;
+                            phi_620_ = bool();
+                            phi_621_ = true;
                         }
-                        let _e315 = phi_569_;
-                        let _e317 = phi_570_;
-                        if _e317 {
-                            phi_574_ = false;
+                        let _e358 = phi_620_;
+                        let _e360 = phi_621_;
+                        if _e360 {
+                            phi_625_ = false;
                         } else {
-                            phi_574_ = _e315;
+                            phi_625_ = _e358;
                         }
-                        let _e319 = phi_574_;
-                        if _e319 {
-                            if (_e265 >= _e200) {
-                                if (_e265 <= (1f - _e200)) {
-                                    if (_e279 >= _e200) {
-                                        phi_601_ = (_e279 <= (1f - _e200));
-                                        phi_602_ = false;
+                        let _e362 = phi_625_;
+                        if _e362 {
+                            if (_e308 >= _e243) {
+                                if (_e308 <= (1f - _e243)) {
+                                    if (_e322 >= _e243) {
+                                        phi_652_ = (_e322 <= (1f - _e243));
+                                        phi_653_ = false;
                                     } else {
-                                        phi_601_ = bool();
-                                        phi_602_ = true;
+                                        phi_652_ = bool();
+                                        phi_653_ = true;
                                     }
-                                    let _e327 = phi_601_;
-                                    let _e329 = phi_602_;
-                                    phi_603_ = _e327;
-                                    phi_604_ = _e329;
+                                    let _e370 = phi_652_;
+                                    let _e372 = phi_653_;
+                                    phi_654_ = _e370;
+                                    phi_655_ = _e372;
                                 } else {
-                                    phi_603_ = bool();
-                                    phi_604_ = true;
+                                    phi_654_ = bool();
+                                    phi_655_ = true;
                                 }
-                                let _e331 = phi_603_;
-                                let _e333 = phi_604_;
-                                phi_605_ = _e331;
-                                phi_606_ = _e333;
+                                let _e374 = phi_654_;
+                                let _e376 = phi_655_;
+                                phi_656_ = _e374;
+                                phi_657_ = _e376;
                             } else {
-                                phi_605_ = bool();
-                                phi_606_ = true;
+                                phi_656_ = bool();
+                                phi_657_ = true;
                             }
-                            let _e335 = phi_605_;
-                            let _e337 = phi_606_;
-                            phi_607_ = _e335;
-                            phi_608_ = _e337;
+                            let _e378 = phi_656_;
+                            let _e380 = phi_657_;
+                            phi_658_ = _e378;
+                            phi_659_ = _e380;
                         } else {
-                            phi_607_ = bool();
-                            phi_608_ = true;
+                            phi_658_ = bool();
+                            phi_659_ = true;
                         }
-                        let _e339 = phi_607_;
-                        let _e341 = phi_608_;
-                        if _e341 {
-                            phi_612_ = false;
+                        let _e382 = phi_658_;
+                        let _e384 = phi_659_;
+                        if _e384 {
+                            phi_663_ = false;
                         } else {
-                            phi_612_ = _e339;
+                            phi_663_ = _e382;
                         }
-                        let _e343 = phi_612_;
-                        let _e350 = lt_math_LightPoint(vec2<f32>(_e265, _e225.uv.y), _e225.depth, _e225.is_inside);
-                        let _e357 = lt_math_LightPoint(vec2<f32>(_e350.uv.x, _e279), _e350.depth, _e350.is_inside);
-                        let _e361 = lt_math_LightPoint(_e357.uv, _e292, _e357.is_inside);
-                        let _e365 = lt_math_LightPoint(_e361.uv, _e361.depth, _e343);
-                        phi_621_ = _e365;
-                        phi_622_ = (_e227 + 1u);
-                        phi_623_ = lt_math_LevelPoint(_e227, _e365);
-                        phi_624_ = true;
+                        let _e386 = phi_663_;
+                        let _e393 = lt_math_LightPoint(vec2<f32>(_e308, _e268.uv.y), _e268.depth, _e268.is_inside);
+                        let _e400 = lt_math_LightPoint(vec2<f32>(_e393.uv.x, _e322), _e393.depth, _e393.is_inside);
+                        let _e404 = lt_math_LightPoint(_e400.uv, _e335, _e400.is_inside);
+                        let _e408 = lt_math_LightPoint(_e404.uv, _e404.depth, _e386);
+                        phi_672_ = _e408;
+                        phi_673_ = (_e270 + 1u);
+                        phi_674_ = lt_math_LevelPoint(_e270, _e408);
+                        phi_675_ = true;
                     }
-                    let _e369 = phi_621_;
-                    let _e371 = phi_622_;
-                    let _e373 = phi_623_;
-                    let _e375 = phi_624_;
-                    phi_456_ = _e369;
-                    phi_459_ = _e371;
-                    phi_461_ = _e373;
-                    phi_625_ = _e375;
+                    let _e412 = phi_672_;
+                    let _e414 = phi_673_;
+                    let _e416 = phi_674_;
+                    let _e418 = phi_675_;
+                    phi_507_ = _e412;
+                    phi_510_ = _e414;
+                    phi_512_ = _e416;
+                    phi_676_ = _e418;
                 } else {
-                    phi_456_ = lt_math_LightPoint();
-                    phi_459_ = u32();
-                    phi_461_ = lt_math_LevelPoint();
-                    phi_625_ = false;
+                    phi_507_ = lt_math_LightPoint();
+                    phi_510_ = u32();
+                    phi_512_ = lt_math_LevelPoint();
+                    phi_676_ = false;
                 }
-                let _e377 = phi_456_;
-                let _e379 = phi_459_;
-                let _e381 = phi_461_;
-                let _e383 = phi_625_;
+                let _e420 = phi_507_;
+                let _e422 = phi_510_;
+                let _e424 = phi_512_;
+                let _e426 = phi_676_;
                 continue;
                 continuing {
-                    phi_455_ = _e377;
-                    phi_458_ = _e379;
-                    phi_460_ = _e381;
-                    break if !(_e383);
+                    phi_506_ = _e420;
+                    phi_509_ = _e422;
+                    phi_511_ = _e424;
+                    break if !(_e426);
                 }
             }
-            let _e386 = local_1;
-            if _e386.point.is_inside {
+            let _e429 = local_1;
+            if _e429.point.is_inside {
                 if (0f > 0f) {
-                    let _e392 = local_2;
-                    if (_e392.level < _e65) {
+                    let _e435 = local_2;
+                    if (_e435.level < _e65) {
                     } else {
                         return;
                     }
-                    let _e397 = levels.member[(0u + _e392.level)];
-                    let _e403 = global[0u];
-                    if (_e397.row_w.x == _e403) {
-                        let _e406 = global[1u];
-                        if (_e397.row_w.y == _e406) {
-                            let _e409 = global[2u];
-                            phi_665_ = (_e397.row_w.z == _e409);
-                            phi_666_ = false;
+                    let _e440 = levels.member[(0u + _e435.level)];
+                    let _e446 = global[0u];
+                    if (_e440.row_w.x == _e446) {
+                        let _e449 = global[1u];
+                        if (_e440.row_w.y == _e449) {
+                            let _e452 = global[2u];
+                            phi_716_ = (_e440.row_w.z == _e452);
+                            phi_717_ = false;
                         } else {
-                            phi_665_ = bool();
-                            phi_666_ = true;
+                            phi_716_ = bool();
+                            phi_717_ = true;
                         }
-                        let _e412 = phi_665_;
-                        let _e414 = phi_666_;
-                        phi_667_ = _e412;
-                        phi_668_ = _e414;
+                        let _e455 = phi_716_;
+                        let _e457 = phi_717_;
+                        phi_718_ = _e455;
+                        phi_719_ = _e457;
                     } else {
-                        phi_667_ = bool();
-                        phi_668_ = true;
+                        phi_718_ = bool();
+                        phi_719_ = true;
                     }
-                    let _e416 = phi_667_;
-                    let _e418 = phi_668_;
-                    if _e418 {
-                        phi_672_ = false;
+                    let _e459 = phi_718_;
+                    let _e461 = phi_719_;
+                    if _e461 {
+                        phi_723_ = false;
                     } else {
-                        phi_672_ = _e416;
+                        phi_723_ = _e459;
                     }
-                    let _e420 = phi_672_;
-                    if _e420 {
-                        let _e422 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e424 = p.member.map_size;
-                        let _e494 = ((abs(((((_e397.row_x.x * _e422.x) + (_e397.row_x.y * _e422.y)) + (_e397.row_x.z * _e422.z)) / (((_e397.row_x.x * _e397.row_x.x) + (_e397.row_x.y * _e397.row_x.y)) + (_e397.row_x.z * _e397.row_x.z)))) + abs(((((_e397.row_y.x * _e422.x) + (_e397.row_y.y * _e422.y)) + (_e397.row_y.z * _e422.z)) / (((_e397.row_y.x * _e397.row_y.x) + (_e397.row_y.y * _e397.row_y.y)) + (_e397.row_y.z * _e397.row_y.z))))) / (abs(((((_e397.row_z.x * _e422.x) + (_e397.row_z.y * _e422.y)) + (_e397.row_z.z * _e422.z)) / (((_e397.row_z.x * _e397.row_z.x) + (_e397.row_z.y * _e397.row_z.y)) + (_e397.row_z.z * _e397.row_z.z)))) * f32(_e424)));
-                        if (_e494 < 0.002f) {
-                            phi_754_ = _e494;
+                    let _e463 = phi_723_;
+                    if _e463 {
+                        let _e465 = samples.member[(0u + _e71.first_primitive)].normal;
+                        let _e467 = p.member.map_size;
+                        let _e537 = ((abs(((((_e440.row_x.x * _e465.x) + (_e440.row_x.y * _e465.y)) + (_e440.row_x.z * _e465.z)) / (((_e440.row_x.x * _e440.row_x.x) + (_e440.row_x.y * _e440.row_x.y)) + (_e440.row_x.z * _e440.row_x.z)))) + abs(((((_e440.row_y.x * _e465.x) + (_e440.row_y.y * _e465.y)) + (_e440.row_y.z * _e465.z)) / (((_e440.row_y.x * _e440.row_y.x) + (_e440.row_y.y * _e440.row_y.y)) + (_e440.row_y.z * _e440.row_y.z))))) / (abs(((((_e440.row_z.x * _e465.x) + (_e440.row_z.y * _e465.y)) + (_e440.row_z.z * _e465.z)) / (((_e440.row_z.x * _e440.row_z.x) + (_e440.row_z.y * _e440.row_z.y)) + (_e440.row_z.z * _e440.row_z.z)))) * f32(_e467)));
+                        if (_e537 < 0.002f) {
+                            phi_805_ = _e537;
                         } else {
-                            phi_754_ = 0.002f;
+                            phi_805_ = 0.002f;
                         }
-                        let _e497 = phi_754_;
-                        phi_871_ = _e497;
+                        let _e540 = phi_805_;
+                        phi_922_ = _e540;
                     } else {
-                        let _e499 = p.member.map_size;
-                        let _e505 = samples.member[(0u + _e71.first_primitive)].position;
-                        let _e516 = ((((_e397.row_w.x * _e505.x) + (_e397.row_w.y * _e505.y)) + (_e397.row_w.z * _e505.z)) + _e397.row_w.w);
-                        let _e529 = ((_e397.row_x.x - (_e397.row_w.x * _e386.point.uv.x)) / _e516);
-                        let _e530 = ((_e397.row_x.y - (_e397.row_w.y * _e386.point.uv.x)) / _e516);
-                        let _e531 = ((_e397.row_x.z - (_e397.row_w.z * _e386.point.uv.x)) / _e516);
-                        let _e544 = ((_e397.row_y.x - (_e397.row_w.x * _e386.point.uv.y)) / _e516);
-                        let _e545 = ((_e397.row_y.y - (_e397.row_w.y * _e386.point.uv.y)) / _e516);
-                        let _e546 = ((_e397.row_y.z - (_e397.row_w.z * _e386.point.uv.y)) / _e516);
-                        let _e552 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e557 = ((_e545 * _e552.z) - (_e552.y * _e546));
-                        let _e562 = ((_e546 * _e552.x) - (_e552.z * _e544));
-                        let _e567 = ((_e544 * _e552.y) - (_e552.x * _e545));
-                        let _e569 = samples.member[(0u + _e71.first_primitive)].normal;
-                        let _e574 = ((_e530 * _e569.z) - (_e569.y * _e531));
-                        let _e579 = ((_e531 * _e569.x) - (_e569.z * _e529));
-                        let _e584 = ((_e529 * _e569.y) - (_e569.x * _e530));
-                        let _e611 = ((abs(((((_e397.row_z.x * _e557) + (_e397.row_z.y * _e562)) + (_e397.row_z.z * _e567)) / (((_e529 * _e557) + (_e530 * _e562)) + (_e531 * _e567)))) + abs(((((_e397.row_z.x * _e574) + (_e397.row_z.y * _e579)) + (_e397.row_z.z * _e584)) / (((_e544 * _e574) + (_e545 * _e579)) + (_e546 * _e584))))) / f32(_e499));
-                        if (_e611 < 0.002f) {
-                            phi_870_ = _e611;
+                        let _e542 = p.member.map_size;
+                        let _e548 = samples.member[(0u + _e71.first_primitive)].position;
+                        let _e559 = ((((_e440.row_w.x * _e548.x) + (_e440.row_w.y * _e548.y)) + (_e440.row_w.z * _e548.z)) + _e440.row_w.w);
+                        let _e572 = ((_e440.row_x.x - (_e440.row_w.x * _e429.point.uv.x)) / _e559);
+                        let _e573 = ((_e440.row_x.y - (_e440.row_w.y * _e429.point.uv.x)) / _e559);
+                        let _e574 = ((_e440.row_x.z - (_e440.row_w.z * _e429.point.uv.x)) / _e559);
+                        let _e587 = ((_e440.row_y.x - (_e440.row_w.x * _e429.point.uv.y)) / _e559);
+                        let _e588 = ((_e440.row_y.y - (_e440.row_w.y * _e429.point.uv.y)) / _e559);
+                        let _e589 = ((_e440.row_y.z - (_e440.row_w.z * _e429.point.uv.y)) / _e559);
+                        let _e595 = samples.member[(0u + _e71.first_primitive)].normal;
+                        let _e600 = ((_e588 * _e595.z) - (_e595.y * _e589));
+                        let _e605 = ((_e589 * _e595.x) - (_e595.z * _e587));
+                        let _e610 = ((_e587 * _e595.y) - (_e595.x * _e588));
+                        let _e612 = samples.member[(0u + _e71.first_primitive)].normal;
+                        let _e617 = ((_e573 * _e612.z) - (_e612.y * _e574));
+                        let _e622 = ((_e574 * _e612.x) - (_e612.z * _e572));
+                        let _e627 = ((_e572 * _e612.y) - (_e612.x * _e573));
+                        let _e654 = ((abs(((((_e440.row_z.x * _e600) + (_e440.row_z.y * _e605)) + (_e440.row_z.z * _e610)) / (((_e572 * _e600) + (_e573 * _e605)) + (_e574 * _e610)))) + abs(((((_e440.row_z.x * _e617) + (_e440.row_z.y * _e622)) + (_e440.row_z.z * _e627)) / (((_e587 * _e617) + (_e588 * _e622)) + (_e589 * _e627))))) / f32(_e542));
+                        if (_e654 < 0.002f) {
+                            phi_921_ = _e654;
                         } else {
-                            phi_870_ = 0.002f;
+                            phi_921_ = 0.002f;
                         }
-                        let _e614 = phi_870_;
-                        phi_871_ = _e614;
+                        let _e657 = phi_921_;
+                        phi_922_ = _e657;
                     }
-                    let _e616 = phi_871_;
-                    phi_874_ = (_e386.point.depth - (0f * _e616));
+                    let _e659 = phi_922_;
+                    phi_925_ = (_e429.point.depth - (0f * _e659));
                 } else {
-                    phi_874_ = _e386.point.depth;
+                    phi_925_ = _e429.point.depth;
                 }
-                let _e620 = phi_874_;
-                let _e626 = p.member.map_size;
-                let _e627 = f32(_e626);
-                let _e630 = ((_e386.point.uv.x * _e627) - 0.5f);
-                let _e631 = ((_e386.point.uv.y * _e627) - 0.5f);
-                if (_e630 > -8388608f) {
-                    let _e643 = f32(select(0i, select(select(i32(_e630), i32(-2147483648), (_e630 < bitcast<f32>(3472883712u))), 2147483647i, (_e630 > bitcast<f32>(1325400063u))), (_e630 == _e630)));
-                    if (_e643 > _e630) {
-                        phi_903_ = 1f;
+                let _e663 = phi_925_;
+                let _e669 = p.member.map_size;
+                let _e670 = f32(_e669);
+                let _e673 = ((_e429.point.uv.x * _e670) - 0.5f);
+                let _e674 = ((_e429.point.uv.y * _e670) - 0.5f);
+                if (_e673 > -8388608f) {
+                    let _e686 = f32(select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673)));
+                    if (_e686 > _e673) {
+                        phi_954_ = 1f;
                     } else {
-                        phi_903_ = 0f;
+                        phi_954_ = 0f;
                     }
-                    let _e646 = phi_903_;
-                    if (_e630 < 8388608f) {
-                        phi_908_ = (_e643 - _e646);
-                        phi_909_ = false;
+                    let _e689 = phi_954_;
+                    if (_e673 < 8388608f) {
+                        phi_959_ = (_e686 - _e689);
+                        phi_960_ = false;
                     } else {
-                        phi_908_ = f32();
-                        phi_909_ = true;
+                        phi_959_ = f32();
+                        phi_960_ = true;
                     }
-                    let _e649 = phi_908_;
-                    let _e651 = phi_909_;
-                    phi_910_ = _e649;
-                    phi_911_ = _e651;
+                    let _e692 = phi_959_;
+                    let _e694 = phi_960_;
+                    phi_961_ = _e692;
+                    phi_962_ = _e694;
                 } else {
-                    phi_910_ = f32();
-                    phi_911_ = true;
+                    phi_961_ = f32();
+                    phi_962_ = true;
                 }
-                let _e653 = phi_910_;
-                let _e655 = phi_911_;
-                if _e655 {
-                    phi_915_ = _e630;
+                let _e696 = phi_961_;
+                let _e698 = phi_962_;
+                if _e698 {
+                    phi_966_ = _e673;
                 } else {
-                    phi_915_ = _e653;
+                    phi_966_ = _e696;
                 }
-                let _e657 = phi_915_;
-                if (_e631 > -8388608f) {
-                    let _e669 = f32(select(0i, select(select(i32(_e631), i32(-2147483648), (_e631 < bitcast<f32>(3472883712u))), 2147483647i, (_e631 > bitcast<f32>(1325400063u))), (_e631 == _e631)));
-                    if (_e669 > _e631) {
-                        phi_935_ = 1f;
+                let _e700 = phi_966_;
+                if (_e674 > -8388608f) {
+                    let _e712 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
+                    if (_e712 > _e674) {
+                        phi_986_ = 1f;
                     } else {
-                        phi_935_ = 0f;
+                        phi_986_ = 0f;
                     }
-                    let _e672 = phi_935_;
-                    if (_e631 < 8388608f) {
-                        phi_940_ = (_e669 - _e672);
-                        phi_941_ = false;
+                    let _e715 = phi_986_;
+                    if (_e674 < 8388608f) {
+                        phi_991_ = (_e712 - _e715);
+                        phi_992_ = false;
                     } else {
-                        phi_940_ = f32();
-                        phi_941_ = true;
+                        phi_991_ = f32();
+                        phi_992_ = true;
                     }
-                    let _e675 = phi_940_;
-                    let _e677 = phi_941_;
-                    phi_942_ = _e675;
-                    phi_943_ = _e677;
+                    let _e718 = phi_991_;
+                    let _e720 = phi_992_;
+                    phi_993_ = _e718;
+                    phi_994_ = _e720;
                 } else {
-                    phi_942_ = f32();
-                    phi_943_ = true;
+                    phi_993_ = f32();
+                    phi_994_ = true;
                 }
-                let _e679 = phi_942_;
-                let _e681 = phi_943_;
-                if _e681 {
-                    phi_947_ = _e631;
+                let _e722 = phi_993_;
+                let _e724 = phi_994_;
+                if _e724 {
+                    phi_998_ = _e674;
                 } else {
-                    phi_947_ = _e679;
+                    phi_998_ = _e722;
                 }
-                let _e683 = phi_947_;
-                let _e684 = (_e630 - _e657);
-                let _e685 = (_e631 - _e683);
-                let _e694 = select(0i, select(select(i32(_e657), i32(-2147483648), (_e657 < bitcast<f32>(3472883712u))), 2147483647i, (_e657 > bitcast<f32>(1325400063u))), (_e657 == _e657));
-                let _e703 = select(0i, select(select(i32(_e683), i32(-2147483648), (_e683 < bitcast<f32>(3472883712u))), 2147483647i, (_e683 > bitcast<f32>(1325400063u))), (_e683 == _e683));
-                let _e706 = ((1f - _e684) * (1f - _e685));
-                let _e708 = (_e684 * (1f - _e685));
-                let _e710 = ((1f - _e684) * _e685);
-                let _e711 = (_e684 * _e685);
-                let _e713 = p.member.test;
-                let _e714 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e713);
-                let _e716 = p.member.map_size;
-                let _e718 = local_3;
-                local = _e714;
-                let _e721 = ((_e718.level * _e716) * _e716);
-                let _e723 = (bitcast<i32>(_e716) - 1i);
-                if (_e694 > 0i) {
-                    phi_996_ = _e694;
+                let _e726 = phi_998_;
+                let _e727 = (_e673 - _e700);
+                let _e728 = (_e674 - _e726);
+                let _e737 = select(0i, select(select(i32(_e700), i32(-2147483648), (_e700 < bitcast<f32>(3472883712u))), 2147483647i, (_e700 > bitcast<f32>(1325400063u))), (_e700 == _e700));
+                let _e746 = select(0i, select(select(i32(_e726), i32(-2147483648), (_e726 < bitcast<f32>(3472883712u))), 2147483647i, (_e726 > bitcast<f32>(1325400063u))), (_e726 == _e726));
+                let _e749 = ((1f - _e727) * (1f - _e728));
+                let _e751 = (_e727 * (1f - _e728));
+                let _e753 = ((1f - _e727) * _e728);
+                let _e754 = (_e727 * _e728);
+                let _e756 = p.member.test;
+                let _e757 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e756);
+                let _e759 = p.member.map_size;
+                let _e761 = local_3;
+                local = _e757;
+                let _e764 = ((_e761.level * _e759) * _e759);
+                let _e766 = (bitcast<i32>(_e759) - 1i);
+                if (_e737 > 0i) {
+                    phi_1047_ = _e737;
                 } else {
-                    phi_996_ = 0i;
+                    phi_1047_ = 0i;
                 }
-                let _e726 = phi_996_;
-                if (_e703 > 0i) {
-                    phi_1001_ = _e703;
+                let _e769 = phi_1047_;
+                if (_e746 > 0i) {
+                    phi_1052_ = _e746;
                 } else {
-                    phi_1001_ = 0i;
+                    phi_1052_ = 0i;
                 }
-                let _e729 = phi_1001_;
-                if (_e726 < _e723) {
-                    phi_1006_ = _e726;
+                let _e772 = phi_1052_;
+                if (_e769 < _e766) {
+                    phi_1057_ = _e769;
                 } else {
-                    phi_1006_ = _e723;
+                    phi_1057_ = _e766;
                 }
-                let _e732 = phi_1006_;
-                if (_e729 < _e723) {
-                    phi_1011_ = _e729;
+                let _e775 = phi_1057_;
+                if (_e772 < _e766) {
+                    phi_1062_ = _e772;
                 } else {
-                    phi_1011_ = _e723;
+                    phi_1062_ = _e766;
                 }
-                let _e735 = phi_1011_;
-                let _e736 = bitcast<u32>(_e732);
-                let _e738 = (_e694 + 1i);
-                let _e739 = (_e703 + 1i);
-                if (_e738 > 0i) {
-                    phi_1020_ = _e738;
+                let _e778 = phi_1062_;
+                let _e779 = bitcast<u32>(_e775);
+                let _e781 = (_e737 + 1i);
+                let _e782 = (_e746 + 1i);
+                if (_e781 > 0i) {
+                    phi_1071_ = _e781;
                 } else {
-                    phi_1020_ = 0i;
+                    phi_1071_ = 0i;
                 }
-                let _e742 = phi_1020_;
-                if (_e739 > 0i) {
-                    phi_1025_ = _e739;
+                let _e785 = phi_1071_;
+                if (_e782 > 0i) {
+                    phi_1076_ = _e782;
                 } else {
-                    phi_1025_ = 0i;
+                    phi_1076_ = 0i;
                 }
-                let _e745 = phi_1025_;
-                if (_e742 < _e723) {
-                    phi_1030_ = _e742;
+                let _e788 = phi_1076_;
+                if (_e785 < _e766) {
+                    phi_1081_ = _e785;
                 } else {
-                    phi_1030_ = _e723;
+                    phi_1081_ = _e766;
                 }
-                let _e748 = phi_1030_;
-                if (_e745 < _e723) {
-                    phi_1035_ = _e745;
+                let _e791 = phi_1081_;
+                if (_e788 < _e766) {
+                    phi_1086_ = _e788;
                 } else {
-                    phi_1035_ = _e723;
+                    phi_1086_ = _e766;
                 }
-                let _e751 = phi_1035_;
-                let _e752 = bitcast<u32>(_e748);
-                let _e754 = (bitcast<u32>(_e735) * _e716);
-                let _e755 = (bitcast<u32>(_e751) * _e716);
-                let _e760 = ((_e754 + _e736) + _e721);
-                let _e761 = ((_e754 + _e752) + _e721);
-                let _e762 = ((_e755 + _e736) + _e721);
-                let _e763 = ((_e755 + _e752) + _e721);
-                if (_e760 < _e59) {
+                let _e794 = phi_1086_;
+                let _e795 = bitcast<u32>(_e791);
+                let _e797 = (bitcast<u32>(_e778) * _e759);
+                let _e798 = (bitcast<u32>(_e794) * _e759);
+                let _e803 = ((_e797 + _e779) + _e764);
+                let _e804 = ((_e797 + _e795) + _e764);
+                let _e805 = ((_e798 + _e779) + _e764);
+                let _e806 = ((_e798 + _e795) + _e764);
+                if (_e803 < _e59) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e760)];
-                if (_e761 < _e59) {
+                let _e810 = map.member[(0u + _e803)];
+                if (_e804 < _e59) {
                 } else {
                     return;
                 }
-                let _e779 = map.member[(0u + _e761)];
-                if (_e762 < _e59) {
+                let _e822 = map.member[(0u + _e804)];
+                if (_e805 < _e59) {
                 } else {
                     return;
                 }
-                let _e795 = map.member[(0u + _e762)];
-                if (_e763 < _e59) {
+                let _e838 = map.member[(0u + _e805)];
+                if (_e806 < _e59) {
                 } else {
                     return;
                 }
-                let _e811 = map.member[(0u + _e763)];
-                let _e825 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e767.x * _e706) + (_e779.x * _e708)) + (_e795.x * _e710)) + (_e811.x * _e711)), ((((_e767.y * _e706) + (_e779.y * _e708)) + (_e795.y * _e710)) + (_e811.y * _e711)), ((((_e767.z * _e706) + (_e779.z * _e708)) + (_e795.z * _e710)) + (_e811.z * _e711)), ((((_e767.w * _e706) + (_e779.w * _e708)) + (_e795.w * _e710)) + (_e811.w * _e711))), _e620);
-                let _e827 = p.member.epsilon;
-                if (_e825 <= _e827) {
-                    phi_1130_ = true;
+                let _e854 = map.member[(0u + _e806)];
+                let _e868 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e810.x * _e749) + (_e822.x * _e751)) + (_e838.x * _e753)) + (_e854.x * _e754)), ((((_e810.y * _e749) + (_e822.y * _e751)) + (_e838.y * _e753)) + (_e854.y * _e754)), ((((_e810.z * _e749) + (_e822.z * _e751)) + (_e838.z * _e753)) + (_e854.z * _e754)), ((((_e810.w * _e749) + (_e822.w * _e751)) + (_e838.w * _e753)) + (_e854.w * _e754))), _e663);
+                let _e870 = p.member.epsilon;
+                if (_e868 <= _e870) {
+                    phi_1181_ = true;
                 } else {
-                    phi_1130_ = (_e825 >= (1f - _e827));
+                    phi_1181_ = (_e868 >= (1f - _e870));
                 }
-                let _e832 = phi_1130_;
-                if ((bitcast<u32>(_e825) & 2147483647u) > 2139095040u) {
-                    phi_1138_ = true;
+                let _e875 = phi_1181_;
+                if ((bitcast<u32>(_e868) & 2147483647u) > 2139095040u) {
+                    phi_1189_ = true;
                 } else {
-                    phi_1138_ = !(_e832);
+                    phi_1189_ = !(_e875);
                 }
-                let _e838 = phi_1138_;
-                if _e838 {
-                    if (_e825 > 0f) {
-                        if (_e825 < 1f) {
-                            phi_1150_ = false;
+                let _e881 = phi_1189_;
+                if _e881 {
+                    if (_e868 > 0f) {
+                        if (_e868 < 1f) {
+                            phi_1201_ = false;
                         } else {
-                            phi_1150_ = true;
+                            phi_1201_ = true;
                         }
-                        let _e842 = phi_1150_;
-                        phi_1151_ = _e842;
+                        let _e885 = phi_1201_;
+                        phi_1202_ = _e885;
                     } else {
-                        phi_1151_ = true;
+                        phi_1202_ = true;
                     }
-                    let _e844 = phi_1151_;
-                    if _e844 {
-                        phi_1155_ = 0.5f;
+                    let _e887 = phi_1202_;
+                    if _e887 {
+                        phi_1206_ = 0.5f;
                     } else {
-                        phi_1155_ = _e825;
+                        phi_1206_ = _e868;
                     }
-                    let _e846 = phi_1155_;
-                    phi_1163_ = evaluate_Verdict(_e846, true);
+                    let _e889 = phi_1206_;
+                    phi_1214_ = evaluate_Verdict(_e889, true);
                 } else {
-                    if (_e825 > 0.5f) {
-                        phi_1161_ = 1f;
+                    if (_e868 > 0.5f) {
+                        phi_1212_ = 1f;
                     } else {
-                        phi_1161_ = 0f;
+                        phi_1212_ = 0f;
                     }
-                    let _e850 = phi_1161_;
-                    phi_1163_ = evaluate_Verdict(_e850, false);
+                    let _e893 = phi_1212_;
+                    phi_1214_ = evaluate_Verdict(_e893, false);
                 }
-                let _e853 = phi_1163_;
-                phi_1168_ = evaluate_Verdict(_e853.visibility, _e853.is_doubted);
+                let _e896 = phi_1214_;
+                phi_1219_ = evaluate_Verdict(_e896.visibility, _e896.is_doubted);
             } else {
-                phi_1168_ = evaluate_Verdict(0.5f, true);
+                phi_1219_ = evaluate_Verdict(0.5f, true);
             }
-            let _e859 = phi_1168_;
-            phi_1169_ = _e859;
+            let _e902 = phi_1219_;
+            phi_1220_ = _e902;
         }
-        let _e861 = phi_1169_;
+        let _e904 = phi_1220_;
         if (_e71.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e71.first_primitive)] = _e861.visibility;
+        visibility.member[(0u + _e71.first_primitive)] = _e904.visibility;
     }
     return;
 }

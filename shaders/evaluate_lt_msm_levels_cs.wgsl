@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,7 +48,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -50,7 +59,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_30 {
+struct type_32 {
     member: abi_ShadowParams,
 }
 
@@ -65,7 +74,7 @@ struct lt_bvh_slab_Span {
     far: f32,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -79,45 +88,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_32;
 @group(0) @binding(2) 
 var<storage> map: type_13;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_35;
+var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_144_: lt_bvh_traverse_Tree;
-    var phi_145_: bool;
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_144_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_145_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_144_ = lt_bvh_traverse_Tree();
-            phi_145_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e54 = phi_144_;
-        let _e56 = phi_145_;
-        phi_146_ = _e54;
-        phi_147_ = _e56;
+        let _e54 = phi_147_;
+        let _e56 = phi_148_;
+        phi_149_ = _e54;
+        phi_150_ = _e56;
     } else {
-        phi_146_ = lt_bvh_traverse_Tree();
-        phi_147_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e58 = phi_146_;
-    let _e60 = phi_147_;
+    let _e58 = phi_149_;
+    let _e60 = phi_150_;
     if _e60 {
-        phi_152_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_152_ = _e58;
+        phi_155_ = _e58;
     }
-    let _e65 = phi_152_;
+    let _e65 = phi_155_;
     return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
 }
 
@@ -126,205 +135,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_179_: f32;
-    var phi_180_: f32;
-    var phi_181_: f32;
-    var phi_198_: f32;
-    var phi_199_: f32;
-    var phi_200_: f32;
-    var phi_216_: f32;
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
-    var phi_236_: f32;
-    var phi_252_: f32;
-    var phi_253_: f32;
-    var phi_254_: f32;
-    var phi_289_: bool;
-    var phi_290_: bool;
-    var phi_291_: bool;
+    var phi_182_: f32;
+    var phi_183_: f32;
+    var phi_184_: f32;
+    var phi_201_: f32;
+    var phi_202_: f32;
+    var phi_203_: f32;
+    var phi_219_: f32;
+    var phi_220_: f32;
+    var phi_221_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_239_: f32;
+    var phi_255_: f32;
+    var phi_256_: f32;
+    var phi_257_: f32;
     var phi_292_: bool;
     var phi_293_: bool;
     var phi_294_: bool;
-    var phi_298_: bool;
-    var phi_609_: f32;
-    var phi_610_: f32;
-    var phi_611_: f32;
-    var phi_628_: f32;
-    var phi_629_: f32;
-    var phi_630_: f32;
-    var phi_647_: f32;
-    var phi_648_: f32;
-    var phi_649_: f32;
-    var phi_666_: f32;
-    var phi_667_: f32;
-    var phi_668_: f32;
-    var phi_691_: f32;
-    var phi_692_: f32;
-    var phi_693_: f32;
-    var phi_704_: f32;
-    var phi_719_: f32;
-    var phi_721_: lt_bvh_slab_Span;
-    var phi_779_: f32;
-    var phi_780_: f32;
-    var phi_781_: f32;
+    var phi_295_: bool;
+    var phi_296_: bool;
+    var phi_297_: bool;
+    var phi_301_: bool;
+    var phi_612_: f32;
+    var phi_613_: f32;
+    var phi_614_: f32;
+    var phi_631_: f32;
+    var phi_632_: f32;
+    var phi_633_: f32;
+    var phi_650_: f32;
+    var phi_651_: f32;
+    var phi_652_: f32;
+    var phi_669_: f32;
+    var phi_670_: f32;
+    var phi_671_: f32;
+    var phi_694_: f32;
+    var phi_695_: f32;
+    var phi_696_: f32;
+    var phi_707_: f32;
+    var phi_722_: f32;
+    var phi_724_: lt_bvh_slab_Span;
     var phi_782_: f32;
     var phi_783_: f32;
-    var phi_784_: bool;
-    var phi_788_: f32;
-    var phi_803_: f32;
-    var phi_804_: f32;
-    var phi_805_: f32;
+    var phi_784_: f32;
+    var phi_785_: f32;
+    var phi_786_: f32;
+    var phi_787_: bool;
+    var phi_791_: f32;
     var phi_806_: f32;
     var phi_807_: f32;
     var phi_808_: f32;
     var phi_809_: f32;
-    var phi_810_: bool;
+    var phi_810_: f32;
     var phi_811_: f32;
     var phi_812_: f32;
     var phi_813_: bool;
-    var phi_817_: f32;
+    var phi_814_: f32;
+    var phi_815_: f32;
+    var phi_816_: bool;
+    var phi_820_: f32;
 
     let _e45 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_181_ = param_7;
+        phi_184_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_180_ = 0f;
+            phi_183_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_179_ = 1f;
+                phi_182_ = 1f;
             } else {
-                phi_179_ = param_7;
+                phi_182_ = param_7;
             }
-            let _e52 = phi_179_;
-            phi_180_ = _e52;
+            let _e52 = phi_182_;
+            phi_183_ = _e52;
         }
-        let _e54 = phi_180_;
-        phi_181_ = _e54;
+        let _e54 = phi_183_;
+        phi_184_ = _e54;
     }
-    let _e56 = phi_181_;
+    let _e56 = phi_184_;
     let _e57 = (_e56 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_200_ = param_5.x;
+        phi_203_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_199_ = 0f;
+            phi_202_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_198_ = 1f;
+                phi_201_ = 1f;
             } else {
-                phi_198_ = param_5.x;
+                phi_201_ = param_5.x;
             }
-            let _e65 = phi_198_;
-            phi_199_ = _e65;
+            let _e65 = phi_201_;
+            phi_202_ = _e65;
         }
-        let _e67 = phi_199_;
-        phi_200_ = _e67;
+        let _e67 = phi_202_;
+        phi_203_ = _e67;
     }
-    let _e69 = phi_200_;
+    let _e69 = phi_203_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_218_ = param_5.y;
+        phi_221_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_217_ = 0f;
+            phi_220_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_216_ = 1f;
+                phi_219_ = 1f;
             } else {
-                phi_216_ = param_5.y;
+                phi_219_ = param_5.y;
             }
-            let _e77 = phi_216_;
-            phi_217_ = _e77;
+            let _e77 = phi_219_;
+            phi_220_ = _e77;
         }
-        let _e79 = phi_217_;
-        phi_218_ = _e79;
+        let _e79 = phi_220_;
+        phi_221_ = _e79;
     }
-    let _e81 = phi_218_;
+    let _e81 = phi_221_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_236_ = param_5.z;
+        phi_239_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_235_ = 0f;
+            phi_238_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_234_ = 1f;
+                phi_237_ = 1f;
             } else {
-                phi_234_ = param_5.z;
+                phi_237_ = param_5.z;
             }
-            let _e89 = phi_234_;
-            phi_235_ = _e89;
+            let _e89 = phi_237_;
+            phi_238_ = _e89;
         }
-        let _e91 = phi_235_;
-        phi_236_ = _e91;
+        let _e91 = phi_238_;
+        phi_239_ = _e91;
     }
-    let _e93 = phi_236_;
+    let _e93 = phi_239_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_254_ = param_5.w;
+        phi_257_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_253_ = 0f;
+            phi_256_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_252_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_252_ = param_5.w;
+                phi_255_ = param_5.w;
             }
-            let _e101 = phi_252_;
-            phi_253_ = _e101;
+            let _e101 = phi_255_;
+            phi_256_ = _e101;
         }
-        let _e103 = phi_253_;
-        phi_254_ = _e103;
+        let _e103 = phi_256_;
+        phi_257_ = _e103;
     }
-    let _e105 = phi_254_;
+    let _e105 = phi_257_;
     let _e106 = (_e69 - _e57);
     let _e107 = (_e81 - _e57);
     let _e108 = (_e93 - _e57);
     let _e109 = (_e105 - _e57);
     let _e120 = ((((_e106 * param_6.x) + (_e107 * param_6.y)) + (_e108 * param_6.z)) + (_e109 * param_6.w));
     if ((bitcast<u32>(_e120) & 2147483647u) > 2139095040u) {
-        phi_811_ = _e120;
-        phi_812_ = f32();
-        phi_813_ = true;
+        phi_814_ = _e120;
+        phi_815_ = f32();
+        phi_816_ = true;
     } else {
         if (_e106 >= 0f) {
             if (_e107 >= 0f) {
                 if (_e108 >= 0f) {
-                    phi_289_ = (_e109 >= 0f);
-                    phi_290_ = false;
+                    phi_292_ = (_e109 >= 0f);
+                    phi_293_ = false;
                 } else {
-                    phi_289_ = bool();
-                    phi_290_ = true;
+                    phi_292_ = bool();
+                    phi_293_ = true;
                 }
-                let _e129 = phi_289_;
-                let _e131 = phi_290_;
-                phi_291_ = _e129;
-                phi_292_ = _e131;
+                let _e129 = phi_292_;
+                let _e131 = phi_293_;
+                phi_294_ = _e129;
+                phi_295_ = _e131;
             } else {
-                phi_291_ = bool();
-                phi_292_ = true;
+                phi_294_ = bool();
+                phi_295_ = true;
             }
-            let _e133 = phi_291_;
-            let _e135 = phi_292_;
-            phi_293_ = _e133;
-            phi_294_ = _e135;
+            let _e133 = phi_294_;
+            let _e135 = phi_295_;
+            phi_296_ = _e133;
+            phi_297_ = _e135;
         } else {
-            phi_293_ = bool();
-            phi_294_ = true;
+            phi_296_ = bool();
+            phi_297_ = true;
         }
-        let _e137 = phi_293_;
-        let _e139 = phi_294_;
+        let _e137 = phi_296_;
+        let _e139 = phi_297_;
         if _e139 {
-            phi_298_ = false;
+            phi_301_ = false;
         } else {
-            phi_298_ = _e137;
+            phi_301_ = _e137;
         }
-        let _e141 = phi_298_;
+        let _e141 = phi_301_;
         if _e141 {
-            phi_808_ = 1f;
-            phi_809_ = f32();
-            phi_810_ = true;
+            phi_811_ = 1f;
+            phi_812_ = f32();
+            phi_813_ = true;
         } else {
             let _e142 = (0.5f * _e45);
             let _e143 = (1f - _e45);
@@ -404,284 +413,290 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e429 = (_e423 < 0.0000000000000000000000000000000001f);
             if _e429 {
                 if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
-                    phi_611_ = _e106;
+                    phi_614_ = _e106;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_610_ = 0f;
+                        phi_613_ = 0f;
                     } else {
                         if (_e106 < 0f) {
-                            phi_609_ = 0f;
+                            phi_612_ = 0f;
                         } else {
-                            phi_609_ = 1f;
+                            phi_612_ = 1f;
                         }
-                        let _e438 = phi_609_;
-                        phi_610_ = _e438;
+                        let _e438 = phi_612_;
+                        phi_613_ = _e438;
                     }
-                    let _e440 = phi_610_;
-                    phi_611_ = _e440;
+                    let _e440 = phi_613_;
+                    phi_614_ = _e440;
                 }
-                let _e442 = phi_611_;
+                let _e442 = phi_614_;
                 if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                    phi_630_ = _e107;
+                    phi_633_ = _e107;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_629_ = 0f;
+                        phi_632_ = 0f;
                     } else {
                         if (_e107 < 0f) {
-                            phi_628_ = 0f;
+                            phi_631_ = 0f;
                         } else {
-                            phi_628_ = 1f;
+                            phi_631_ = 1f;
                         }
-                        let _e451 = phi_628_;
-                        phi_629_ = _e451;
+                        let _e451 = phi_631_;
+                        phi_632_ = _e451;
                     }
-                    let _e453 = phi_629_;
-                    phi_630_ = _e453;
+                    let _e453 = phi_632_;
+                    phi_633_ = _e453;
                 }
-                let _e455 = phi_630_;
+                let _e455 = phi_633_;
                 if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                    phi_649_ = _e108;
+                    phi_652_ = _e108;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_648_ = 0f;
+                        phi_651_ = 0f;
                     } else {
                         if (_e108 < 0f) {
-                            phi_647_ = 0f;
+                            phi_650_ = 0f;
                         } else {
-                            phi_647_ = 1f;
+                            phi_650_ = 1f;
                         }
-                        let _e464 = phi_647_;
-                        phi_648_ = _e464;
+                        let _e464 = phi_650_;
+                        phi_651_ = _e464;
                     }
-                    let _e466 = phi_648_;
-                    phi_649_ = _e466;
+                    let _e466 = phi_651_;
+                    phi_652_ = _e466;
                 }
-                let _e468 = phi_649_;
+                let _e468 = phi_652_;
                 if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-                    phi_668_ = _e109;
+                    phi_671_ = _e109;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_667_ = 0f;
+                        phi_670_ = 0f;
                     } else {
                         if (_e109 < 0f) {
-                            phi_666_ = 0f;
+                            phi_669_ = 0f;
                         } else {
-                            phi_666_ = 1f;
+                            phi_669_ = 1f;
                         }
-                        let _e477 = phi_666_;
-                        phi_667_ = _e477;
+                        let _e477 = phi_669_;
+                        phi_670_ = _e477;
                     }
-                    let _e479 = phi_667_;
-                    phi_668_ = _e479;
+                    let _e479 = phi_670_;
+                    phi_671_ = _e479;
                 }
-                let _e481 = phi_668_;
+                let _e481 = phi_671_;
                 let _e489 = (((((_e442 * _e145) + (_e455 * _e147)) + (_e468 * _e149)) + (_e481 * _e151)) + _e142);
                 if ((bitcast<u32>(_e489) & 2147483647u) > 2139095040u) {
-                    phi_693_ = _e489;
+                    phi_696_ = _e489;
                 } else {
                     if (_e489 < 0f) {
-                        phi_692_ = 0f;
+                        phi_695_ = 0f;
                     } else {
                         if (_e489 > 1f) {
-                            phi_691_ = 1f;
+                            phi_694_ = 1f;
                         } else {
-                            phi_691_ = _e489;
+                            phi_694_ = _e489;
                         }
-                        let _e496 = phi_691_;
-                        phi_692_ = _e496;
+                        let _e496 = phi_694_;
+                        phi_695_ = _e496;
                     }
-                    let _e498 = phi_692_;
-                    phi_693_ = _e498;
+                    let _e498 = phi_695_;
+                    phi_696_ = _e498;
                 }
-                let _e500 = phi_693_;
-                phi_806_ = _e500;
-                phi_807_ = f32();
+                let _e500 = phi_696_;
+                phi_809_ = _e500;
+                phi_810_ = f32();
             } else {
                 let _e502 = ((0.5f * -(((((((((_e206 * (_e106 + _e107)) + (_e210 * (_e106 + _e108))) + (_e234 * (_e106 + _e152))) + (_e246 * (_e106 + _e153))) + ((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e109))) + (_e235 * (_e107 + _e152))) + (_e247 * (_e107 + _e153)))) + ((((_e208 * (_e108 + _e109)) + (_e212 * (_e108 + _e106))) + (_e236 * (_e108 + _e152))) + (_e248 * (_e108 + _e153)))) + ((((_e209 * (_e109 + _e106)) + (_e213 * (_e109 + _e107))) + (_e237 * (_e109 + _e152))) + (_e249 * (_e109 + _e153)))) + (_e420 * (_e152 + _e153))))) / _e423);
                 let _e503 = ((((((((_e206 + _e210) + _e234) + _e246) + (((_e207 + _e211) + _e235) + _e247)) + (((_e208 + _e212) + _e236) + _e248)) + (((_e209 + _e213) + _e237) + _e249)) + _e420) / _e423);
                 let _e505 = ((_e502 * _e502) - _e503);
                 if (_e505 > 0f) {
-                    phi_704_ = sqrt(_e505);
+                    phi_707_ = sqrt(_e505);
                 } else {
-                    phi_704_ = 0f;
+                    phi_707_ = 0f;
                 }
-                let _e509 = phi_704_;
+                let _e509 = phi_707_;
                 if (_e502 > 0f) {
                     let _e512 = (-(_e502) - _e509);
-                    phi_721_ = lt_bvh_slab_Span(_e512, (_e503 / _e512));
+                    phi_724_ = lt_bvh_slab_Span(_e512, (_e503 / _e512));
                 } else {
                     let _e515 = (_e509 - _e502);
                     if (_e515 > 0f) {
-                        phi_719_ = (_e503 / _e515);
+                        phi_722_ = (_e503 / _e515);
                     } else {
-                        phi_719_ = 0f;
+                        phi_722_ = 0f;
                     }
-                    let _e519 = phi_719_;
-                    phi_721_ = lt_bvh_slab_Span(_e519, _e515);
+                    let _e519 = phi_722_;
+                    phi_724_ = lt_bvh_slab_Span(_e519, _e515);
                 }
-                let _e522 = phi_721_;
+                let _e522 = phi_724_;
                 if (_e522.near >= 0f) {
-                    phi_782_ = 1f;
-                    phi_783_ = f32();
-                    phi_784_ = true;
+                    phi_785_ = 1f;
+                    phi_786_ = f32();
+                    phi_787_ = true;
                 } else {
                     let _e526 = (_e522.far <= 0f);
                     if _e526 {
-                        phi_780_ = (_e417 / _e423);
-                        phi_781_ = f32();
+                        phi_783_ = (_e417 / _e423);
+                        phi_784_ = f32();
                     } else {
                         let _e537 = (((((_e145 * _e106) + (_e147 * _e107)) + (_e149 * _e108)) + (_e151 * _e109)) + (_e142 * (_e152 + _e153)));
                         let _e553 = (((((_e145 * (_e106 * _e106)) + (_e147 * (_e107 * _e107))) + (_e149 * (_e108 * _e108))) + (_e151 * (_e109 * _e109))) + (_e142 * ((_e152 * _e152) + (_e153 * _e153))));
                         if (-(_e522.near) <= _e522.far) {
-                            phi_779_ = (1f - (((_e522.near * _e522.near) * ((_e522.far * _e553) - _e537)) / (_e522.far - _e522.near)));
+                            phi_782_ = (1f - (((_e522.near * _e522.near) * ((_e522.far * _e553) - _e537)) / (_e522.far - _e522.near)));
                         } else {
-                            phi_779_ = ((_e417 / _e423) + (((_e522.far * _e522.far) * (_e537 - (_e522.near * _e553))) / (_e522.far - _e522.near)));
+                            phi_782_ = ((_e417 / _e423) + (((_e522.far * _e522.far) * (_e537 - (_e522.near * _e553))) / (_e522.far - _e522.near)));
                         }
-                        let _e572 = phi_779_;
-                        phi_780_ = f32();
-                        phi_781_ = _e572;
+                        let _e572 = phi_782_;
+                        phi_783_ = f32();
+                        phi_784_ = _e572;
                     }
-                    let _e574 = phi_780_;
-                    let _e576 = phi_781_;
-                    phi_782_ = _e574;
-                    phi_783_ = _e576;
-                    phi_784_ = _e526;
+                    let _e574 = phi_783_;
+                    let _e576 = phi_784_;
+                    phi_785_ = _e574;
+                    phi_786_ = _e576;
+                    phi_787_ = _e526;
                 }
-                let _e578 = phi_782_;
-                let _e580 = phi_783_;
-                let _e582 = phi_784_;
+                let _e578 = phi_785_;
+                let _e580 = phi_786_;
+                let _e582 = phi_787_;
                 if _e582 {
-                    phi_788_ = _e578;
+                    phi_791_ = _e578;
                 } else {
-                    phi_788_ = _e580;
+                    phi_791_ = _e580;
                 }
-                let _e584 = phi_788_;
+                let _e584 = phi_791_;
                 if ((bitcast<u32>(_e584) & 2147483647u) > 2139095040u) {
-                    phi_805_ = _e584;
+                    phi_808_ = _e584;
                 } else {
                     if (_e584 < 0f) {
-                        phi_804_ = 0f;
+                        phi_807_ = 0f;
                     } else {
                         if (_e584 > 1f) {
-                            phi_803_ = 1f;
+                            phi_806_ = 1f;
                         } else {
-                            phi_803_ = _e584;
+                            phi_806_ = _e584;
                         }
-                        let _e591 = phi_803_;
-                        phi_804_ = _e591;
+                        let _e591 = phi_806_;
+                        phi_807_ = _e591;
                     }
-                    let _e593 = phi_804_;
-                    phi_805_ = _e593;
+                    let _e593 = phi_807_;
+                    phi_808_ = _e593;
                 }
-                let _e595 = phi_805_;
-                phi_806_ = f32();
-                phi_807_ = _e595;
+                let _e595 = phi_808_;
+                phi_809_ = f32();
+                phi_810_ = _e595;
             }
-            let _e597 = phi_806_;
-            let _e599 = phi_807_;
-            phi_808_ = _e597;
-            phi_809_ = _e599;
-            phi_810_ = _e429;
+            let _e597 = phi_809_;
+            let _e599 = phi_810_;
+            phi_811_ = _e597;
+            phi_812_ = _e599;
+            phi_813_ = _e429;
         }
-        let _e601 = phi_808_;
-        let _e603 = phi_809_;
-        let _e605 = phi_810_;
-        phi_811_ = _e601;
-        phi_812_ = _e603;
-        phi_813_ = _e605;
+        let _e601 = phi_811_;
+        let _e603 = phi_812_;
+        let _e605 = phi_813_;
+        phi_814_ = _e601;
+        phi_815_ = _e603;
+        phi_816_ = _e605;
     }
-    let _e607 = phi_811_;
-    let _e609 = phi_812_;
-    let _e611 = phi_813_;
+    let _e607 = phi_814_;
+    let _e609 = phi_815_;
+    let _e611 = phi_816_;
     if _e611 {
-        phi_817_ = _e607;
+        phi_820_ = _e607;
     } else {
-        phi_817_ = _e609;
+        phi_820_ = _e609;
     }
-    let _e613 = phi_817_;
+    let _e613 = phi_820_;
     return _e613;
 }
 
 fn function_() {
     var local: f32;
-    var phi_878_: bool;
-    var phi_879_: bool;
     var phi_880_: bool;
     var phi_881_: bool;
-    var phi_885_: bool;
-    var phi_929_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_933_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_953_: lt_math_LightPoint;
-    var phi_956_: u32;
-    var phi_958_: lt_math_LevelPoint;
-    var phi_1044_: bool;
-    var phi_1053_: bool;
-    var phi_1062_: bool;
-    var phi_1063_: bool;
-    var phi_1064_: bool;
-    var phi_1065_: bool;
-    var phi_1066_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1072_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_1102_: bool;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_887_: bool;
+    var phi_957_: bool;
+    var phi_958_: bool;
+    var phi_969_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_970_: bool;
+    var phi_971_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_972_: bool;
+    var phi_979_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_983_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1003_: lt_math_LightPoint;
+    var phi_1006_: u32;
+    var phi_1008_: lt_math_LevelPoint;
+    var phi_1094_: bool;
     var phi_1103_: bool;
-    var phi_1104_: bool;
-    var phi_1105_: bool;
-    var phi_1106_: bool;
-    var phi_1110_: bool;
-    var phi_1119_: lt_math_LightPoint;
-    var phi_1120_: u32;
-    var phi_1121_: lt_math_LevelPoint;
+    var phi_1112_: bool;
+    var phi_1113_: bool;
+    var phi_1114_: bool;
+    var phi_1115_: bool;
+    var phi_1116_: bool;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
     var phi_1122_: bool;
-    var phi_954_: lt_math_LightPoint;
-    var phi_957_: u32;
-    var phi_959_: lt_math_LevelPoint;
-    var phi_1123_: bool;
+    var phi_1149_: bool;
+    var phi_1150_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1154_: bool;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1160_: bool;
+    var phi_1169_: lt_math_LightPoint;
+    var phi_1170_: u32;
+    var phi_1171_: lt_math_LevelPoint;
+    var phi_1172_: bool;
+    var phi_1004_: lt_math_LightPoint;
+    var phi_1007_: u32;
+    var phi_1009_: lt_math_LevelPoint;
+    var phi_1173_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1170_: bool;
-    var phi_1252_: f32;
-    var phi_1368_: f32;
-    var phi_1369_: f32;
-    var phi_1372_: f32;
-    var phi_1401_: f32;
-    var phi_1406_: f32;
-    var phi_1407_: bool;
-    var phi_1408_: f32;
-    var phi_1409_: bool;
-    var phi_1413_: f32;
-    var phi_1433_: f32;
-    var phi_1438_: f32;
-    var phi_1439_: bool;
-    var phi_1440_: f32;
-    var phi_1441_: bool;
-    var phi_1445_: f32;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1220_: bool;
+    var phi_1302_: f32;
+    var phi_1418_: f32;
+    var phi_1419_: f32;
+    var phi_1422_: f32;
+    var phi_1451_: f32;
+    var phi_1456_: f32;
+    var phi_1457_: bool;
+    var phi_1458_: f32;
+    var phi_1459_: bool;
+    var phi_1463_: f32;
+    var phi_1483_: f32;
+    var phi_1488_: f32;
+    var phi_1489_: bool;
+    var phi_1490_: f32;
+    var phi_1491_: bool;
+    var phi_1495_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1494_: i32;
-    var phi_1499_: i32;
-    var phi_1504_: i32;
-    var phi_1509_: i32;
-    var phi_1518_: i32;
-    var phi_1523_: i32;
-    var phi_1528_: i32;
-    var phi_1533_: i32;
-    var phi_1584_: bool;
-    var phi_1592_: bool;
-    var phi_1604_: bool;
-    var phi_1605_: bool;
-    var phi_1609_: f32;
-    var phi_1615_: f32;
-    var phi_1617_: evaluate_Verdict;
-    var phi_1622_: evaluate_Verdict;
-    var phi_1623_: evaluate_Verdict;
+    var phi_1544_: i32;
+    var phi_1549_: i32;
+    var phi_1554_: i32;
+    var phi_1559_: i32;
+    var phi_1568_: i32;
+    var phi_1573_: i32;
+    var phi_1578_: i32;
+    var phi_1583_: i32;
+    var phi_1634_: bool;
+    var phi_1642_: bool;
+    var phi_1654_: bool;
+    var phi_1655_: bool;
+    var phi_1659_: f32;
+    var phi_1665_: f32;
+    var phi_1667_: evaluate_Verdict;
+    var phi_1672_: evaluate_Verdict;
+    var phi_1673_: evaluate_Verdict;
 
     let _e42 = id_1;
     let _e49 = arrayLength((&map.member));
@@ -695,516 +710,555 @@ fn function_() {
         } else {
             return;
         }
-        let _e72 = p.member.light;
-        let _e75 = samples.member[(0u + _e61.first_primitive)].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[(0u + _e61.first_primitive)].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[(0u + _e61.first_primitive)].normal[2u];
-                let _e87 = global[2u];
-                phi_878_ = (_e85 == _e87);
-                phi_879_ = false;
+        let _e74 = samples.member[(0u + _e61.first_primitive)].normal[0u];
+        let _e76 = global[0u];
+        if (_e74 == _e76) {
+            let _e79 = samples.member[(0u + _e61.first_primitive)].normal[1u];
+            let _e81 = global[1u];
+            if (_e79 == _e81) {
+                let _e84 = samples.member[(0u + _e61.first_primitive)].normal[2u];
+                let _e86 = global[2u];
+                phi_880_ = (_e84 == _e86);
+                phi_881_ = false;
             } else {
-                phi_878_ = bool();
-                phi_879_ = true;
+                phi_880_ = bool();
+                phi_881_ = true;
             }
-            let _e90 = phi_878_;
-            let _e92 = phi_879_;
-            phi_880_ = _e90;
-            phi_881_ = _e92;
+            let _e89 = phi_880_;
+            let _e91 = phi_881_;
+            phi_882_ = _e89;
+            phi_883_ = _e91;
         } else {
-            phi_880_ = bool();
-            phi_881_ = true;
+            phi_882_ = bool();
+            phi_883_ = true;
         }
-        let _e94 = phi_880_;
-        let _e96 = phi_881_;
-        if _e96 {
-            phi_885_ = false;
+        let _e93 = phi_882_;
+        let _e95 = phi_883_;
+        if _e95 {
+            phi_887_ = false;
         } else {
-            phi_885_ = _e94;
+            phi_887_ = _e93;
         }
-        let _e98 = phi_885_;
-        if !(_e98) {
-            let _e101 = samples.member[(0u + _e61.first_primitive)].normal;
-            let _e103 = samples.member[(0u + _e61.first_primitive)].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[(0u + _e61.first_primitive)].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_929_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
-            } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_929_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
-            }
-            let _e161 = phi_929_;
-            phi_933_ = _e161;
-        } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_933_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
-        }
-        let _e178 = phi_933_;
-        if _e178.unnamed_1 {
-            phi_1623_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-        } else {
-            let _e186 = samples.member[(0u + _e61.first_primitive)].position;
-            let _e188 = p.member.map_size;
-            let _e190 = (0.5f / f32(_e188));
-            let _e197 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e204 = lt_math_LightPoint(vec2<f32>(_e197.uv.x, 0f), _e197.depth, _e197.is_inside);
-            let _e208 = lt_math_LightPoint(_e204.uv, 0f, _e204.is_inside);
-            phi_953_ = lt_math_LightPoint();
-            phi_956_ = 0u;
-            phi_958_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e208.uv, _e208.depth, false));
-            loop {
-                let _e215 = phi_953_;
-                let _e217 = phi_956_;
-                let _e219 = phi_958_;
-                local_1 = _e219;
-                local_2 = _e219;
-                local_3 = _e219;
-                if (_e217 < _e67) {
-                    if _e219.point.is_inside {
-                        phi_1119_ = lt_math_LightPoint();
-                        phi_1120_ = u32();
-                        phi_1121_ = lt_math_LevelPoint();
-                        phi_1122_ = false;
+        let _e97 = phi_887_;
+        if !(_e97) {
+            let _e100 = samples.member[(0u + _e61.first_primitive)].position;
+            let _e102 = p.member.light.place;
+            let _e108 = p.member.light.place[3u];
+            let _e115 = (_e102.x - (_e100.x * _e108));
+            let _e116 = (_e102.y - (_e100.y * _e108));
+            let _e117 = (_e102.z - (_e100.z * _e108));
+            let _e119 = samples.member[(0u + _e61.first_primitive)].normal;
+            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
+                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
+                let _e135 = p.member.light.axis;
+                let _e147 = p.member.light.place[3u];
+                if (_e147 == 0f) {
+                    phi_958_ = true;
+                } else {
+                    let _e150 = p.member.light.range_squared;
+                    if (_e133 <= _e150) {
+                        let _e153 = p.member.light.cos_outer;
+                        phi_957_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
                     } else {
-                        if (_e217 < _e55) {
+                        phi_957_ = false;
+                    }
+                    let _e158 = phi_957_;
+                    phi_958_ = _e158;
+                }
+                let _e160 = phi_958_;
+                if _e160 {
+                    let _e162 = samples.member[(0u + _e61.first_primitive)].flags;
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+                    phi_969_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
+                    phi_970_ = false;
+                } else {
+                    phi_969_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_970_ = true;
+                }
+                let _e181 = phi_969_;
+                let _e183 = phi_970_;
+                phi_971_ = _e181;
+                phi_972_ = _e183;
+            } else {
+                phi_971_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_972_ = true;
+            }
+            let _e185 = phi_971_;
+            let _e187 = phi_972_;
+            if _e187 {
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
+                phi_979_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
+            } else {
+                phi_979_ = _e185;
+            }
+            let _e204 = phi_979_;
+            phi_983_ = _e204;
+        } else {
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+            phi_983_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+        }
+        let _e221 = phi_983_;
+        if _e221.unnamed_1 {
+            phi_1673_ = evaluate_Verdict(_e221.unnamed.visibility, _e221.unnamed.is_doubted);
+        } else {
+            let _e229 = samples.member[(0u + _e61.first_primitive)].position;
+            let _e231 = p.member.map_size;
+            let _e233 = (0.5f / f32(_e231));
+            let _e240 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e247 = lt_math_LightPoint(vec2<f32>(_e240.uv.x, 0f), _e240.depth, _e240.is_inside);
+            let _e251 = lt_math_LightPoint(_e247.uv, 0f, _e247.is_inside);
+            phi_1003_ = lt_math_LightPoint();
+            phi_1006_ = 0u;
+            phi_1008_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e251.uv, _e251.depth, false));
+            loop {
+                let _e258 = phi_1003_;
+                let _e260 = phi_1006_;
+                let _e262 = phi_1008_;
+                local_1 = _e262;
+                local_2 = _e262;
+                local_3 = _e262;
+                if (_e260 < _e67) {
+                    if _e262.point.is_inside {
+                        phi_1169_ = lt_math_LightPoint();
+                        phi_1170_ = u32();
+                        phi_1171_ = lt_math_LevelPoint();
+                        phi_1172_ = false;
+                    } else {
+                        if (_e260 < _e55) {
                         } else {
                             return;
                         }
-                        let _e230 = levels.member[(0u + _e217)].row_w;
-                        let _e241 = ((((_e230.x * _e186.x) + (_e230.y * _e186.y)) + (_e230.z * _e186.z)) + (_e230.w * 1f));
-                        let _e243 = levels.member[(0u + _e217)].row_x;
-                        let _e255 = (((((_e243.x * _e186.x) + (_e243.y * _e186.y)) + (_e243.z * _e186.z)) + (_e243.w * 1f)) / _e241);
-                        let _e257 = levels.member[(0u + _e217)].row_y;
-                        let _e269 = (((((_e257.x * _e186.x) + (_e257.y * _e186.y)) + (_e257.z * _e186.z)) + (_e257.w * 1f)) / _e241);
-                        let _e271 = levels.member[(0u + _e217)].row_z;
-                        let _e282 = ((((_e271.x * _e186.x) + (_e271.y * _e186.y)) + (_e271.z * _e186.z)) + (_e271.w * 1f));
-                        if (_e241 > 0f) {
-                            if (_e255 >= 0f) {
-                                phi_1044_ = (_e255 <= 1f);
+                        let _e273 = levels.member[(0u + _e260)].row_w;
+                        let _e284 = ((((_e273.x * _e229.x) + (_e273.y * _e229.y)) + (_e273.z * _e229.z)) + (_e273.w * 1f));
+                        let _e286 = levels.member[(0u + _e260)].row_x;
+                        let _e298 = (((((_e286.x * _e229.x) + (_e286.y * _e229.y)) + (_e286.z * _e229.z)) + (_e286.w * 1f)) / _e284);
+                        let _e300 = levels.member[(0u + _e260)].row_y;
+                        let _e312 = (((((_e300.x * _e229.x) + (_e300.y * _e229.y)) + (_e300.z * _e229.z)) + (_e300.w * 1f)) / _e284);
+                        let _e314 = levels.member[(0u + _e260)].row_z;
+                        let _e325 = ((((_e314.x * _e229.x) + (_e314.y * _e229.y)) + (_e314.z * _e229.z)) + (_e314.w * 1f));
+                        if (_e284 > 0f) {
+                            if (_e298 >= 0f) {
+                                phi_1094_ = (_e298 <= 1f);
                             } else {
-                                phi_1044_ = false;
+                                phi_1094_ = false;
                             }
-                            let _e287 = phi_1044_;
-                            if _e287 {
-                                if (_e269 >= 0f) {
-                                    phi_1053_ = (_e269 <= 1f);
+                            let _e330 = phi_1094_;
+                            if _e330 {
+                                if (_e312 >= 0f) {
+                                    phi_1103_ = (_e312 <= 1f);
                                 } else {
-                                    phi_1053_ = false;
+                                    phi_1103_ = false;
                                 }
-                                let _e291 = phi_1053_;
-                                if _e291 {
-                                    if (_e282 >= 0f) {
-                                        phi_1062_ = (_e282 <= 1f);
+                                let _e334 = phi_1103_;
+                                if _e334 {
+                                    if (_e325 >= 0f) {
+                                        phi_1112_ = (_e325 <= 1f);
                                     } else {
-                                        phi_1062_ = false;
+                                        phi_1112_ = false;
                                     }
-                                    let _e295 = phi_1062_;
-                                    phi_1063_ = _e295;
-                                    phi_1064_ = false;
+                                    let _e338 = phi_1112_;
+                                    phi_1113_ = _e338;
+                                    phi_1114_ = false;
                                 } else {
-                                    phi_1063_ = bool();
-                                    phi_1064_ = true;
+                                    phi_1113_ = bool();
+                                    phi_1114_ = true;
                                 }
-                                let _e297 = phi_1063_;
-                                let _e299 = phi_1064_;
-                                phi_1065_ = _e297;
-                                phi_1066_ = _e299;
+                                let _e340 = phi_1113_;
+                                let _e342 = phi_1114_;
+                                phi_1115_ = _e340;
+                                phi_1116_ = _e342;
                             } else {
-                                phi_1065_ = bool();
-                                phi_1066_ = true;
+                                phi_1115_ = bool();
+                                phi_1116_ = true;
                             }
-                            let _e301 = phi_1065_;
-                            let _e303 = phi_1066_;
-                            phi_1067_ = _e301;
-                            phi_1068_ = _e303;
+                            let _e344 = phi_1115_;
+                            let _e346 = phi_1116_;
+                            phi_1117_ = _e344;
+                            phi_1118_ = _e346;
                         } else {
-                            phi_1067_ = bool();
-                            phi_1068_ = true;
+                            phi_1117_ = bool();
+                            phi_1118_ = true;
                         }
-                        let _e305 = phi_1067_;
-                        let _e307 = phi_1068_;
-                        if _e307 {
-                            phi_1072_ = false;
+                        let _e348 = phi_1117_;
+                        let _e350 = phi_1118_;
+                        if _e350 {
+                            phi_1122_ = false;
                         } else {
-                            phi_1072_ = _e305;
+                            phi_1122_ = _e348;
                         }
-                        let _e309 = phi_1072_;
-                        if _e309 {
-                            if (_e255 >= _e190) {
-                                if (_e255 <= (1f - _e190)) {
-                                    if (_e269 >= _e190) {
-                                        phi_1099_ = (_e269 <= (1f - _e190));
-                                        phi_1100_ = false;
+                        let _e352 = phi_1122_;
+                        if _e352 {
+                            if (_e298 >= _e233) {
+                                if (_e298 <= (1f - _e233)) {
+                                    if (_e312 >= _e233) {
+                                        phi_1149_ = (_e312 <= (1f - _e233));
+                                        phi_1150_ = false;
                                     } else {
-                                        phi_1099_ = bool();
-                                        phi_1100_ = true;
+                                        phi_1149_ = bool();
+                                        phi_1150_ = true;
                                     }
-                                    let _e317 = phi_1099_;
-                                    let _e319 = phi_1100_;
-                                    phi_1101_ = _e317;
-                                    phi_1102_ = _e319;
+                                    let _e360 = phi_1149_;
+                                    let _e362 = phi_1150_;
+                                    phi_1151_ = _e360;
+                                    phi_1152_ = _e362;
                                 } else {
-                                    phi_1101_ = bool();
-                                    phi_1102_ = true;
+                                    phi_1151_ = bool();
+                                    phi_1152_ = true;
                                 }
-                                let _e321 = phi_1101_;
-                                let _e323 = phi_1102_;
-                                phi_1103_ = _e321;
-                                phi_1104_ = _e323;
+                                let _e364 = phi_1151_;
+                                let _e366 = phi_1152_;
+                                phi_1153_ = _e364;
+                                phi_1154_ = _e366;
                             } else {
-                                phi_1103_ = bool();
-                                phi_1104_ = true;
+                                phi_1153_ = bool();
+                                phi_1154_ = true;
                             }
-                            let _e325 = phi_1103_;
-                            let _e327 = phi_1104_;
-                            phi_1105_ = _e325;
-                            phi_1106_ = _e327;
+                            let _e368 = phi_1153_;
+                            let _e370 = phi_1154_;
+                            phi_1155_ = _e368;
+                            phi_1156_ = _e370;
                         } else {
-                            phi_1105_ = bool();
-                            phi_1106_ = true;
+                            phi_1155_ = bool();
+                            phi_1156_ = true;
                         }
-                        let _e329 = phi_1105_;
-                        let _e331 = phi_1106_;
-                        if _e331 {
-                            phi_1110_ = false;
+                        let _e372 = phi_1155_;
+                        let _e374 = phi_1156_;
+                        if _e374 {
+                            phi_1160_ = false;
                         } else {
-                            phi_1110_ = _e329;
+                            phi_1160_ = _e372;
                         }
-                        let _e333 = phi_1110_;
-                        let _e340 = lt_math_LightPoint(vec2<f32>(_e255, _e215.uv.y), _e215.depth, _e215.is_inside);
-                        let _e347 = lt_math_LightPoint(vec2<f32>(_e340.uv.x, _e269), _e340.depth, _e340.is_inside);
-                        let _e351 = lt_math_LightPoint(_e347.uv, _e282, _e347.is_inside);
-                        let _e355 = lt_math_LightPoint(_e351.uv, _e351.depth, _e333);
-                        phi_1119_ = _e355;
-                        phi_1120_ = (_e217 + 1u);
-                        phi_1121_ = lt_math_LevelPoint(_e217, _e355);
-                        phi_1122_ = true;
+                        let _e376 = phi_1160_;
+                        let _e383 = lt_math_LightPoint(vec2<f32>(_e298, _e258.uv.y), _e258.depth, _e258.is_inside);
+                        let _e390 = lt_math_LightPoint(vec2<f32>(_e383.uv.x, _e312), _e383.depth, _e383.is_inside);
+                        let _e394 = lt_math_LightPoint(_e390.uv, _e325, _e390.is_inside);
+                        let _e398 = lt_math_LightPoint(_e394.uv, _e394.depth, _e376);
+                        phi_1169_ = _e398;
+                        phi_1170_ = (_e260 + 1u);
+                        phi_1171_ = lt_math_LevelPoint(_e260, _e398);
+                        phi_1172_ = true;
                     }
-                    let _e359 = phi_1119_;
-                    let _e361 = phi_1120_;
-                    let _e363 = phi_1121_;
-                    let _e365 = phi_1122_;
-                    phi_954_ = _e359;
-                    phi_957_ = _e361;
-                    phi_959_ = _e363;
-                    phi_1123_ = _e365;
+                    let _e402 = phi_1169_;
+                    let _e404 = phi_1170_;
+                    let _e406 = phi_1171_;
+                    let _e408 = phi_1172_;
+                    phi_1004_ = _e402;
+                    phi_1007_ = _e404;
+                    phi_1009_ = _e406;
+                    phi_1173_ = _e408;
                 } else {
-                    phi_954_ = lt_math_LightPoint();
-                    phi_957_ = u32();
-                    phi_959_ = lt_math_LevelPoint();
-                    phi_1123_ = false;
+                    phi_1004_ = lt_math_LightPoint();
+                    phi_1007_ = u32();
+                    phi_1009_ = lt_math_LevelPoint();
+                    phi_1173_ = false;
                 }
-                let _e367 = phi_954_;
-                let _e369 = phi_957_;
-                let _e371 = phi_959_;
-                let _e373 = phi_1123_;
+                let _e410 = phi_1004_;
+                let _e412 = phi_1007_;
+                let _e414 = phi_1009_;
+                let _e416 = phi_1173_;
                 continue;
                 continuing {
-                    phi_953_ = _e367;
-                    phi_956_ = _e369;
-                    phi_958_ = _e371;
-                    break if !(_e373);
+                    phi_1003_ = _e410;
+                    phi_1006_ = _e412;
+                    phi_1008_ = _e414;
+                    break if !(_e416);
                 }
             }
-            let _e376 = local_1;
-            if _e376.point.is_inside {
+            let _e419 = local_1;
+            if _e419.point.is_inside {
                 if (0f > 0f) {
-                    let _e382 = local_2;
-                    if (_e382.level < _e55) {
+                    let _e425 = local_2;
+                    if (_e425.level < _e55) {
                     } else {
                         return;
                     }
-                    let _e387 = levels.member[(0u + _e382.level)];
-                    let _e393 = global[0u];
-                    if (_e387.row_w.x == _e393) {
-                        let _e396 = global[1u];
-                        if (_e387.row_w.y == _e396) {
-                            let _e399 = global[2u];
-                            phi_1163_ = (_e387.row_w.z == _e399);
-                            phi_1164_ = false;
+                    let _e430 = levels.member[(0u + _e425.level)];
+                    let _e436 = global[0u];
+                    if (_e430.row_w.x == _e436) {
+                        let _e439 = global[1u];
+                        if (_e430.row_w.y == _e439) {
+                            let _e442 = global[2u];
+                            phi_1213_ = (_e430.row_w.z == _e442);
+                            phi_1214_ = false;
                         } else {
-                            phi_1163_ = bool();
-                            phi_1164_ = true;
+                            phi_1213_ = bool();
+                            phi_1214_ = true;
                         }
-                        let _e402 = phi_1163_;
-                        let _e404 = phi_1164_;
-                        phi_1165_ = _e402;
-                        phi_1166_ = _e404;
+                        let _e445 = phi_1213_;
+                        let _e447 = phi_1214_;
+                        phi_1215_ = _e445;
+                        phi_1216_ = _e447;
                     } else {
-                        phi_1165_ = bool();
-                        phi_1166_ = true;
+                        phi_1215_ = bool();
+                        phi_1216_ = true;
                     }
-                    let _e406 = phi_1165_;
-                    let _e408 = phi_1166_;
-                    if _e408 {
-                        phi_1170_ = false;
+                    let _e449 = phi_1215_;
+                    let _e451 = phi_1216_;
+                    if _e451 {
+                        phi_1220_ = false;
                     } else {
-                        phi_1170_ = _e406;
+                        phi_1220_ = _e449;
                     }
-                    let _e410 = phi_1170_;
-                    if _e410 {
-                        let _e412 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e414 = p.member.map_size;
-                        let _e484 = ((abs(((((_e387.row_x.x * _e412.x) + (_e387.row_x.y * _e412.y)) + (_e387.row_x.z * _e412.z)) / (((_e387.row_x.x * _e387.row_x.x) + (_e387.row_x.y * _e387.row_x.y)) + (_e387.row_x.z * _e387.row_x.z)))) + abs(((((_e387.row_y.x * _e412.x) + (_e387.row_y.y * _e412.y)) + (_e387.row_y.z * _e412.z)) / (((_e387.row_y.x * _e387.row_y.x) + (_e387.row_y.y * _e387.row_y.y)) + (_e387.row_y.z * _e387.row_y.z))))) / (abs(((((_e387.row_z.x * _e412.x) + (_e387.row_z.y * _e412.y)) + (_e387.row_z.z * _e412.z)) / (((_e387.row_z.x * _e387.row_z.x) + (_e387.row_z.y * _e387.row_z.y)) + (_e387.row_z.z * _e387.row_z.z)))) * f32(_e414)));
-                        if (_e484 < 0.002f) {
-                            phi_1252_ = _e484;
+                    let _e453 = phi_1220_;
+                    if _e453 {
+                        let _e455 = samples.member[(0u + _e61.first_primitive)].normal;
+                        let _e457 = p.member.map_size;
+                        let _e527 = ((abs(((((_e430.row_x.x * _e455.x) + (_e430.row_x.y * _e455.y)) + (_e430.row_x.z * _e455.z)) / (((_e430.row_x.x * _e430.row_x.x) + (_e430.row_x.y * _e430.row_x.y)) + (_e430.row_x.z * _e430.row_x.z)))) + abs(((((_e430.row_y.x * _e455.x) + (_e430.row_y.y * _e455.y)) + (_e430.row_y.z * _e455.z)) / (((_e430.row_y.x * _e430.row_y.x) + (_e430.row_y.y * _e430.row_y.y)) + (_e430.row_y.z * _e430.row_y.z))))) / (abs(((((_e430.row_z.x * _e455.x) + (_e430.row_z.y * _e455.y)) + (_e430.row_z.z * _e455.z)) / (((_e430.row_z.x * _e430.row_z.x) + (_e430.row_z.y * _e430.row_z.y)) + (_e430.row_z.z * _e430.row_z.z)))) * f32(_e457)));
+                        if (_e527 < 0.002f) {
+                            phi_1302_ = _e527;
                         } else {
-                            phi_1252_ = 0.002f;
+                            phi_1302_ = 0.002f;
                         }
-                        let _e487 = phi_1252_;
-                        phi_1369_ = _e487;
+                        let _e530 = phi_1302_;
+                        phi_1419_ = _e530;
                     } else {
-                        let _e489 = p.member.map_size;
-                        let _e495 = samples.member[(0u + _e61.first_primitive)].position;
-                        let _e506 = ((((_e387.row_w.x * _e495.x) + (_e387.row_w.y * _e495.y)) + (_e387.row_w.z * _e495.z)) + _e387.row_w.w);
-                        let _e519 = ((_e387.row_x.x - (_e387.row_w.x * _e376.point.uv.x)) / _e506);
-                        let _e520 = ((_e387.row_x.y - (_e387.row_w.y * _e376.point.uv.x)) / _e506);
-                        let _e521 = ((_e387.row_x.z - (_e387.row_w.z * _e376.point.uv.x)) / _e506);
-                        let _e534 = ((_e387.row_y.x - (_e387.row_w.x * _e376.point.uv.y)) / _e506);
-                        let _e535 = ((_e387.row_y.y - (_e387.row_w.y * _e376.point.uv.y)) / _e506);
-                        let _e536 = ((_e387.row_y.z - (_e387.row_w.z * _e376.point.uv.y)) / _e506);
-                        let _e542 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e547 = ((_e535 * _e542.z) - (_e542.y * _e536));
-                        let _e552 = ((_e536 * _e542.x) - (_e542.z * _e534));
-                        let _e557 = ((_e534 * _e542.y) - (_e542.x * _e535));
-                        let _e559 = samples.member[(0u + _e61.first_primitive)].normal;
-                        let _e564 = ((_e520 * _e559.z) - (_e559.y * _e521));
-                        let _e569 = ((_e521 * _e559.x) - (_e559.z * _e519));
-                        let _e574 = ((_e519 * _e559.y) - (_e559.x * _e520));
-                        let _e601 = ((abs(((((_e387.row_z.x * _e547) + (_e387.row_z.y * _e552)) + (_e387.row_z.z * _e557)) / (((_e519 * _e547) + (_e520 * _e552)) + (_e521 * _e557)))) + abs(((((_e387.row_z.x * _e564) + (_e387.row_z.y * _e569)) + (_e387.row_z.z * _e574)) / (((_e534 * _e564) + (_e535 * _e569)) + (_e536 * _e574))))) / f32(_e489));
-                        if (_e601 < 0.002f) {
-                            phi_1368_ = _e601;
+                        let _e532 = p.member.map_size;
+                        let _e538 = samples.member[(0u + _e61.first_primitive)].position;
+                        let _e549 = ((((_e430.row_w.x * _e538.x) + (_e430.row_w.y * _e538.y)) + (_e430.row_w.z * _e538.z)) + _e430.row_w.w);
+                        let _e562 = ((_e430.row_x.x - (_e430.row_w.x * _e419.point.uv.x)) / _e549);
+                        let _e563 = ((_e430.row_x.y - (_e430.row_w.y * _e419.point.uv.x)) / _e549);
+                        let _e564 = ((_e430.row_x.z - (_e430.row_w.z * _e419.point.uv.x)) / _e549);
+                        let _e577 = ((_e430.row_y.x - (_e430.row_w.x * _e419.point.uv.y)) / _e549);
+                        let _e578 = ((_e430.row_y.y - (_e430.row_w.y * _e419.point.uv.y)) / _e549);
+                        let _e579 = ((_e430.row_y.z - (_e430.row_w.z * _e419.point.uv.y)) / _e549);
+                        let _e585 = samples.member[(0u + _e61.first_primitive)].normal;
+                        let _e590 = ((_e578 * _e585.z) - (_e585.y * _e579));
+                        let _e595 = ((_e579 * _e585.x) - (_e585.z * _e577));
+                        let _e600 = ((_e577 * _e585.y) - (_e585.x * _e578));
+                        let _e602 = samples.member[(0u + _e61.first_primitive)].normal;
+                        let _e607 = ((_e563 * _e602.z) - (_e602.y * _e564));
+                        let _e612 = ((_e564 * _e602.x) - (_e602.z * _e562));
+                        let _e617 = ((_e562 * _e602.y) - (_e602.x * _e563));
+                        let _e644 = ((abs(((((_e430.row_z.x * _e590) + (_e430.row_z.y * _e595)) + (_e430.row_z.z * _e600)) / (((_e562 * _e590) + (_e563 * _e595)) + (_e564 * _e600)))) + abs(((((_e430.row_z.x * _e607) + (_e430.row_z.y * _e612)) + (_e430.row_z.z * _e617)) / (((_e577 * _e607) + (_e578 * _e612)) + (_e579 * _e617))))) / f32(_e532));
+                        if (_e644 < 0.002f) {
+                            phi_1418_ = _e644;
                         } else {
-                            phi_1368_ = 0.002f;
+                            phi_1418_ = 0.002f;
                         }
-                        let _e604 = phi_1368_;
-                        phi_1369_ = _e604;
+                        let _e647 = phi_1418_;
+                        phi_1419_ = _e647;
                     }
-                    let _e606 = phi_1369_;
-                    phi_1372_ = (_e376.point.depth - (0f * _e606));
+                    let _e649 = phi_1419_;
+                    phi_1422_ = (_e419.point.depth - (0f * _e649));
                 } else {
-                    phi_1372_ = _e376.point.depth;
+                    phi_1422_ = _e419.point.depth;
                 }
-                let _e610 = phi_1372_;
-                let _e616 = p.member.map_size;
-                let _e617 = f32(_e616);
-                let _e620 = ((_e376.point.uv.x * _e617) - 0.5f);
-                let _e621 = ((_e376.point.uv.y * _e617) - 0.5f);
-                if (_e620 > -8388608f) {
-                    let _e633 = f32(select(0i, select(select(i32(_e620), i32(-2147483648), (_e620 < bitcast<f32>(3472883712u))), 2147483647i, (_e620 > bitcast<f32>(1325400063u))), (_e620 == _e620)));
-                    if (_e633 > _e620) {
-                        phi_1401_ = 1f;
+                let _e653 = phi_1422_;
+                let _e659 = p.member.map_size;
+                let _e660 = f32(_e659);
+                let _e663 = ((_e419.point.uv.x * _e660) - 0.5f);
+                let _e664 = ((_e419.point.uv.y * _e660) - 0.5f);
+                if (_e663 > -8388608f) {
+                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
+                    if (_e676 > _e663) {
+                        phi_1451_ = 1f;
                     } else {
-                        phi_1401_ = 0f;
+                        phi_1451_ = 0f;
                     }
-                    let _e636 = phi_1401_;
-                    if (_e620 < 8388608f) {
-                        phi_1406_ = (_e633 - _e636);
-                        phi_1407_ = false;
+                    let _e679 = phi_1451_;
+                    if (_e663 < 8388608f) {
+                        phi_1456_ = (_e676 - _e679);
+                        phi_1457_ = false;
                     } else {
-                        phi_1406_ = f32();
-                        phi_1407_ = true;
+                        phi_1456_ = f32();
+                        phi_1457_ = true;
                     }
-                    let _e639 = phi_1406_;
-                    let _e641 = phi_1407_;
-                    phi_1408_ = _e639;
-                    phi_1409_ = _e641;
+                    let _e682 = phi_1456_;
+                    let _e684 = phi_1457_;
+                    phi_1458_ = _e682;
+                    phi_1459_ = _e684;
                 } else {
-                    phi_1408_ = f32();
-                    phi_1409_ = true;
+                    phi_1458_ = f32();
+                    phi_1459_ = true;
                 }
-                let _e643 = phi_1408_;
-                let _e645 = phi_1409_;
-                if _e645 {
-                    phi_1413_ = _e620;
+                let _e686 = phi_1458_;
+                let _e688 = phi_1459_;
+                if _e688 {
+                    phi_1463_ = _e663;
                 } else {
-                    phi_1413_ = _e643;
+                    phi_1463_ = _e686;
                 }
-                let _e647 = phi_1413_;
-                if (_e621 > -8388608f) {
-                    let _e659 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e659 > _e621) {
-                        phi_1433_ = 1f;
+                let _e690 = phi_1463_;
+                if (_e664 > -8388608f) {
+                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e702 > _e664) {
+                        phi_1483_ = 1f;
                     } else {
-                        phi_1433_ = 0f;
+                        phi_1483_ = 0f;
                     }
-                    let _e662 = phi_1433_;
-                    if (_e621 < 8388608f) {
-                        phi_1438_ = (_e659 - _e662);
-                        phi_1439_ = false;
+                    let _e705 = phi_1483_;
+                    if (_e664 < 8388608f) {
+                        phi_1488_ = (_e702 - _e705);
+                        phi_1489_ = false;
                     } else {
-                        phi_1438_ = f32();
-                        phi_1439_ = true;
+                        phi_1488_ = f32();
+                        phi_1489_ = true;
                     }
-                    let _e665 = phi_1438_;
-                    let _e667 = phi_1439_;
-                    phi_1440_ = _e665;
-                    phi_1441_ = _e667;
+                    let _e708 = phi_1488_;
+                    let _e710 = phi_1489_;
+                    phi_1490_ = _e708;
+                    phi_1491_ = _e710;
                 } else {
-                    phi_1440_ = f32();
-                    phi_1441_ = true;
+                    phi_1490_ = f32();
+                    phi_1491_ = true;
                 }
-                let _e669 = phi_1440_;
-                let _e671 = phi_1441_;
-                if _e671 {
-                    phi_1445_ = _e621;
+                let _e712 = phi_1490_;
+                let _e714 = phi_1491_;
+                if _e714 {
+                    phi_1495_ = _e664;
                 } else {
-                    phi_1445_ = _e669;
+                    phi_1495_ = _e712;
                 }
-                let _e673 = phi_1445_;
-                let _e674 = (_e620 - _e647);
-                let _e675 = (_e621 - _e673);
-                let _e684 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647));
-                let _e693 = select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673));
-                let _e704 = p.member.test;
-                let _e705 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e704);
-                let _e707 = p.member.map_size;
-                let _e709 = local_3;
-                local = _e705;
-                let _e712 = ((_e709.level * _e707) * _e707);
-                let _e714 = (bitcast<i32>(_e707) - 1i);
-                if (_e684 > 0i) {
-                    phi_1494_ = _e684;
+                let _e716 = phi_1495_;
+                let _e717 = (_e663 - _e690);
+                let _e718 = (_e664 - _e716);
+                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
+                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_3;
+                local = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e727 > 0i) {
+                    phi_1544_ = _e727;
                 } else {
-                    phi_1494_ = 0i;
+                    phi_1544_ = 0i;
                 }
-                let _e717 = phi_1494_;
-                if (_e693 > 0i) {
-                    phi_1499_ = _e693;
+                let _e760 = phi_1544_;
+                if (_e736 > 0i) {
+                    phi_1549_ = _e736;
                 } else {
-                    phi_1499_ = 0i;
+                    phi_1549_ = 0i;
                 }
-                let _e720 = phi_1499_;
-                if (_e717 < _e714) {
-                    phi_1504_ = _e717;
+                let _e763 = phi_1549_;
+                if (_e760 < _e757) {
+                    phi_1554_ = _e760;
                 } else {
-                    phi_1504_ = _e714;
+                    phi_1554_ = _e757;
                 }
-                let _e723 = phi_1504_;
-                if (_e720 < _e714) {
-                    phi_1509_ = _e720;
+                let _e766 = phi_1554_;
+                if (_e763 < _e757) {
+                    phi_1559_ = _e763;
                 } else {
-                    phi_1509_ = _e714;
+                    phi_1559_ = _e757;
                 }
-                let _e726 = phi_1509_;
-                let _e727 = bitcast<u32>(_e723);
-                let _e729 = (_e684 + 1i);
-                let _e730 = (_e693 + 1i);
-                if (_e729 > 0i) {
-                    phi_1518_ = _e729;
+                let _e769 = phi_1559_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e727 + 1i);
+                let _e773 = (_e736 + 1i);
+                if (_e772 > 0i) {
+                    phi_1568_ = _e772;
                 } else {
-                    phi_1518_ = 0i;
+                    phi_1568_ = 0i;
                 }
-                let _e733 = phi_1518_;
-                if (_e730 > 0i) {
-                    phi_1523_ = _e730;
+                let _e776 = phi_1568_;
+                if (_e773 > 0i) {
+                    phi_1573_ = _e773;
                 } else {
-                    phi_1523_ = 0i;
+                    phi_1573_ = 0i;
                 }
-                let _e736 = phi_1523_;
-                if (_e733 < _e714) {
-                    phi_1528_ = _e733;
+                let _e779 = phi_1573_;
+                if (_e776 < _e757) {
+                    phi_1578_ = _e776;
                 } else {
-                    phi_1528_ = _e714;
+                    phi_1578_ = _e757;
                 }
-                let _e739 = phi_1528_;
-                if (_e736 < _e714) {
-                    phi_1533_ = _e736;
+                let _e782 = phi_1578_;
+                if (_e779 < _e757) {
+                    phi_1583_ = _e779;
                 } else {
-                    phi_1533_ = _e714;
+                    phi_1583_ = _e757;
                 }
-                let _e742 = phi_1533_;
-                let _e743 = bitcast<u32>(_e739);
-                let _e745 = (bitcast<u32>(_e726) * _e707);
-                let _e746 = (bitcast<u32>(_e742) * _e707);
-                let _e751 = ((_e745 + _e727) + _e712);
-                let _e752 = ((_e745 + _e743) + _e712);
-                let _e753 = ((_e746 + _e727) + _e712);
-                let _e754 = ((_e746 + _e743) + _e712);
-                if (_e751 < _e49) {
+                let _e785 = phi_1583_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e49) {
                 } else {
                     return;
                 }
-                let _e758 = map.member[(0u + _e751)];
-                if (_e752 < _e49) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e49) {
                 } else {
                     return;
                 }
-                let _e762 = map.member[(0u + _e752)];
-                if (_e753 < _e49) {
+                let _e805 = map.member[(0u + _e795)];
+                if (_e796 < _e49) {
                 } else {
                     return;
                 }
-                let _e766 = map.member[(0u + _e753)];
-                if (_e754 < _e49) {
+                let _e809 = map.member[(0u + _e796)];
+                if (_e797 < _e49) {
                 } else {
                     return;
                 }
-                let _e770 = map.member[(0u + _e754)];
-                let _e772 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e758, _e762, _e766, _e770), vec4<f32>(((1f - _e674) * (1f - _e675)), (_e674 * (1f - _e675)), ((1f - _e674) * _e675), (_e674 * _e675)), _e610);
-                let _e774 = p.member.epsilon;
-                if (_e772 <= _e774) {
-                    phi_1584_ = true;
+                let _e813 = map.member[(0u + _e797)];
+                let _e815 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
+                let _e817 = p.member.epsilon;
+                if (_e815 <= _e817) {
+                    phi_1634_ = true;
                 } else {
-                    phi_1584_ = (_e772 >= (1f - _e774));
+                    phi_1634_ = (_e815 >= (1f - _e817));
                 }
-                let _e779 = phi_1584_;
-                if ((bitcast<u32>(_e772) & 2147483647u) > 2139095040u) {
-                    phi_1592_ = true;
+                let _e822 = phi_1634_;
+                if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
+                    phi_1642_ = true;
                 } else {
-                    phi_1592_ = !(_e779);
+                    phi_1642_ = !(_e822);
                 }
-                let _e785 = phi_1592_;
-                if _e785 {
-                    if (_e772 > 0f) {
-                        if (_e772 < 1f) {
-                            phi_1604_ = false;
+                let _e828 = phi_1642_;
+                if _e828 {
+                    if (_e815 > 0f) {
+                        if (_e815 < 1f) {
+                            phi_1654_ = false;
                         } else {
-                            phi_1604_ = true;
+                            phi_1654_ = true;
                         }
-                        let _e789 = phi_1604_;
-                        phi_1605_ = _e789;
+                        let _e832 = phi_1654_;
+                        phi_1655_ = _e832;
                     } else {
-                        phi_1605_ = true;
+                        phi_1655_ = true;
                     }
-                    let _e791 = phi_1605_;
-                    if _e791 {
-                        phi_1609_ = 0.5f;
+                    let _e834 = phi_1655_;
+                    if _e834 {
+                        phi_1659_ = 0.5f;
                     } else {
-                        phi_1609_ = _e772;
+                        phi_1659_ = _e815;
                     }
-                    let _e793 = phi_1609_;
-                    phi_1617_ = evaluate_Verdict(_e793, true);
+                    let _e836 = phi_1659_;
+                    phi_1667_ = evaluate_Verdict(_e836, true);
                 } else {
-                    if (_e772 > 0.5f) {
-                        phi_1615_ = 1f;
+                    if (_e815 > 0.5f) {
+                        phi_1665_ = 1f;
                     } else {
-                        phi_1615_ = 0f;
+                        phi_1665_ = 0f;
                     }
-                    let _e797 = phi_1615_;
-                    phi_1617_ = evaluate_Verdict(_e797, false);
+                    let _e840 = phi_1665_;
+                    phi_1667_ = evaluate_Verdict(_e840, false);
                 }
-                let _e800 = phi_1617_;
-                phi_1622_ = evaluate_Verdict(_e800.visibility, _e800.is_doubted);
+                let _e843 = phi_1667_;
+                phi_1672_ = evaluate_Verdict(_e843.visibility, _e843.is_doubted);
             } else {
-                phi_1622_ = evaluate_Verdict(0.5f, true);
+                phi_1672_ = evaluate_Verdict(0.5f, true);
             }
-            let _e806 = phi_1622_;
-            phi_1623_ = _e806;
+            let _e849 = phi_1672_;
+            phi_1673_ = _e849;
         }
-        let _e808 = phi_1623_;
+        let _e851 = phi_1673_;
         if (_e61.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e61.first_primitive)] = _e808.visibility;
+        visibility.member[(0u + _e61.first_primitive)] = _e851.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_34 {
+struct type_36 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,45 +87,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_36;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_152_: bool;
+    var phi_157_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_147_ = false;
+            phi_149_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_150_ = false;
         } else {
-            phi_146_ = lt_bvh_traverse_Tree();
-            phi_147_ = true;
+            phi_149_ = lt_bvh_traverse_Tree();
+            phi_150_ = true;
         }
-        let _e52 = phi_146_;
-        let _e54 = phi_147_;
-        phi_148_ = _e52;
-        phi_149_ = _e54;
+        let _e52 = phi_149_;
+        let _e54 = phi_150_;
+        phi_151_ = _e52;
+        phi_152_ = _e54;
     } else {
-        phi_148_ = lt_bvh_traverse_Tree();
-        phi_149_ = true;
+        phi_151_ = lt_bvh_traverse_Tree();
+        phi_152_ = true;
     }
-    let _e56 = phi_148_;
-    let _e58 = phi_149_;
+    let _e56 = phi_151_;
+    let _e58 = phi_152_;
     if _e58 {
-        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_157_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_154_ = _e56;
+        phi_157_ = _e56;
     }
-    let _e63 = phi_154_;
+    let _e63 = phi_157_;
     return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
@@ -125,28 +134,28 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_203_: f32;
-    var phi_204_: f32;
-    var phi_205_: f32;
-    var phi_211_: bool;
-    var phi_233_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_208_: f32;
+    var phi_214_: bool;
     var phi_236_: f32;
-    var phi_237_: bool;
+    var phi_237_: f32;
     var phi_238_: f32;
-    var phi_239_: bool;
-    var phi_277_: vec2<f32>;
-    var phi_311_: f32;
-    var phi_312_: f32;
-    var phi_313_: f32;
-    var phi_342_: f32;
-    var phi_343_: f32;
-    var phi_344_: f32;
-    var phi_348_: f32;
-    var phi_349_: f32;
-    var phi_350_: f32;
+    var phi_239_: f32;
+    var phi_240_: bool;
+    var phi_241_: f32;
+    var phi_242_: bool;
+    var phi_280_: vec2<f32>;
+    var phi_314_: f32;
+    var phi_315_: f32;
+    var phi_316_: f32;
+    var phi_345_: f32;
+    var phi_346_: f32;
+    var phi_347_: f32;
     var phi_351_: f32;
+    var phi_352_: f32;
+    var phi_353_: f32;
+    var phi_354_: f32;
 
     let _e42 = (*param_4);
     let _e43 = (1f - _e42);
@@ -157,65 +166,65 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     let _e58 = (_e54 - (_e53 * _e53));
     let _e60 = (((param_5.z * _e43) + _e52) - (_e53 * _e54));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_205_ = param_6;
+        phi_208_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_204_ = 0f;
+            phi_207_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_203_ = 1f;
+                phi_206_ = 1f;
             } else {
-                phi_203_ = param_6;
+                phi_206_ = param_6;
             }
-            let _e72 = phi_203_;
-            phi_204_ = _e72;
+            let _e72 = phi_206_;
+            phi_207_ = _e72;
         }
-        let _e74 = phi_204_;
-        phi_205_ = _e74;
+        let _e74 = phi_207_;
+        phi_208_ = _e74;
     }
-    let _e76 = phi_205_;
+    let _e76 = phi_208_;
     if (_e53 == _e56) {
-        phi_211_ = (_e53 > 0.5f);
+        phi_214_ = (_e53 > 0.5f);
     } else {
-        phi_211_ = false;
+        phi_214_ = false;
     }
-    let _e80 = phi_211_;
+    let _e80 = phi_214_;
     if _e80 {
         if (_e76 > 0f) {
             if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
-                phi_235_ = _e53;
+                phi_238_ = _e53;
             } else {
                 if (_e53 < 0f) {
-                    phi_234_ = 0f;
+                    phi_237_ = 0f;
                 } else {
                     if (_e53 > 1f) {
-                        phi_233_ = 1f;
+                        phi_236_ = 1f;
                     } else {
-                        phi_233_ = _e53;
+                        phi_236_ = _e53;
                     }
-                    let _e88 = phi_233_;
-                    phi_234_ = _e88;
+                    let _e88 = phi_236_;
+                    phi_237_ = _e88;
                 }
-                let _e90 = phi_234_;
-                phi_235_ = _e90;
+                let _e90 = phi_237_;
+                phi_238_ = _e90;
             }
-            let _e92 = phi_235_;
-            phi_236_ = _e92;
-            phi_237_ = false;
+            let _e92 = phi_238_;
+            phi_239_ = _e92;
+            phi_240_ = false;
         } else {
-            phi_236_ = f32();
-            phi_237_ = true;
+            phi_239_ = f32();
+            phi_240_ = true;
         }
-        let _e94 = phi_236_;
-        let _e96 = phi_237_;
-        phi_238_ = _e94;
-        phi_239_ = _e96;
+        let _e94 = phi_239_;
+        let _e96 = phi_240_;
+        phi_241_ = _e94;
+        phi_242_ = _e96;
     } else {
-        phi_238_ = f32();
-        phi_239_ = true;
+        phi_241_ = f32();
+        phi_242_ = true;
     }
-    let _e98 = phi_238_;
-    let _e100 = phi_239_;
+    let _e98 = phi_241_;
+    let _e100 = phi_242_;
     if _e100 {
         let _e101 = (_e60 / _e58);
         let _e102 = (_e76 - _e53);
@@ -225,155 +234,161 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e120 = ((_e117 * _e117) - (((1f - (_e111 * _e53)) - (_e108 * _e54)) / _e108));
         if (_e120 >= 0f) {
             let _e122 = sqrt(_e120);
-            phi_277_ = vec2<f32>((-(_e117) - _e122), (-(_e117) + _e122));
+            phi_280_ = vec2<f32>((-(_e117) - _e122), (-(_e117) + _e122));
         } else {
-            phi_277_ = vec2(bitcast<f32>((bitcast<u32>(_e120) | 2143289344u)));
+            phi_280_ = vec2(bitcast<f32>((bitcast<u32>(_e120) | 2143289344u)));
         }
-        let _e133 = phi_277_;
+        let _e133 = phi_280_;
         if (_e76 <= _e133.x) {
-            phi_350_ = 1f;
+            phi_353_ = 1f;
         } else {
             if (_e76 > _e133.y) {
                 let _e146 = (((_e54 - (_e53 * (_e133.x + _e133.y))) + (_e133.x * _e133.y)) / ((_e76 - _e133.x) * (_e76 - _e133.y)));
                 if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
-                    phi_313_ = _e146;
+                    phi_316_ = _e146;
                 } else {
                     if (_e146 < 0f) {
-                        phi_312_ = 0f;
+                        phi_315_ = 0f;
                     } else {
                         if (_e146 > 1f) {
-                            phi_311_ = 1f;
+                            phi_314_ = 1f;
                         } else {
-                            phi_311_ = _e146;
+                            phi_314_ = _e146;
                         }
-                        let _e153 = phi_311_;
-                        phi_312_ = _e153;
+                        let _e153 = phi_314_;
+                        phi_315_ = _e153;
                     }
-                    let _e155 = phi_312_;
-                    phi_313_ = _e155;
+                    let _e155 = phi_315_;
+                    phi_316_ = _e155;
                 }
-                let _e157 = phi_313_;
-                phi_349_ = _e157;
+                let _e157 = phi_316_;
+                phi_352_ = _e157;
             } else {
                 if (_e76 > _e133.x) {
                     let _e168 = (1f - (((_e54 - (_e53 * (_e76 + _e133.y))) + (_e76 * _e133.y)) / ((_e133.x - _e76) * (_e133.x - _e133.y))));
                     if ((bitcast<u32>(_e168) & 2147483647u) > 2139095040u) {
-                        phi_344_ = _e168;
+                        phi_347_ = _e168;
                     } else {
                         if (_e168 < 0f) {
-                            phi_343_ = 0f;
+                            phi_346_ = 0f;
                         } else {
                             if (_e168 > 1f) {
-                                phi_342_ = 1f;
+                                phi_345_ = 1f;
                             } else {
-                                phi_342_ = _e168;
+                                phi_345_ = _e168;
                             }
-                            let _e175 = phi_342_;
-                            phi_343_ = _e175;
+                            let _e175 = phi_345_;
+                            phi_346_ = _e175;
                         }
-                        let _e177 = phi_343_;
-                        phi_344_ = _e177;
+                        let _e177 = phi_346_;
+                        phi_347_ = _e177;
                     }
-                    let _e179 = phi_344_;
-                    phi_348_ = _e179;
+                    let _e179 = phi_347_;
+                    phi_351_ = _e179;
                 } else {
-                    phi_348_ = bitcast<f32>((bitcast<u32>(_e133.x) | 2143289344u));
+                    phi_351_ = bitcast<f32>((bitcast<u32>(_e133.x) | 2143289344u));
                 }
-                let _e184 = phi_348_;
-                phi_349_ = _e184;
+                let _e184 = phi_351_;
+                phi_352_ = _e184;
             }
-            let _e186 = phi_349_;
-            phi_350_ = _e186;
+            let _e186 = phi_352_;
+            phi_353_ = _e186;
         }
-        let _e188 = phi_350_;
-        phi_351_ = _e188;
+        let _e188 = phi_353_;
+        phi_354_ = _e188;
     } else {
-        phi_351_ = _e98;
+        phi_354_ = _e98;
     }
-    let _e190 = phi_351_;
+    let _e190 = phi_354_;
     return _e190;
 }
 
 fn function_() {
     var local: f32;
-    var phi_412_: bool;
-    var phi_413_: bool;
     var phi_414_: bool;
     var phi_415_: bool;
-    var phi_419_: bool;
-    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_487_: lt_math_LightPoint;
-    var phi_490_: u32;
-    var phi_492_: lt_math_LevelPoint;
-    var phi_578_: bool;
-    var phi_587_: bool;
-    var phi_596_: bool;
-    var phi_597_: bool;
-    var phi_598_: bool;
-    var phi_599_: bool;
-    var phi_600_: bool;
-    var phi_601_: bool;
-    var phi_602_: bool;
-    var phi_606_: bool;
-    var phi_633_: bool;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_636_: bool;
+    var phi_416_: bool;
+    var phi_417_: bool;
+    var phi_421_: bool;
+    var phi_491_: bool;
+    var phi_492_: bool;
+    var phi_503_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_504_: bool;
+    var phi_505_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_506_: bool;
+    var phi_513_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_517_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_537_: lt_math_LightPoint;
+    var phi_540_: u32;
+    var phi_542_: lt_math_LevelPoint;
+    var phi_628_: bool;
     var phi_637_: bool;
-    var phi_638_: bool;
-    var phi_639_: bool;
-    var phi_640_: bool;
-    var phi_644_: bool;
-    var phi_653_: lt_math_LightPoint;
-    var phi_654_: u32;
-    var phi_655_: lt_math_LevelPoint;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_652_: bool;
     var phi_656_: bool;
-    var phi_488_: lt_math_LightPoint;
-    var phi_491_: u32;
-    var phi_493_: lt_math_LevelPoint;
-    var phi_657_: bool;
+    var phi_683_: bool;
+    var phi_684_: bool;
+    var phi_685_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
+    var phi_689_: bool;
+    var phi_690_: bool;
+    var phi_694_: bool;
+    var phi_703_: lt_math_LightPoint;
+    var phi_704_: u32;
+    var phi_705_: lt_math_LevelPoint;
+    var phi_706_: bool;
+    var phi_538_: lt_math_LightPoint;
+    var phi_541_: u32;
+    var phi_543_: lt_math_LevelPoint;
+    var phi_707_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_704_: bool;
-    var phi_786_: f32;
-    var phi_902_: f32;
-    var phi_903_: f32;
-    var phi_906_: f32;
-    var phi_935_: f32;
-    var phi_940_: f32;
-    var phi_941_: bool;
-    var phi_942_: f32;
-    var phi_943_: bool;
-    var phi_947_: f32;
-    var phi_967_: f32;
-    var phi_972_: f32;
-    var phi_973_: bool;
-    var phi_974_: f32;
-    var phi_975_: bool;
-    var phi_979_: f32;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_749_: bool;
+    var phi_750_: bool;
+    var phi_754_: bool;
+    var phi_836_: f32;
+    var phi_952_: f32;
+    var phi_953_: f32;
+    var phi_956_: f32;
+    var phi_985_: f32;
+    var phi_990_: f32;
+    var phi_991_: bool;
+    var phi_992_: f32;
+    var phi_993_: bool;
+    var phi_997_: f32;
+    var phi_1017_: f32;
+    var phi_1022_: f32;
+    var phi_1023_: bool;
+    var phi_1024_: f32;
+    var phi_1025_: bool;
+    var phi_1029_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1028_: i32;
-    var phi_1033_: i32;
-    var phi_1038_: i32;
-    var phi_1043_: i32;
-    var phi_1052_: i32;
-    var phi_1057_: i32;
-    var phi_1062_: i32;
-    var phi_1067_: i32;
-    var phi_1162_: bool;
-    var phi_1170_: bool;
-    var phi_1182_: bool;
-    var phi_1183_: bool;
-    var phi_1187_: f32;
-    var phi_1193_: f32;
-    var phi_1195_: evaluate_Verdict;
-    var phi_1200_: evaluate_Verdict;
-    var phi_1201_: evaluate_Verdict;
+    var phi_1078_: i32;
+    var phi_1083_: i32;
+    var phi_1088_: i32;
+    var phi_1093_: i32;
+    var phi_1102_: i32;
+    var phi_1107_: i32;
+    var phi_1112_: i32;
+    var phi_1117_: i32;
+    var phi_1212_: bool;
+    var phi_1220_: bool;
+    var phi_1232_: bool;
+    var phi_1233_: bool;
+    var phi_1237_: f32;
+    var phi_1243_: f32;
+    var phi_1245_: evaluate_Verdict;
+    var phi_1250_: evaluate_Verdict;
+    var phi_1251_: evaluate_Verdict;
 
     let _e40 = id_1;
     let _e47 = arrayLength((&map.member));
@@ -387,520 +402,559 @@ fn function_() {
         } else {
             return;
         }
-        let _e70 = p.member.light;
-        let _e73 = samples.member[(0u + _e59.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e59.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e59.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_412_ = (_e83 == _e85);
-                phi_413_ = false;
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e84 = global[2u];
+                phi_414_ = (_e82 == _e84);
+                phi_415_ = false;
             } else {
-                phi_412_ = bool();
-                phi_413_ = true;
+                phi_414_ = bool();
+                phi_415_ = true;
             }
-            let _e88 = phi_412_;
-            let _e90 = phi_413_;
-            phi_414_ = _e88;
-            phi_415_ = _e90;
+            let _e87 = phi_414_;
+            let _e89 = phi_415_;
+            phi_416_ = _e87;
+            phi_417_ = _e89;
         } else {
-            phi_414_ = bool();
-            phi_415_ = true;
+            phi_416_ = bool();
+            phi_417_ = true;
         }
-        let _e92 = phi_414_;
-        let _e94 = phi_415_;
-        if _e94 {
-            phi_419_ = false;
+        let _e91 = phi_416_;
+        let _e93 = phi_417_;
+        if _e93 {
+            phi_421_ = false;
         } else {
-            phi_419_ = _e92;
+            phi_421_ = _e91;
         }
-        let _e96 = phi_419_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e59.first_primitive)].normal;
-            let _e101 = samples.member[(0u + _e59.first_primitive)].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[(0u + _e59.first_primitive)].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
-            } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
-            }
-            let _e159 = phi_463_;
-            phi_467_ = _e159;
-        } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
-        }
-        let _e176 = phi_467_;
-        if _e176.unnamed_1 {
-            phi_1201_ = evaluate_Verdict(_e176.unnamed.visibility, _e176.unnamed.is_doubted);
-        } else {
-            let _e184 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e186 = p.member.map_size;
-            let _e188 = (0.5f / f32(_e186));
-            let _e195 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e202 = lt_math_LightPoint(vec2<f32>(_e195.uv.x, 0f), _e195.depth, _e195.is_inside);
-            let _e206 = lt_math_LightPoint(_e202.uv, 0f, _e202.is_inside);
-            phi_487_ = lt_math_LightPoint();
-            phi_490_ = 0u;
-            phi_492_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e206.uv, _e206.depth, false));
-            loop {
-                let _e213 = phi_487_;
-                let _e215 = phi_490_;
-                let _e217 = phi_492_;
-                local_1 = _e217;
-                local_2 = _e217;
-                local_3 = _e217;
-                if (_e215 < _e65) {
-                    if _e217.point.is_inside {
-                        phi_653_ = lt_math_LightPoint();
-                        phi_654_ = u32();
-                        phi_655_ = lt_math_LevelPoint();
-                        phi_656_ = false;
+        let _e95 = phi_421_;
+        if !(_e95) {
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_492_ = true;
+                } else {
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_491_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
                     } else {
-                        if (_e215 < _e53) {
+                        phi_491_ = false;
+                    }
+                    let _e156 = phi_491_;
+                    phi_492_ = _e156;
+                }
+                let _e158 = phi_492_;
+                if _e158 {
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_503_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_504_ = false;
+                } else {
+                    phi_503_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_504_ = true;
+                }
+                let _e179 = phi_503_;
+                let _e181 = phi_504_;
+                phi_505_ = _e179;
+                phi_506_ = _e181;
+            } else {
+                phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_506_ = true;
+            }
+            let _e183 = phi_505_;
+            let _e185 = phi_506_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_513_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            } else {
+                phi_513_ = _e183;
+            }
+            let _e202 = phi_513_;
+            phi_517_ = _e202;
+        } else {
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_517_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+        }
+        let _e219 = phi_517_;
+        if _e219.unnamed_1 {
+            phi_1251_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+        } else {
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_537_ = lt_math_LightPoint();
+            phi_540_ = 0u;
+            phi_542_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            loop {
+                let _e256 = phi_537_;
+                let _e258 = phi_540_;
+                let _e260 = phi_542_;
+                local_1 = _e260;
+                local_2 = _e260;
+                local_3 = _e260;
+                if (_e258 < _e65) {
+                    if _e260.point.is_inside {
+                        phi_703_ = lt_math_LightPoint();
+                        phi_704_ = u32();
+                        phi_705_ = lt_math_LevelPoint();
+                        phi_706_ = false;
+                    } else {
+                        if (_e258 < _e53) {
                         } else {
                             return;
                         }
-                        let _e228 = levels.member[(0u + _e215)].row_w;
-                        let _e239 = ((((_e228.x * _e184.x) + (_e228.y * _e184.y)) + (_e228.z * _e184.z)) + (_e228.w * 1f));
-                        let _e241 = levels.member[(0u + _e215)].row_x;
-                        let _e253 = (((((_e241.x * _e184.x) + (_e241.y * _e184.y)) + (_e241.z * _e184.z)) + (_e241.w * 1f)) / _e239);
-                        let _e255 = levels.member[(0u + _e215)].row_y;
-                        let _e267 = (((((_e255.x * _e184.x) + (_e255.y * _e184.y)) + (_e255.z * _e184.z)) + (_e255.w * 1f)) / _e239);
-                        let _e269 = levels.member[(0u + _e215)].row_z;
-                        let _e280 = ((((_e269.x * _e184.x) + (_e269.y * _e184.y)) + (_e269.z * _e184.z)) + (_e269.w * 1f));
-                        if (_e239 > 0f) {
-                            if (_e253 >= 0f) {
-                                phi_578_ = (_e253 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_628_ = (_e296 <= 1f);
                             } else {
-                                phi_578_ = false;
+                                phi_628_ = false;
                             }
-                            let _e285 = phi_578_;
-                            if _e285 {
-                                if (_e267 >= 0f) {
-                                    phi_587_ = (_e267 <= 1f);
+                            let _e328 = phi_628_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_637_ = (_e310 <= 1f);
                                 } else {
-                                    phi_587_ = false;
+                                    phi_637_ = false;
                                 }
-                                let _e289 = phi_587_;
-                                if _e289 {
-                                    if (_e280 >= 0f) {
-                                        phi_596_ = (_e280 <= 1f);
+                                let _e332 = phi_637_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_646_ = (_e323 <= 1f);
                                     } else {
-                                        phi_596_ = false;
+                                        phi_646_ = false;
                                     }
-                                    let _e293 = phi_596_;
-                                    phi_597_ = _e293;
-                                    phi_598_ = false;
+                                    let _e336 = phi_646_;
+                                    phi_647_ = _e336;
+                                    phi_648_ = false;
                                 } else {
-                                    phi_597_ = bool();
-                                    phi_598_ = true;
+                                    phi_647_ = bool();
+                                    phi_648_ = true;
                                 }
-                                let _e295 = phi_597_;
-                                let _e297 = phi_598_;
-                                phi_599_ = _e295;
-                                phi_600_ = _e297;
+                                let _e338 = phi_647_;
+                                let _e340 = phi_648_;
+                                phi_649_ = _e338;
+                                phi_650_ = _e340;
                             } else {
-                                phi_599_ = bool();
-                                phi_600_ = true;
+                                phi_649_ = bool();
+                                phi_650_ = true;
                             }
-                            let _e299 = phi_599_;
-                            let _e301 = phi_600_;
-                            phi_601_ = _e299;
-                            phi_602_ = _e301;
+                            let _e342 = phi_649_;
+                            let _e344 = phi_650_;
+                            phi_651_ = _e342;
+                            phi_652_ = _e344;
                         } else {
-                            phi_601_ = bool();
-                            phi_602_ = true;
+                            phi_651_ = bool();
+                            phi_652_ = true;
                         }
-                        let _e303 = phi_601_;
-                        let _e305 = phi_602_;
-                        if _e305 {
-                            phi_606_ = false;
+                        let _e346 = phi_651_;
+                        let _e348 = phi_652_;
+                        if _e348 {
+                            phi_656_ = false;
                         } else {
-                            phi_606_ = _e303;
+                            phi_656_ = _e346;
                         }
-                        let _e307 = phi_606_;
-                        if _e307 {
-                            if (_e253 >= _e188) {
-                                if (_e253 <= (1f - _e188)) {
-                                    if (_e267 >= _e188) {
-                                        phi_633_ = (_e267 <= (1f - _e188));
-                                        phi_634_ = false;
+                        let _e350 = phi_656_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_683_ = (_e310 <= (1f - _e231));
+                                        phi_684_ = false;
                                     } else {
-                                        phi_633_ = bool();
-                                        phi_634_ = true;
+                                        phi_683_ = bool();
+                                        phi_684_ = true;
                                     }
-                                    let _e315 = phi_633_;
-                                    let _e317 = phi_634_;
-                                    phi_635_ = _e315;
-                                    phi_636_ = _e317;
+                                    let _e358 = phi_683_;
+                                    let _e360 = phi_684_;
+                                    phi_685_ = _e358;
+                                    phi_686_ = _e360;
                                 } else {
-                                    phi_635_ = bool();
-                                    phi_636_ = true;
+                                    phi_685_ = bool();
+                                    phi_686_ = true;
                                 }
-                                let _e319 = phi_635_;
-                                let _e321 = phi_636_;
-                                phi_637_ = _e319;
-                                phi_638_ = _e321;
+                                let _e362 = phi_685_;
+                                let _e364 = phi_686_;
+                                phi_687_ = _e362;
+                                phi_688_ = _e364;
                             } else {
-                                phi_637_ = bool();
-                                phi_638_ = true;
+                                phi_687_ = bool();
+                                phi_688_ = true;
                             }
-                            let _e323 = phi_637_;
-                            let _e325 = phi_638_;
-                            phi_639_ = _e323;
-                            phi_640_ = _e325;
+                            let _e366 = phi_687_;
+                            let _e368 = phi_688_;
+                            phi_689_ = _e366;
+                            phi_690_ = _e368;
                         } else {
-                            phi_639_ = bool();
-                            phi_640_ = true;
+                            phi_689_ = bool();
+                            phi_690_ = true;
                         }
-                        let _e327 = phi_639_;
-                        let _e329 = phi_640_;
-                        if _e329 {
-                            phi_644_ = false;
+                        let _e370 = phi_689_;
+                        let _e372 = phi_690_;
+                        if _e372 {
+                            phi_694_ = false;
                         } else {
-                            phi_644_ = _e327;
+                            phi_694_ = _e370;
                         }
-                        let _e331 = phi_644_;
-                        let _e338 = lt_math_LightPoint(vec2<f32>(_e253, _e213.uv.y), _e213.depth, _e213.is_inside);
-                        let _e345 = lt_math_LightPoint(vec2<f32>(_e338.uv.x, _e267), _e338.depth, _e338.is_inside);
-                        let _e349 = lt_math_LightPoint(_e345.uv, _e280, _e345.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e349.depth, _e331);
-                        phi_653_ = _e353;
-                        phi_654_ = (_e215 + 1u);
-                        phi_655_ = lt_math_LevelPoint(_e215, _e353);
-                        phi_656_ = true;
+                        let _e374 = phi_694_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_703_ = _e396;
+                        phi_704_ = (_e258 + 1u);
+                        phi_705_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_706_ = true;
                     }
-                    let _e357 = phi_653_;
-                    let _e359 = phi_654_;
-                    let _e361 = phi_655_;
-                    let _e363 = phi_656_;
-                    phi_488_ = _e357;
-                    phi_491_ = _e359;
-                    phi_493_ = _e361;
-                    phi_657_ = _e363;
+                    let _e400 = phi_703_;
+                    let _e402 = phi_704_;
+                    let _e404 = phi_705_;
+                    let _e406 = phi_706_;
+                    phi_538_ = _e400;
+                    phi_541_ = _e402;
+                    phi_543_ = _e404;
+                    phi_707_ = _e406;
                 } else {
-                    phi_488_ = lt_math_LightPoint();
-                    phi_491_ = u32();
-                    phi_493_ = lt_math_LevelPoint();
-                    phi_657_ = false;
+                    phi_538_ = lt_math_LightPoint();
+                    phi_541_ = u32();
+                    phi_543_ = lt_math_LevelPoint();
+                    phi_707_ = false;
                 }
-                let _e365 = phi_488_;
-                let _e367 = phi_491_;
-                let _e369 = phi_493_;
-                let _e371 = phi_657_;
+                let _e408 = phi_538_;
+                let _e410 = phi_541_;
+                let _e412 = phi_543_;
+                let _e414 = phi_707_;
                 continue;
                 continuing {
-                    phi_487_ = _e365;
-                    phi_490_ = _e367;
-                    phi_492_ = _e369;
-                    break if !(_e371);
+                    phi_537_ = _e408;
+                    phi_540_ = _e410;
+                    phi_542_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e374 = local_1;
-            if _e374.point.is_inside {
+            let _e417 = local_1;
+            if _e417.point.is_inside {
                 if (0f > 0f) {
-                    let _e380 = local_2;
-                    if (_e380.level < _e53) {
+                    let _e423 = local_2;
+                    if (_e423.level < _e53) {
                     } else {
                         return;
                     }
-                    let _e385 = levels.member[(0u + _e380.level)];
-                    let _e391 = global[0u];
-                    if (_e385.row_w.x == _e391) {
-                        let _e394 = global[1u];
-                        if (_e385.row_w.y == _e394) {
-                            let _e397 = global[2u];
-                            phi_697_ = (_e385.row_w.z == _e397);
-                            phi_698_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_747_ = (_e428.row_w.z == _e440);
+                            phi_748_ = false;
                         } else {
-                            phi_697_ = bool();
-                            phi_698_ = true;
+                            phi_747_ = bool();
+                            phi_748_ = true;
                         }
-                        let _e400 = phi_697_;
-                        let _e402 = phi_698_;
-                        phi_699_ = _e400;
-                        phi_700_ = _e402;
+                        let _e443 = phi_747_;
+                        let _e445 = phi_748_;
+                        phi_749_ = _e443;
+                        phi_750_ = _e445;
                     } else {
-                        phi_699_ = bool();
-                        phi_700_ = true;
+                        phi_749_ = bool();
+                        phi_750_ = true;
                     }
-                    let _e404 = phi_699_;
-                    let _e406 = phi_700_;
-                    if _e406 {
-                        phi_704_ = false;
+                    let _e447 = phi_749_;
+                    let _e449 = phi_750_;
+                    if _e449 {
+                        phi_754_ = false;
                     } else {
-                        phi_704_ = _e404;
+                        phi_754_ = _e447;
                     }
-                    let _e408 = phi_704_;
-                    if _e408 {
-                        let _e410 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e412 = p.member.map_size;
-                        let _e482 = ((abs(((((_e385.row_x.x * _e410.x) + (_e385.row_x.y * _e410.y)) + (_e385.row_x.z * _e410.z)) / (((_e385.row_x.x * _e385.row_x.x) + (_e385.row_x.y * _e385.row_x.y)) + (_e385.row_x.z * _e385.row_x.z)))) + abs(((((_e385.row_y.x * _e410.x) + (_e385.row_y.y * _e410.y)) + (_e385.row_y.z * _e410.z)) / (((_e385.row_y.x * _e385.row_y.x) + (_e385.row_y.y * _e385.row_y.y)) + (_e385.row_y.z * _e385.row_y.z))))) / (abs(((((_e385.row_z.x * _e410.x) + (_e385.row_z.y * _e410.y)) + (_e385.row_z.z * _e410.z)) / (((_e385.row_z.x * _e385.row_z.x) + (_e385.row_z.y * _e385.row_z.y)) + (_e385.row_z.z * _e385.row_z.z)))) * f32(_e412)));
-                        if (_e482 < 0.002f) {
-                            phi_786_ = _e482;
+                    let _e451 = phi_754_;
+                    if _e451 {
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_836_ = _e525;
                         } else {
-                            phi_786_ = 0.002f;
+                            phi_836_ = 0.002f;
                         }
-                        let _e485 = phi_786_;
-                        phi_903_ = _e485;
+                        let _e528 = phi_836_;
+                        phi_953_ = _e528;
                     } else {
-                        let _e487 = p.member.map_size;
-                        let _e493 = samples.member[(0u + _e59.first_primitive)].position;
-                        let _e504 = ((((_e385.row_w.x * _e493.x) + (_e385.row_w.y * _e493.y)) + (_e385.row_w.z * _e493.z)) + _e385.row_w.w);
-                        let _e517 = ((_e385.row_x.x - (_e385.row_w.x * _e374.point.uv.x)) / _e504);
-                        let _e518 = ((_e385.row_x.y - (_e385.row_w.y * _e374.point.uv.x)) / _e504);
-                        let _e519 = ((_e385.row_x.z - (_e385.row_w.z * _e374.point.uv.x)) / _e504);
-                        let _e532 = ((_e385.row_y.x - (_e385.row_w.x * _e374.point.uv.y)) / _e504);
-                        let _e533 = ((_e385.row_y.y - (_e385.row_w.y * _e374.point.uv.y)) / _e504);
-                        let _e534 = ((_e385.row_y.z - (_e385.row_w.z * _e374.point.uv.y)) / _e504);
-                        let _e540 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e545 = ((_e533 * _e540.z) - (_e540.y * _e534));
-                        let _e550 = ((_e534 * _e540.x) - (_e540.z * _e532));
-                        let _e555 = ((_e532 * _e540.y) - (_e540.x * _e533));
-                        let _e557 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e562 = ((_e518 * _e557.z) - (_e557.y * _e519));
-                        let _e567 = ((_e519 * _e557.x) - (_e557.z * _e517));
-                        let _e572 = ((_e517 * _e557.y) - (_e557.x * _e518));
-                        let _e599 = ((abs(((((_e385.row_z.x * _e545) + (_e385.row_z.y * _e550)) + (_e385.row_z.z * _e555)) / (((_e517 * _e545) + (_e518 * _e550)) + (_e519 * _e555)))) + abs(((((_e385.row_z.x * _e562) + (_e385.row_z.y * _e567)) + (_e385.row_z.z * _e572)) / (((_e532 * _e562) + (_e533 * _e567)) + (_e534 * _e572))))) / f32(_e487));
-                        if (_e599 < 0.002f) {
-                            phi_902_ = _e599;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        if (_e642 < 0.002f) {
+                            phi_952_ = _e642;
                         } else {
-                            phi_902_ = 0.002f;
+                            phi_952_ = 0.002f;
                         }
-                        let _e602 = phi_902_;
-                        phi_903_ = _e602;
+                        let _e645 = phi_952_;
+                        phi_953_ = _e645;
                     }
-                    let _e604 = phi_903_;
-                    phi_906_ = (_e374.point.depth - (0f * _e604));
+                    let _e647 = phi_953_;
+                    phi_956_ = (_e417.point.depth - (0f * _e647));
                 } else {
-                    phi_906_ = _e374.point.depth;
+                    phi_956_ = _e417.point.depth;
                 }
-                let _e608 = phi_906_;
-                let _e614 = p.member.map_size;
-                let _e615 = f32(_e614);
-                let _e618 = ((_e374.point.uv.x * _e615) - 0.5f);
-                let _e619 = ((_e374.point.uv.y * _e615) - 0.5f);
-                if (_e618 > -8388608f) {
-                    let _e631 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e631 > _e618) {
-                        phi_935_ = 1f;
+                let _e651 = phi_956_;
+                let _e657 = p.member.map_size;
+                let _e658 = f32(_e657);
+                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
+                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
+                if (_e661 > -8388608f) {
+                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
+                    if (_e674 > _e661) {
+                        phi_985_ = 1f;
                     } else {
-                        phi_935_ = 0f;
+                        phi_985_ = 0f;
                     }
-                    let _e634 = phi_935_;
-                    if (_e618 < 8388608f) {
-                        phi_940_ = (_e631 - _e634);
-                        phi_941_ = false;
+                    let _e677 = phi_985_;
+                    if (_e661 < 8388608f) {
+                        phi_990_ = (_e674 - _e677);
+                        phi_991_ = false;
                     } else {
-                        phi_940_ = f32();
-                        phi_941_ = true;
+                        phi_990_ = f32();
+                        phi_991_ = true;
                     }
-                    let _e637 = phi_940_;
-                    let _e639 = phi_941_;
-                    phi_942_ = _e637;
-                    phi_943_ = _e639;
+                    let _e680 = phi_990_;
+                    let _e682 = phi_991_;
+                    phi_992_ = _e680;
+                    phi_993_ = _e682;
                 } else {
-                    phi_942_ = f32();
-                    phi_943_ = true;
+                    phi_992_ = f32();
+                    phi_993_ = true;
                 }
-                let _e641 = phi_942_;
-                let _e643 = phi_943_;
-                if _e643 {
-                    phi_947_ = _e618;
+                let _e684 = phi_992_;
+                let _e686 = phi_993_;
+                if _e686 {
+                    phi_997_ = _e661;
                 } else {
-                    phi_947_ = _e641;
+                    phi_997_ = _e684;
                 }
-                let _e645 = phi_947_;
-                if (_e619 > -8388608f) {
-                    let _e657 = f32(select(0i, select(select(i32(_e619), i32(-2147483648), (_e619 < bitcast<f32>(3472883712u))), 2147483647i, (_e619 > bitcast<f32>(1325400063u))), (_e619 == _e619)));
-                    if (_e657 > _e619) {
-                        phi_967_ = 1f;
+                let _e688 = phi_997_;
+                if (_e662 > -8388608f) {
+                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
+                    if (_e700 > _e662) {
+                        phi_1017_ = 1f;
                     } else {
-                        phi_967_ = 0f;
+                        phi_1017_ = 0f;
                     }
-                    let _e660 = phi_967_;
-                    if (_e619 < 8388608f) {
-                        phi_972_ = (_e657 - _e660);
-                        phi_973_ = false;
+                    let _e703 = phi_1017_;
+                    if (_e662 < 8388608f) {
+                        phi_1022_ = (_e700 - _e703);
+                        phi_1023_ = false;
                     } else {
-                        phi_972_ = f32();
-                        phi_973_ = true;
+                        phi_1022_ = f32();
+                        phi_1023_ = true;
                     }
-                    let _e663 = phi_972_;
-                    let _e665 = phi_973_;
-                    phi_974_ = _e663;
-                    phi_975_ = _e665;
+                    let _e706 = phi_1022_;
+                    let _e708 = phi_1023_;
+                    phi_1024_ = _e706;
+                    phi_1025_ = _e708;
                 } else {
-                    phi_974_ = f32();
-                    phi_975_ = true;
+                    phi_1024_ = f32();
+                    phi_1025_ = true;
                 }
-                let _e667 = phi_974_;
-                let _e669 = phi_975_;
-                if _e669 {
-                    phi_979_ = _e619;
+                let _e710 = phi_1024_;
+                let _e712 = phi_1025_;
+                if _e712 {
+                    phi_1029_ = _e662;
                 } else {
-                    phi_979_ = _e667;
+                    phi_1029_ = _e710;
                 }
-                let _e671 = phi_979_;
-                let _e672 = (_e618 - _e645);
-                let _e673 = (_e619 - _e671);
-                let _e682 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < bitcast<f32>(3472883712u))), 2147483647i, (_e645 > bitcast<f32>(1325400063u))), (_e645 == _e645));
-                let _e691 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671));
-                let _e694 = ((1f - _e672) * (1f - _e673));
-                let _e696 = (_e672 * (1f - _e673));
-                let _e698 = ((1f - _e672) * _e673);
-                let _e699 = (_e672 * _e673);
-                let _e701 = p.member.test;
-                let _e702 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e701);
-                let _e704 = p.member.map_size;
-                let _e706 = local_3;
-                local = _e702;
-                let _e709 = ((_e706.level * _e704) * _e704);
-                let _e711 = (bitcast<i32>(_e704) - 1i);
-                if (_e682 > 0i) {
-                    phi_1028_ = _e682;
+                let _e714 = phi_1029_;
+                let _e715 = (_e661 - _e688);
+                let _e716 = (_e662 - _e714);
+                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
+                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
+                let _e737 = ((1f - _e715) * (1f - _e716));
+                let _e739 = (_e715 * (1f - _e716));
+                let _e741 = ((1f - _e715) * _e716);
+                let _e742 = (_e715 * _e716);
+                let _e744 = p.member.test;
+                let _e745 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
+                let _e747 = p.member.map_size;
+                let _e749 = local_3;
+                local = _e745;
+                let _e752 = ((_e749.level * _e747) * _e747);
+                let _e754 = (bitcast<i32>(_e747) - 1i);
+                if (_e725 > 0i) {
+                    phi_1078_ = _e725;
                 } else {
-                    phi_1028_ = 0i;
+                    phi_1078_ = 0i;
                 }
-                let _e714 = phi_1028_;
-                if (_e691 > 0i) {
-                    phi_1033_ = _e691;
+                let _e757 = phi_1078_;
+                if (_e734 > 0i) {
+                    phi_1083_ = _e734;
                 } else {
-                    phi_1033_ = 0i;
+                    phi_1083_ = 0i;
                 }
-                let _e717 = phi_1033_;
-                if (_e714 < _e711) {
-                    phi_1038_ = _e714;
+                let _e760 = phi_1083_;
+                if (_e757 < _e754) {
+                    phi_1088_ = _e757;
                 } else {
-                    phi_1038_ = _e711;
+                    phi_1088_ = _e754;
                 }
-                let _e720 = phi_1038_;
-                if (_e717 < _e711) {
-                    phi_1043_ = _e717;
+                let _e763 = phi_1088_;
+                if (_e760 < _e754) {
+                    phi_1093_ = _e760;
                 } else {
-                    phi_1043_ = _e711;
+                    phi_1093_ = _e754;
                 }
-                let _e723 = phi_1043_;
-                let _e724 = bitcast<u32>(_e720);
-                let _e726 = (_e682 + 1i);
-                let _e727 = (_e691 + 1i);
-                if (_e726 > 0i) {
-                    phi_1052_ = _e726;
+                let _e766 = phi_1093_;
+                let _e767 = bitcast<u32>(_e763);
+                let _e769 = (_e725 + 1i);
+                let _e770 = (_e734 + 1i);
+                if (_e769 > 0i) {
+                    phi_1102_ = _e769;
                 } else {
-                    phi_1052_ = 0i;
+                    phi_1102_ = 0i;
                 }
-                let _e730 = phi_1052_;
-                if (_e727 > 0i) {
-                    phi_1057_ = _e727;
+                let _e773 = phi_1102_;
+                if (_e770 > 0i) {
+                    phi_1107_ = _e770;
                 } else {
-                    phi_1057_ = 0i;
+                    phi_1107_ = 0i;
                 }
-                let _e733 = phi_1057_;
-                if (_e730 < _e711) {
-                    phi_1062_ = _e730;
+                let _e776 = phi_1107_;
+                if (_e773 < _e754) {
+                    phi_1112_ = _e773;
                 } else {
-                    phi_1062_ = _e711;
+                    phi_1112_ = _e754;
                 }
-                let _e736 = phi_1062_;
-                if (_e733 < _e711) {
-                    phi_1067_ = _e733;
+                let _e779 = phi_1112_;
+                if (_e776 < _e754) {
+                    phi_1117_ = _e776;
                 } else {
-                    phi_1067_ = _e711;
+                    phi_1117_ = _e754;
                 }
-                let _e739 = phi_1067_;
-                let _e740 = bitcast<u32>(_e736);
-                let _e742 = (bitcast<u32>(_e723) * _e704);
-                let _e743 = (bitcast<u32>(_e739) * _e704);
-                let _e748 = ((_e742 + _e724) + _e709);
-                let _e749 = ((_e742 + _e740) + _e709);
-                let _e750 = ((_e743 + _e724) + _e709);
-                let _e751 = ((_e743 + _e740) + _e709);
-                if (_e748 < _e47) {
+                let _e782 = phi_1117_;
+                let _e783 = bitcast<u32>(_e779);
+                let _e785 = (bitcast<u32>(_e766) * _e747);
+                let _e786 = (bitcast<u32>(_e782) * _e747);
+                let _e791 = ((_e785 + _e767) + _e752);
+                let _e792 = ((_e785 + _e783) + _e752);
+                let _e793 = ((_e786 + _e767) + _e752);
+                let _e794 = ((_e786 + _e783) + _e752);
+                if (_e791 < _e47) {
                 } else {
                     return;
                 }
-                let _e755 = map.member[(0u + _e748)];
-                if (_e749 < _e47) {
+                let _e798 = map.member[(0u + _e791)];
+                if (_e792 < _e47) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e749)];
-                if (_e750 < _e47) {
+                let _e810 = map.member[(0u + _e792)];
+                if (_e793 < _e47) {
                 } else {
                     return;
                 }
-                let _e783 = map.member[(0u + _e750)];
-                if (_e751 < _e47) {
+                let _e826 = map.member[(0u + _e793)];
+                if (_e794 < _e47) {
                 } else {
                     return;
                 }
-                let _e799 = map.member[(0u + _e751)];
-                let _e813 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e755.x * _e694) + (_e767.x * _e696)) + (_e783.x * _e698)) + (_e799.x * _e699)), ((((_e755.y * _e694) + (_e767.y * _e696)) + (_e783.y * _e698)) + (_e799.y * _e699)), ((((_e755.z * _e694) + (_e767.z * _e696)) + (_e783.z * _e698)) + (_e799.z * _e699)), ((((_e755.w * _e694) + (_e767.w * _e696)) + (_e783.w * _e698)) + (_e799.w * _e699))), _e608);
-                let _e815 = p.member.epsilon;
-                if (_e813 <= _e815) {
-                    phi_1162_ = true;
+                let _e842 = map.member[(0u + _e794)];
+                let _e856 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
+                let _e858 = p.member.epsilon;
+                if (_e856 <= _e858) {
+                    phi_1212_ = true;
                 } else {
-                    phi_1162_ = (_e813 >= (1f - _e815));
+                    phi_1212_ = (_e856 >= (1f - _e858));
                 }
-                let _e820 = phi_1162_;
-                if ((bitcast<u32>(_e813) & 2147483647u) > 2139095040u) {
-                    phi_1170_ = true;
+                let _e863 = phi_1212_;
+                if ((bitcast<u32>(_e856) & 2147483647u) > 2139095040u) {
+                    phi_1220_ = true;
                 } else {
-                    phi_1170_ = !(_e820);
+                    phi_1220_ = !(_e863);
                 }
-                let _e826 = phi_1170_;
-                if _e826 {
-                    if (_e813 > 0f) {
-                        if (_e813 < 1f) {
-                            phi_1182_ = false;
+                let _e869 = phi_1220_;
+                if _e869 {
+                    if (_e856 > 0f) {
+                        if (_e856 < 1f) {
+                            phi_1232_ = false;
                         } else {
-                            phi_1182_ = true;
+                            phi_1232_ = true;
                         }
-                        let _e830 = phi_1182_;
-                        phi_1183_ = _e830;
+                        let _e873 = phi_1232_;
+                        phi_1233_ = _e873;
                     } else {
-                        phi_1183_ = true;
+                        phi_1233_ = true;
                     }
-                    let _e832 = phi_1183_;
-                    if _e832 {
-                        phi_1187_ = 0.5f;
+                    let _e875 = phi_1233_;
+                    if _e875 {
+                        phi_1237_ = 0.5f;
                     } else {
-                        phi_1187_ = _e813;
+                        phi_1237_ = _e856;
                     }
-                    let _e834 = phi_1187_;
-                    phi_1195_ = evaluate_Verdict(_e834, true);
+                    let _e877 = phi_1237_;
+                    phi_1245_ = evaluate_Verdict(_e877, true);
                 } else {
-                    if (_e813 > 0.5f) {
-                        phi_1193_ = 1f;
+                    if (_e856 > 0.5f) {
+                        phi_1243_ = 1f;
                     } else {
-                        phi_1193_ = 0f;
+                        phi_1243_ = 0f;
                     }
-                    let _e838 = phi_1193_;
-                    phi_1195_ = evaluate_Verdict(_e838, false);
+                    let _e881 = phi_1243_;
+                    phi_1245_ = evaluate_Verdict(_e881, false);
                 }
-                let _e841 = phi_1195_;
-                phi_1200_ = evaluate_Verdict(_e841.visibility, _e841.is_doubted);
+                let _e884 = phi_1245_;
+                phi_1250_ = evaluate_Verdict(_e884.visibility, _e884.is_doubted);
             } else {
-                phi_1200_ = evaluate_Verdict(0.5f, true);
+                phi_1250_ = evaluate_Verdict(0.5f, true);
             }
-            let _e847 = phi_1200_;
-            phi_1201_ = _e847;
+            let _e890 = phi_1250_;
+            phi_1251_ = _e890;
         }
-        let _e849 = phi_1201_;
+        let _e892 = phi_1251_;
         if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e849.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e892.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_34 {
+struct type_36 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,45 +87,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_36;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
-    var phi_145_: lt_bvh_traverse_Tree;
-    var phi_146_: bool;
-    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_147_: lt_bvh_traverse_Tree;
+    var phi_148_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_150_: bool;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_144_ = false;
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_148_ = false;
         } else {
-            phi_143_ = lt_bvh_traverse_Tree();
-            phi_144_ = true;
+            phi_147_ = lt_bvh_traverse_Tree();
+            phi_148_ = true;
         }
-        let _e52 = phi_143_;
-        let _e54 = phi_144_;
-        phi_145_ = _e52;
-        phi_146_ = _e54;
+        let _e52 = phi_147_;
+        let _e54 = phi_148_;
+        phi_149_ = _e52;
+        phi_150_ = _e54;
     } else {
-        phi_145_ = lt_bvh_traverse_Tree();
-        phi_146_ = true;
+        phi_149_ = lt_bvh_traverse_Tree();
+        phi_150_ = true;
     }
-    let _e56 = phi_145_;
-    let _e58 = phi_146_;
+    let _e56 = phi_149_;
+    let _e58 = phi_150_;
     if _e58 {
-        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_151_ = _e56;
+        phi_155_ = _e56;
     }
-    let _e63 = phi_151_;
+    let _e63 = phi_155_;
     return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
@@ -125,169 +134,175 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_176_: f32;
-    var phi_177_: f32;
-    var phi_178_: f32;
-    var phi_196_: bool;
-    var phi_200_: f32;
-    var phi_212_: bool;
-    var phi_219_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
-    var phi_236_: f32;
+    var phi_180_: f32;
+    var phi_181_: f32;
+    var phi_182_: f32;
+    var phi_200_: bool;
+    var phi_204_: f32;
+    var phi_216_: bool;
+    var phi_223_: f32;
+    var phi_238_: f32;
+    var phi_239_: f32;
+    var phi_240_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_178_ = param_6;
+        phi_182_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_177_ = 0f;
+            phi_181_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_176_ = 1f;
+                phi_180_ = 1f;
             } else {
-                phi_176_ = param_6;
+                phi_180_ = param_6;
             }
-            let _e48 = phi_176_;
-            phi_177_ = _e48;
+            let _e48 = phi_180_;
+            phi_181_ = _e48;
         }
-        let _e50 = phi_177_;
-        phi_178_ = _e50;
+        let _e50 = phi_181_;
+        phi_182_ = _e50;
     }
-    let _e52 = phi_178_;
+    let _e52 = phi_182_;
     let _e55 = (*param_4);
     let _e59 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
     if ((bitcast<u32>(_e55) & 2147483647u) > 2139095040u) {
-        phi_196_ = true;
+        phi_200_ = true;
     } else {
         let _e63 = (_e55 > _e59);
         if _e63 {
         }
-        phi_196_ = _e63;
+        phi_200_ = _e63;
     }
-    let _e65 = phi_196_;
+    let _e65 = phi_200_;
     if _e65 {
-        phi_200_ = _e55;
+        phi_204_ = _e55;
     } else {
-        phi_200_ = _e59;
+        phi_204_ = _e59;
     }
-    let _e67 = phi_200_;
+    let _e67 = phi_204_;
     let _e68 = (_e52 - param_5.x);
     if (_e68 <= 0f) {
         let _e72 = ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u);
         if _e72 {
         }
-        phi_212_ = _e72;
+        phi_216_ = _e72;
     } else {
-        phi_212_ = true;
+        phi_216_ = true;
     }
-    let _e74 = phi_212_;
+    let _e74 = phi_216_;
     if _e74 {
-        phi_219_ = (_e67 / (_e67 + (_e68 * _e68)));
+        phi_223_ = (_e67 / (_e67 + (_e68 * _e68)));
     } else {
-        phi_219_ = 1f;
+        phi_223_ = 1f;
     }
-    let _e79 = phi_219_;
+    let _e79 = phi_223_;
     if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
-        phi_236_ = _e79;
+        phi_240_ = _e79;
     } else {
         if (_e79 < 0f) {
-            phi_235_ = 0f;
+            phi_239_ = 0f;
         } else {
             if (_e79 > 1f) {
-                phi_234_ = 1f;
+                phi_238_ = 1f;
             } else {
-                phi_234_ = _e79;
+                phi_238_ = _e79;
             }
-            let _e86 = phi_234_;
-            phi_235_ = _e86;
+            let _e86 = phi_238_;
+            phi_239_ = _e86;
         }
-        let _e88 = phi_235_;
-        phi_236_ = _e88;
+        let _e88 = phi_239_;
+        phi_240_ = _e88;
     }
-    let _e90 = phi_236_;
+    let _e90 = phi_240_;
     return _e90;
 }
 
 fn function_() {
     var local: f32;
-    var phi_297_: bool;
-    var phi_298_: bool;
-    var phi_299_: bool;
     var phi_300_: bool;
-    var phi_304_: bool;
-    var phi_348_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_372_: lt_math_LightPoint;
-    var phi_375_: u32;
-    var phi_377_: lt_math_LevelPoint;
-    var phi_463_: bool;
-    var phi_472_: bool;
-    var phi_481_: bool;
-    var phi_482_: bool;
-    var phi_483_: bool;
-    var phi_484_: bool;
-    var phi_485_: bool;
-    var phi_486_: bool;
-    var phi_487_: bool;
-    var phi_491_: bool;
-    var phi_518_: bool;
-    var phi_519_: bool;
-    var phi_520_: bool;
-    var phi_521_: bool;
-    var phi_522_: bool;
+    var phi_301_: bool;
+    var phi_302_: bool;
+    var phi_303_: bool;
+    var phi_307_: bool;
+    var phi_377_: bool;
+    var phi_378_: bool;
+    var phi_389_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_390_: bool;
+    var phi_391_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_392_: bool;
+    var phi_399_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_403_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_423_: lt_math_LightPoint;
+    var phi_426_: u32;
+    var phi_428_: lt_math_LevelPoint;
+    var phi_514_: bool;
     var phi_523_: bool;
-    var phi_524_: bool;
-    var phi_525_: bool;
-    var phi_529_: bool;
-    var phi_538_: lt_math_LightPoint;
-    var phi_539_: u32;
-    var phi_540_: lt_math_LevelPoint;
-    var phi_541_: bool;
-    var phi_373_: lt_math_LightPoint;
-    var phi_376_: u32;
-    var phi_378_: lt_math_LevelPoint;
+    var phi_532_: bool;
+    var phi_533_: bool;
+    var phi_534_: bool;
+    var phi_535_: bool;
+    var phi_536_: bool;
+    var phi_537_: bool;
+    var phi_538_: bool;
     var phi_542_: bool;
+    var phi_569_: bool;
+    var phi_570_: bool;
+    var phi_571_: bool;
+    var phi_572_: bool;
+    var phi_573_: bool;
+    var phi_574_: bool;
+    var phi_575_: bool;
+    var phi_576_: bool;
+    var phi_580_: bool;
+    var phi_589_: lt_math_LightPoint;
+    var phi_590_: u32;
+    var phi_591_: lt_math_LevelPoint;
+    var phi_592_: bool;
+    var phi_424_: lt_math_LightPoint;
+    var phi_427_: u32;
+    var phi_429_: lt_math_LevelPoint;
+    var phi_593_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_585_: bool;
-    var phi_589_: bool;
-    var phi_671_: f32;
-    var phi_787_: f32;
-    var phi_788_: f32;
-    var phi_791_: f32;
-    var phi_820_: f32;
-    var phi_825_: f32;
-    var phi_826_: bool;
-    var phi_827_: f32;
-    var phi_828_: bool;
-    var phi_832_: f32;
-    var phi_852_: f32;
-    var phi_857_: f32;
-    var phi_858_: bool;
-    var phi_859_: f32;
-    var phi_860_: bool;
-    var phi_864_: f32;
+    var phi_633_: bool;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_640_: bool;
+    var phi_722_: f32;
+    var phi_838_: f32;
+    var phi_839_: f32;
+    var phi_842_: f32;
+    var phi_871_: f32;
+    var phi_876_: f32;
+    var phi_877_: bool;
+    var phi_878_: f32;
+    var phi_879_: bool;
+    var phi_883_: f32;
+    var phi_903_: f32;
+    var phi_908_: f32;
+    var phi_909_: bool;
+    var phi_910_: f32;
+    var phi_911_: bool;
+    var phi_915_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_913_: i32;
-    var phi_918_: i32;
-    var phi_923_: i32;
-    var phi_928_: i32;
-    var phi_937_: i32;
-    var phi_942_: i32;
-    var phi_947_: i32;
-    var phi_952_: i32;
-    var phi_1047_: bool;
-    var phi_1055_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1072_: f32;
-    var phi_1078_: f32;
-    var phi_1080_: evaluate_Verdict;
-    var phi_1085_: evaluate_Verdict;
-    var phi_1086_: evaluate_Verdict;
+    var phi_964_: i32;
+    var phi_969_: i32;
+    var phi_974_: i32;
+    var phi_979_: i32;
+    var phi_988_: i32;
+    var phi_993_: i32;
+    var phi_998_: i32;
+    var phi_1003_: i32;
+    var phi_1098_: bool;
+    var phi_1106_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1123_: f32;
+    var phi_1129_: f32;
+    var phi_1131_: evaluate_Verdict;
+    var phi_1136_: evaluate_Verdict;
+    var phi_1137_: evaluate_Verdict;
 
     let _e40 = id_1;
     let _e47 = arrayLength((&map.member));
@@ -301,520 +316,559 @@ fn function_() {
         } else {
             return;
         }
-        let _e70 = p.member.light;
-        let _e73 = samples.member[(0u + _e59.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e59.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e59.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_297_ = (_e83 == _e85);
-                phi_298_ = false;
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
+                let _e84 = global[2u];
+                phi_300_ = (_e82 == _e84);
+                phi_301_ = false;
             } else {
-                phi_297_ = bool();
-                phi_298_ = true;
+                phi_300_ = bool();
+                phi_301_ = true;
             }
-            let _e88 = phi_297_;
-            let _e90 = phi_298_;
-            phi_299_ = _e88;
-            phi_300_ = _e90;
+            let _e87 = phi_300_;
+            let _e89 = phi_301_;
+            phi_302_ = _e87;
+            phi_303_ = _e89;
         } else {
-            phi_299_ = bool();
-            phi_300_ = true;
+            phi_302_ = bool();
+            phi_303_ = true;
         }
-        let _e92 = phi_299_;
-        let _e94 = phi_300_;
-        if _e94 {
-            phi_304_ = false;
+        let _e91 = phi_302_;
+        let _e93 = phi_303_;
+        if _e93 {
+            phi_307_ = false;
         } else {
-            phi_304_ = _e92;
+            phi_307_ = _e91;
         }
-        let _e96 = phi_304_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e59.first_primitive)].normal;
-            let _e101 = samples.member[(0u + _e59.first_primitive)].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[(0u + _e59.first_primitive)].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
-            } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
-            }
-            let _e159 = phi_348_;
-            phi_352_ = _e159;
-        } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
-        }
-        let _e176 = phi_352_;
-        if _e176.unnamed_1 {
-            phi_1086_ = evaluate_Verdict(_e176.unnamed.visibility, _e176.unnamed.is_doubted);
-        } else {
-            let _e184 = samples.member[(0u + _e59.first_primitive)].position;
-            let _e186 = p.member.map_size;
-            let _e188 = (0.5f / f32(_e186));
-            let _e195 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e202 = lt_math_LightPoint(vec2<f32>(_e195.uv.x, 0f), _e195.depth, _e195.is_inside);
-            let _e206 = lt_math_LightPoint(_e202.uv, 0f, _e202.is_inside);
-            phi_372_ = lt_math_LightPoint();
-            phi_375_ = 0u;
-            phi_377_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e206.uv, _e206.depth, false));
-            loop {
-                let _e213 = phi_372_;
-                let _e215 = phi_375_;
-                let _e217 = phi_377_;
-                local_1 = _e217;
-                local_2 = _e217;
-                local_3 = _e217;
-                if (_e215 < _e65) {
-                    if _e217.point.is_inside {
-                        phi_538_ = lt_math_LightPoint();
-                        phi_539_ = u32();
-                        phi_540_ = lt_math_LevelPoint();
-                        phi_541_ = false;
+        let _e95 = phi_307_;
+        if !(_e95) {
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_378_ = true;
+                } else {
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_377_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
                     } else {
-                        if (_e215 < _e53) {
+                        phi_377_ = false;
+                    }
+                    let _e156 = phi_377_;
+                    phi_378_ = _e156;
+                }
+                let _e158 = phi_378_;
+                if _e158 {
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_390_ = false;
+                } else {
+                    phi_389_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_390_ = true;
+                }
+                let _e179 = phi_389_;
+                let _e181 = phi_390_;
+                phi_391_ = _e179;
+                phi_392_ = _e181;
+            } else {
+                phi_391_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_392_ = true;
+            }
+            let _e183 = phi_391_;
+            let _e185 = phi_392_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_399_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            } else {
+                phi_399_ = _e183;
+            }
+            let _e202 = phi_399_;
+            phi_403_ = _e202;
+        } else {
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_403_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+        }
+        let _e219 = phi_403_;
+        if _e219.unnamed_1 {
+            phi_1137_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+        } else {
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_423_ = lt_math_LightPoint();
+            phi_426_ = 0u;
+            phi_428_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            loop {
+                let _e256 = phi_423_;
+                let _e258 = phi_426_;
+                let _e260 = phi_428_;
+                local_1 = _e260;
+                local_2 = _e260;
+                local_3 = _e260;
+                if (_e258 < _e65) {
+                    if _e260.point.is_inside {
+                        phi_589_ = lt_math_LightPoint();
+                        phi_590_ = u32();
+                        phi_591_ = lt_math_LevelPoint();
+                        phi_592_ = false;
+                    } else {
+                        if (_e258 < _e53) {
                         } else {
                             return;
                         }
-                        let _e228 = levels.member[(0u + _e215)].row_w;
-                        let _e239 = ((((_e228.x * _e184.x) + (_e228.y * _e184.y)) + (_e228.z * _e184.z)) + (_e228.w * 1f));
-                        let _e241 = levels.member[(0u + _e215)].row_x;
-                        let _e253 = (((((_e241.x * _e184.x) + (_e241.y * _e184.y)) + (_e241.z * _e184.z)) + (_e241.w * 1f)) / _e239);
-                        let _e255 = levels.member[(0u + _e215)].row_y;
-                        let _e267 = (((((_e255.x * _e184.x) + (_e255.y * _e184.y)) + (_e255.z * _e184.z)) + (_e255.w * 1f)) / _e239);
-                        let _e269 = levels.member[(0u + _e215)].row_z;
-                        let _e280 = ((((_e269.x * _e184.x) + (_e269.y * _e184.y)) + (_e269.z * _e184.z)) + (_e269.w * 1f));
-                        if (_e239 > 0f) {
-                            if (_e253 >= 0f) {
-                                phi_463_ = (_e253 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_514_ = (_e296 <= 1f);
                             } else {
-                                phi_463_ = false;
+                                phi_514_ = false;
                             }
-                            let _e285 = phi_463_;
-                            if _e285 {
-                                if (_e267 >= 0f) {
-                                    phi_472_ = (_e267 <= 1f);
+                            let _e328 = phi_514_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_523_ = (_e310 <= 1f);
                                 } else {
-                                    phi_472_ = false;
+                                    phi_523_ = false;
                                 }
-                                let _e289 = phi_472_;
-                                if _e289 {
-                                    if (_e280 >= 0f) {
-                                        phi_481_ = (_e280 <= 1f);
+                                let _e332 = phi_523_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_532_ = (_e323 <= 1f);
                                     } else {
-                                        phi_481_ = false;
+                                        phi_532_ = false;
                                     }
-                                    let _e293 = phi_481_;
-                                    phi_482_ = _e293;
-                                    phi_483_ = false;
+                                    let _e336 = phi_532_;
+                                    phi_533_ = _e336;
+                                    phi_534_ = false;
                                 } else {
-                                    phi_482_ = bool();
-                                    phi_483_ = true;
+                                    phi_533_ = bool();
+                                    phi_534_ = true;
                                 }
-                                let _e295 = phi_482_;
-                                let _e297 = phi_483_;
-                                phi_484_ = _e295;
-                                phi_485_ = _e297;
+                                let _e338 = phi_533_;
+                                let _e340 = phi_534_;
+                                phi_535_ = _e338;
+                                phi_536_ = _e340;
                             } else {
-                                phi_484_ = bool();
-                                phi_485_ = true;
+                                phi_535_ = bool();
+                                phi_536_ = true;
                             }
-                            let _e299 = phi_484_;
-                            let _e301 = phi_485_;
-                            phi_486_ = _e299;
-                            phi_487_ = _e301;
+                            let _e342 = phi_535_;
+                            let _e344 = phi_536_;
+                            phi_537_ = _e342;
+                            phi_538_ = _e344;
                         } else {
-                            phi_486_ = bool();
-                            phi_487_ = true;
+                            phi_537_ = bool();
+                            phi_538_ = true;
                         }
-                        let _e303 = phi_486_;
-                        let _e305 = phi_487_;
-                        if _e305 {
-                            phi_491_ = false;
+                        let _e346 = phi_537_;
+                        let _e348 = phi_538_;
+                        if _e348 {
+                            phi_542_ = false;
                         } else {
-                            phi_491_ = _e303;
+                            phi_542_ = _e346;
                         }
-                        let _e307 = phi_491_;
-                        if _e307 {
-                            if (_e253 >= _e188) {
-                                if (_e253 <= (1f - _e188)) {
-                                    if (_e267 >= _e188) {
-                                        phi_518_ = (_e267 <= (1f - _e188));
-                                        phi_519_ = false;
+                        let _e350 = phi_542_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_569_ = (_e310 <= (1f - _e231));
+                                        phi_570_ = false;
                                     } else {
-                                        phi_518_ = bool();
-                                        phi_519_ = true;
+                                        phi_569_ = bool();
+                                        phi_570_ = true;
                                     }
-                                    let _e315 = phi_518_;
-                                    let _e317 = phi_519_;
-                                    phi_520_ = _e315;
-                                    phi_521_ = _e317;
+                                    let _e358 = phi_569_;
+                                    let _e360 = phi_570_;
+                                    phi_571_ = _e358;
+                                    phi_572_ = _e360;
                                 } else {
-                                    phi_520_ = bool();
-                                    phi_521_ = true;
+                                    phi_571_ = bool();
+                                    phi_572_ = true;
                                 }
-                                let _e319 = phi_520_;
-                                let _e321 = phi_521_;
-                                phi_522_ = _e319;
-                                phi_523_ = _e321;
+                                let _e362 = phi_571_;
+                                let _e364 = phi_572_;
+                                phi_573_ = _e362;
+                                phi_574_ = _e364;
                             } else {
-                                phi_522_ = bool();
-                                phi_523_ = true;
+                                phi_573_ = bool();
+                                phi_574_ = true;
                             }
-                            let _e323 = phi_522_;
-                            let _e325 = phi_523_;
-                            phi_524_ = _e323;
-                            phi_525_ = _e325;
+                            let _e366 = phi_573_;
+                            let _e368 = phi_574_;
+                            phi_575_ = _e366;
+                            phi_576_ = _e368;
                         } else {
-                            phi_524_ = bool();
-                            phi_525_ = true;
+                            phi_575_ = bool();
+                            phi_576_ = true;
                         }
-                        let _e327 = phi_524_;
-                        let _e329 = phi_525_;
-                        if _e329 {
-                            phi_529_ = false;
+                        let _e370 = phi_575_;
+                        let _e372 = phi_576_;
+                        if _e372 {
+                            phi_580_ = false;
                         } else {
-                            phi_529_ = _e327;
+                            phi_580_ = _e370;
                         }
-                        let _e331 = phi_529_;
-                        let _e338 = lt_math_LightPoint(vec2<f32>(_e253, _e213.uv.y), _e213.depth, _e213.is_inside);
-                        let _e345 = lt_math_LightPoint(vec2<f32>(_e338.uv.x, _e267), _e338.depth, _e338.is_inside);
-                        let _e349 = lt_math_LightPoint(_e345.uv, _e280, _e345.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e349.depth, _e331);
-                        phi_538_ = _e353;
-                        phi_539_ = (_e215 + 1u);
-                        phi_540_ = lt_math_LevelPoint(_e215, _e353);
-                        phi_541_ = true;
+                        let _e374 = phi_580_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_589_ = _e396;
+                        phi_590_ = (_e258 + 1u);
+                        phi_591_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_592_ = true;
                     }
-                    let _e357 = phi_538_;
-                    let _e359 = phi_539_;
-                    let _e361 = phi_540_;
-                    let _e363 = phi_541_;
-                    phi_373_ = _e357;
-                    phi_376_ = _e359;
-                    phi_378_ = _e361;
-                    phi_542_ = _e363;
+                    let _e400 = phi_589_;
+                    let _e402 = phi_590_;
+                    let _e404 = phi_591_;
+                    let _e406 = phi_592_;
+                    phi_424_ = _e400;
+                    phi_427_ = _e402;
+                    phi_429_ = _e404;
+                    phi_593_ = _e406;
                 } else {
-                    phi_373_ = lt_math_LightPoint();
-                    phi_376_ = u32();
-                    phi_378_ = lt_math_LevelPoint();
-                    phi_542_ = false;
+                    phi_424_ = lt_math_LightPoint();
+                    phi_427_ = u32();
+                    phi_429_ = lt_math_LevelPoint();
+                    phi_593_ = false;
                 }
-                let _e365 = phi_373_;
-                let _e367 = phi_376_;
-                let _e369 = phi_378_;
-                let _e371 = phi_542_;
+                let _e408 = phi_424_;
+                let _e410 = phi_427_;
+                let _e412 = phi_429_;
+                let _e414 = phi_593_;
                 continue;
                 continuing {
-                    phi_372_ = _e365;
-                    phi_375_ = _e367;
-                    phi_377_ = _e369;
-                    break if !(_e371);
+                    phi_423_ = _e408;
+                    phi_426_ = _e410;
+                    phi_428_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e374 = local_1;
-            if _e374.point.is_inside {
+            let _e417 = local_1;
+            if _e417.point.is_inside {
                 if (0f > 0f) {
-                    let _e380 = local_2;
-                    if (_e380.level < _e53) {
+                    let _e423 = local_2;
+                    if (_e423.level < _e53) {
                     } else {
                         return;
                     }
-                    let _e385 = levels.member[(0u + _e380.level)];
-                    let _e391 = global[0u];
-                    if (_e385.row_w.x == _e391) {
-                        let _e394 = global[1u];
-                        if (_e385.row_w.y == _e394) {
-                            let _e397 = global[2u];
-                            phi_582_ = (_e385.row_w.z == _e397);
-                            phi_583_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_633_ = (_e428.row_w.z == _e440);
+                            phi_634_ = false;
                         } else {
-                            phi_582_ = bool();
-                            phi_583_ = true;
+                            phi_633_ = bool();
+                            phi_634_ = true;
                         }
-                        let _e400 = phi_582_;
-                        let _e402 = phi_583_;
-                        phi_584_ = _e400;
-                        phi_585_ = _e402;
+                        let _e443 = phi_633_;
+                        let _e445 = phi_634_;
+                        phi_635_ = _e443;
+                        phi_636_ = _e445;
                     } else {
-                        phi_584_ = bool();
-                        phi_585_ = true;
+                        phi_635_ = bool();
+                        phi_636_ = true;
                     }
-                    let _e404 = phi_584_;
-                    let _e406 = phi_585_;
-                    if _e406 {
-                        phi_589_ = false;
+                    let _e447 = phi_635_;
+                    let _e449 = phi_636_;
+                    if _e449 {
+                        phi_640_ = false;
                     } else {
-                        phi_589_ = _e404;
+                        phi_640_ = _e447;
                     }
-                    let _e408 = phi_589_;
-                    if _e408 {
-                        let _e410 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e412 = p.member.map_size;
-                        let _e482 = ((abs(((((_e385.row_x.x * _e410.x) + (_e385.row_x.y * _e410.y)) + (_e385.row_x.z * _e410.z)) / (((_e385.row_x.x * _e385.row_x.x) + (_e385.row_x.y * _e385.row_x.y)) + (_e385.row_x.z * _e385.row_x.z)))) + abs(((((_e385.row_y.x * _e410.x) + (_e385.row_y.y * _e410.y)) + (_e385.row_y.z * _e410.z)) / (((_e385.row_y.x * _e385.row_y.x) + (_e385.row_y.y * _e385.row_y.y)) + (_e385.row_y.z * _e385.row_y.z))))) / (abs(((((_e385.row_z.x * _e410.x) + (_e385.row_z.y * _e410.y)) + (_e385.row_z.z * _e410.z)) / (((_e385.row_z.x * _e385.row_z.x) + (_e385.row_z.y * _e385.row_z.y)) + (_e385.row_z.z * _e385.row_z.z)))) * f32(_e412)));
-                        if (_e482 < 0.002f) {
-                            phi_671_ = _e482;
+                    let _e451 = phi_640_;
+                    if _e451 {
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_722_ = _e525;
                         } else {
-                            phi_671_ = 0.002f;
+                            phi_722_ = 0.002f;
                         }
-                        let _e485 = phi_671_;
-                        phi_788_ = _e485;
+                        let _e528 = phi_722_;
+                        phi_839_ = _e528;
                     } else {
-                        let _e487 = p.member.map_size;
-                        let _e493 = samples.member[(0u + _e59.first_primitive)].position;
-                        let _e504 = ((((_e385.row_w.x * _e493.x) + (_e385.row_w.y * _e493.y)) + (_e385.row_w.z * _e493.z)) + _e385.row_w.w);
-                        let _e517 = ((_e385.row_x.x - (_e385.row_w.x * _e374.point.uv.x)) / _e504);
-                        let _e518 = ((_e385.row_x.y - (_e385.row_w.y * _e374.point.uv.x)) / _e504);
-                        let _e519 = ((_e385.row_x.z - (_e385.row_w.z * _e374.point.uv.x)) / _e504);
-                        let _e532 = ((_e385.row_y.x - (_e385.row_w.x * _e374.point.uv.y)) / _e504);
-                        let _e533 = ((_e385.row_y.y - (_e385.row_w.y * _e374.point.uv.y)) / _e504);
-                        let _e534 = ((_e385.row_y.z - (_e385.row_w.z * _e374.point.uv.y)) / _e504);
-                        let _e540 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e545 = ((_e533 * _e540.z) - (_e540.y * _e534));
-                        let _e550 = ((_e534 * _e540.x) - (_e540.z * _e532));
-                        let _e555 = ((_e532 * _e540.y) - (_e540.x * _e533));
-                        let _e557 = samples.member[(0u + _e59.first_primitive)].normal;
-                        let _e562 = ((_e518 * _e557.z) - (_e557.y * _e519));
-                        let _e567 = ((_e519 * _e557.x) - (_e557.z * _e517));
-                        let _e572 = ((_e517 * _e557.y) - (_e557.x * _e518));
-                        let _e599 = ((abs(((((_e385.row_z.x * _e545) + (_e385.row_z.y * _e550)) + (_e385.row_z.z * _e555)) / (((_e517 * _e545) + (_e518 * _e550)) + (_e519 * _e555)))) + abs(((((_e385.row_z.x * _e562) + (_e385.row_z.y * _e567)) + (_e385.row_z.z * _e572)) / (((_e532 * _e562) + (_e533 * _e567)) + (_e534 * _e572))))) / f32(_e487));
-                        if (_e599 < 0.002f) {
-                            phi_787_ = _e599;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        if (_e642 < 0.002f) {
+                            phi_838_ = _e642;
                         } else {
-                            phi_787_ = 0.002f;
+                            phi_838_ = 0.002f;
                         }
-                        let _e602 = phi_787_;
-                        phi_788_ = _e602;
+                        let _e645 = phi_838_;
+                        phi_839_ = _e645;
                     }
-                    let _e604 = phi_788_;
-                    phi_791_ = (_e374.point.depth - (0f * _e604));
+                    let _e647 = phi_839_;
+                    phi_842_ = (_e417.point.depth - (0f * _e647));
                 } else {
-                    phi_791_ = _e374.point.depth;
+                    phi_842_ = _e417.point.depth;
                 }
-                let _e608 = phi_791_;
-                let _e614 = p.member.map_size;
-                let _e615 = f32(_e614);
-                let _e618 = ((_e374.point.uv.x * _e615) - 0.5f);
-                let _e619 = ((_e374.point.uv.y * _e615) - 0.5f);
-                if (_e618 > -8388608f) {
-                    let _e631 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e631 > _e618) {
-                        phi_820_ = 1f;
+                let _e651 = phi_842_;
+                let _e657 = p.member.map_size;
+                let _e658 = f32(_e657);
+                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
+                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
+                if (_e661 > -8388608f) {
+                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
+                    if (_e674 > _e661) {
+                        phi_871_ = 1f;
                     } else {
-                        phi_820_ = 0f;
+                        phi_871_ = 0f;
                     }
-                    let _e634 = phi_820_;
-                    if (_e618 < 8388608f) {
-                        phi_825_ = (_e631 - _e634);
-                        phi_826_ = false;
+                    let _e677 = phi_871_;
+                    if (_e661 < 8388608f) {
+                        phi_876_ = (_e674 - _e677);
+                        phi_877_ = false;
                     } else {
-                        phi_825_ = f32();
-                        phi_826_ = true;
+                        phi_876_ = f32();
+                        phi_877_ = true;
                     }
-                    let _e637 = phi_825_;
-                    let _e639 = phi_826_;
-                    phi_827_ = _e637;
-                    phi_828_ = _e639;
+                    let _e680 = phi_876_;
+                    let _e682 = phi_877_;
+                    phi_878_ = _e680;
+                    phi_879_ = _e682;
                 } else {
-                    phi_827_ = f32();
-                    phi_828_ = true;
+                    phi_878_ = f32();
+                    phi_879_ = true;
                 }
-                let _e641 = phi_827_;
-                let _e643 = phi_828_;
-                if _e643 {
-                    phi_832_ = _e618;
+                let _e684 = phi_878_;
+                let _e686 = phi_879_;
+                if _e686 {
+                    phi_883_ = _e661;
                 } else {
-                    phi_832_ = _e641;
+                    phi_883_ = _e684;
                 }
-                let _e645 = phi_832_;
-                if (_e619 > -8388608f) {
-                    let _e657 = f32(select(0i, select(select(i32(_e619), i32(-2147483648), (_e619 < bitcast<f32>(3472883712u))), 2147483647i, (_e619 > bitcast<f32>(1325400063u))), (_e619 == _e619)));
-                    if (_e657 > _e619) {
-                        phi_852_ = 1f;
+                let _e688 = phi_883_;
+                if (_e662 > -8388608f) {
+                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
+                    if (_e700 > _e662) {
+                        phi_903_ = 1f;
                     } else {
-                        phi_852_ = 0f;
+                        phi_903_ = 0f;
                     }
-                    let _e660 = phi_852_;
-                    if (_e619 < 8388608f) {
-                        phi_857_ = (_e657 - _e660);
-                        phi_858_ = false;
+                    let _e703 = phi_903_;
+                    if (_e662 < 8388608f) {
+                        phi_908_ = (_e700 - _e703);
+                        phi_909_ = false;
                     } else {
-                        phi_857_ = f32();
-                        phi_858_ = true;
+                        phi_908_ = f32();
+                        phi_909_ = true;
                     }
-                    let _e663 = phi_857_;
-                    let _e665 = phi_858_;
-                    phi_859_ = _e663;
-                    phi_860_ = _e665;
+                    let _e706 = phi_908_;
+                    let _e708 = phi_909_;
+                    phi_910_ = _e706;
+                    phi_911_ = _e708;
                 } else {
-                    phi_859_ = f32();
-                    phi_860_ = true;
+                    phi_910_ = f32();
+                    phi_911_ = true;
                 }
-                let _e667 = phi_859_;
-                let _e669 = phi_860_;
-                if _e669 {
-                    phi_864_ = _e619;
+                let _e710 = phi_910_;
+                let _e712 = phi_911_;
+                if _e712 {
+                    phi_915_ = _e662;
                 } else {
-                    phi_864_ = _e667;
+                    phi_915_ = _e710;
                 }
-                let _e671 = phi_864_;
-                let _e672 = (_e618 - _e645);
-                let _e673 = (_e619 - _e671);
-                let _e682 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < bitcast<f32>(3472883712u))), 2147483647i, (_e645 > bitcast<f32>(1325400063u))), (_e645 == _e645));
-                let _e691 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671));
-                let _e694 = ((1f - _e672) * (1f - _e673));
-                let _e696 = (_e672 * (1f - _e673));
-                let _e698 = ((1f - _e672) * _e673);
-                let _e699 = (_e672 * _e673);
-                let _e701 = p.member.test;
-                let _e702 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e701);
-                let _e704 = p.member.map_size;
-                let _e706 = local_3;
-                local = _e702;
-                let _e709 = ((_e706.level * _e704) * _e704);
-                let _e711 = (bitcast<i32>(_e704) - 1i);
-                if (_e682 > 0i) {
-                    phi_913_ = _e682;
+                let _e714 = phi_915_;
+                let _e715 = (_e661 - _e688);
+                let _e716 = (_e662 - _e714);
+                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
+                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
+                let _e737 = ((1f - _e715) * (1f - _e716));
+                let _e739 = (_e715 * (1f - _e716));
+                let _e741 = ((1f - _e715) * _e716);
+                let _e742 = (_e715 * _e716);
+                let _e744 = p.member.test;
+                let _e745 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
+                let _e747 = p.member.map_size;
+                let _e749 = local_3;
+                local = _e745;
+                let _e752 = ((_e749.level * _e747) * _e747);
+                let _e754 = (bitcast<i32>(_e747) - 1i);
+                if (_e725 > 0i) {
+                    phi_964_ = _e725;
                 } else {
-                    phi_913_ = 0i;
+                    phi_964_ = 0i;
                 }
-                let _e714 = phi_913_;
-                if (_e691 > 0i) {
-                    phi_918_ = _e691;
+                let _e757 = phi_964_;
+                if (_e734 > 0i) {
+                    phi_969_ = _e734;
                 } else {
-                    phi_918_ = 0i;
+                    phi_969_ = 0i;
                 }
-                let _e717 = phi_918_;
-                if (_e714 < _e711) {
-                    phi_923_ = _e714;
+                let _e760 = phi_969_;
+                if (_e757 < _e754) {
+                    phi_974_ = _e757;
                 } else {
-                    phi_923_ = _e711;
+                    phi_974_ = _e754;
                 }
-                let _e720 = phi_923_;
-                if (_e717 < _e711) {
-                    phi_928_ = _e717;
+                let _e763 = phi_974_;
+                if (_e760 < _e754) {
+                    phi_979_ = _e760;
                 } else {
-                    phi_928_ = _e711;
+                    phi_979_ = _e754;
                 }
-                let _e723 = phi_928_;
-                let _e724 = bitcast<u32>(_e720);
-                let _e726 = (_e682 + 1i);
-                let _e727 = (_e691 + 1i);
-                if (_e726 > 0i) {
-                    phi_937_ = _e726;
+                let _e766 = phi_979_;
+                let _e767 = bitcast<u32>(_e763);
+                let _e769 = (_e725 + 1i);
+                let _e770 = (_e734 + 1i);
+                if (_e769 > 0i) {
+                    phi_988_ = _e769;
                 } else {
-                    phi_937_ = 0i;
+                    phi_988_ = 0i;
                 }
-                let _e730 = phi_937_;
-                if (_e727 > 0i) {
-                    phi_942_ = _e727;
+                let _e773 = phi_988_;
+                if (_e770 > 0i) {
+                    phi_993_ = _e770;
                 } else {
-                    phi_942_ = 0i;
+                    phi_993_ = 0i;
                 }
-                let _e733 = phi_942_;
-                if (_e730 < _e711) {
-                    phi_947_ = _e730;
+                let _e776 = phi_993_;
+                if (_e773 < _e754) {
+                    phi_998_ = _e773;
                 } else {
-                    phi_947_ = _e711;
+                    phi_998_ = _e754;
                 }
-                let _e736 = phi_947_;
-                if (_e733 < _e711) {
-                    phi_952_ = _e733;
+                let _e779 = phi_998_;
+                if (_e776 < _e754) {
+                    phi_1003_ = _e776;
                 } else {
-                    phi_952_ = _e711;
+                    phi_1003_ = _e754;
                 }
-                let _e739 = phi_952_;
-                let _e740 = bitcast<u32>(_e736);
-                let _e742 = (bitcast<u32>(_e723) * _e704);
-                let _e743 = (bitcast<u32>(_e739) * _e704);
-                let _e748 = ((_e742 + _e724) + _e709);
-                let _e749 = ((_e742 + _e740) + _e709);
-                let _e750 = ((_e743 + _e724) + _e709);
-                let _e751 = ((_e743 + _e740) + _e709);
-                if (_e748 < _e47) {
+                let _e782 = phi_1003_;
+                let _e783 = bitcast<u32>(_e779);
+                let _e785 = (bitcast<u32>(_e766) * _e747);
+                let _e786 = (bitcast<u32>(_e782) * _e747);
+                let _e791 = ((_e785 + _e767) + _e752);
+                let _e792 = ((_e785 + _e783) + _e752);
+                let _e793 = ((_e786 + _e767) + _e752);
+                let _e794 = ((_e786 + _e783) + _e752);
+                if (_e791 < _e47) {
                 } else {
                     return;
                 }
-                let _e755 = map.member[(0u + _e748)];
-                if (_e749 < _e47) {
+                let _e798 = map.member[(0u + _e791)];
+                if (_e792 < _e47) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e749)];
-                if (_e750 < _e47) {
+                let _e810 = map.member[(0u + _e792)];
+                if (_e793 < _e47) {
                 } else {
                     return;
                 }
-                let _e783 = map.member[(0u + _e750)];
-                if (_e751 < _e47) {
+                let _e826 = map.member[(0u + _e793)];
+                if (_e794 < _e47) {
                 } else {
                     return;
                 }
-                let _e799 = map.member[(0u + _e751)];
-                let _e813 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e755.x * _e694) + (_e767.x * _e696)) + (_e783.x * _e698)) + (_e799.x * _e699)), ((((_e755.y * _e694) + (_e767.y * _e696)) + (_e783.y * _e698)) + (_e799.y * _e699)), ((((_e755.z * _e694) + (_e767.z * _e696)) + (_e783.z * _e698)) + (_e799.z * _e699)), ((((_e755.w * _e694) + (_e767.w * _e696)) + (_e783.w * _e698)) + (_e799.w * _e699))), _e608);
-                let _e815 = p.member.epsilon;
-                if (_e813 <= _e815) {
-                    phi_1047_ = true;
+                let _e842 = map.member[(0u + _e794)];
+                let _e856 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
+                let _e858 = p.member.epsilon;
+                if (_e856 <= _e858) {
+                    phi_1098_ = true;
                 } else {
-                    phi_1047_ = (_e813 >= (1f - _e815));
+                    phi_1098_ = (_e856 >= (1f - _e858));
                 }
-                let _e820 = phi_1047_;
-                if ((bitcast<u32>(_e813) & 2147483647u) > 2139095040u) {
-                    phi_1055_ = true;
+                let _e863 = phi_1098_;
+                if ((bitcast<u32>(_e856) & 2147483647u) > 2139095040u) {
+                    phi_1106_ = true;
                 } else {
-                    phi_1055_ = !(_e820);
+                    phi_1106_ = !(_e863);
                 }
-                let _e826 = phi_1055_;
-                if _e826 {
-                    if (_e813 > 0f) {
-                        if (_e813 < 1f) {
-                            phi_1067_ = false;
+                let _e869 = phi_1106_;
+                if _e869 {
+                    if (_e856 > 0f) {
+                        if (_e856 < 1f) {
+                            phi_1118_ = false;
                         } else {
-                            phi_1067_ = true;
+                            phi_1118_ = true;
                         }
-                        let _e830 = phi_1067_;
-                        phi_1068_ = _e830;
+                        let _e873 = phi_1118_;
+                        phi_1119_ = _e873;
                     } else {
-                        phi_1068_ = true;
+                        phi_1119_ = true;
                     }
-                    let _e832 = phi_1068_;
-                    if _e832 {
-                        phi_1072_ = 0.5f;
+                    let _e875 = phi_1119_;
+                    if _e875 {
+                        phi_1123_ = 0.5f;
                     } else {
-                        phi_1072_ = _e813;
+                        phi_1123_ = _e856;
                     }
-                    let _e834 = phi_1072_;
-                    phi_1080_ = evaluate_Verdict(_e834, true);
+                    let _e877 = phi_1123_;
+                    phi_1131_ = evaluate_Verdict(_e877, true);
                 } else {
-                    if (_e813 > 0.5f) {
-                        phi_1078_ = 1f;
+                    if (_e856 > 0.5f) {
+                        phi_1129_ = 1f;
                     } else {
-                        phi_1078_ = 0f;
+                        phi_1129_ = 0f;
                     }
-                    let _e838 = phi_1078_;
-                    phi_1080_ = evaluate_Verdict(_e838, false);
+                    let _e881 = phi_1129_;
+                    phi_1131_ = evaluate_Verdict(_e881, false);
                 }
-                let _e841 = phi_1080_;
-                phi_1085_ = evaluate_Verdict(_e841.visibility, _e841.is_doubted);
+                let _e884 = phi_1131_;
+                phi_1136_ = evaluate_Verdict(_e884.visibility, _e884.is_doubted);
             } else {
-                phi_1085_ = evaluate_Verdict(0.5f, true);
+                phi_1136_ = evaluate_Verdict(0.5f, true);
             }
-            let _e847 = phi_1085_;
-            phi_1086_ = _e847;
+            let _e890 = phi_1136_;
+            phi_1137_ = _e890;
         }
-        let _e849 = phi_1086_;
+        let _e892 = phi_1137_;
         if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.first_primitive)] = _e849.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e892.visibility;
     }
     return;
 }

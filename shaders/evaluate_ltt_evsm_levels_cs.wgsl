@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -49,7 +58,7 @@ struct lt_math_Evsm {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -60,7 +69,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_39 {
+struct type_41 {
     member: abi_ShadowParams,
 }
 
@@ -70,7 +79,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_44 {
+struct type_46 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -79,7 +88,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_50 {
+struct type_52 {
     member: array<atomic<u32>>,
 }
 
@@ -90,47 +99,47 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_39;
+var<uniform> p: type_41;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_50;
+var<storage, read_write> list: type_52;
 @group(0) @binding(5) 
-var<storage> levels: type_44;
+var<storage> levels: type_46;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_174_: lt_bvh_traverse_Tree;
-    var phi_175_: bool;
-    var phi_176_: lt_bvh_traverse_Tree;
-    var phi_177_: bool;
-    var phi_182_: lt_bvh_traverse_Tree;
+    var phi_178_: lt_bvh_traverse_Tree;
+    var phi_179_: bool;
+    var phi_180_: lt_bvh_traverse_Tree;
+    var phi_181_: bool;
+    var phi_186_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_174_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_175_ = false;
+            phi_178_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_179_ = false;
         } else {
-            phi_174_ = lt_bvh_traverse_Tree();
-            phi_175_ = true;
+            phi_178_ = lt_bvh_traverse_Tree();
+            phi_179_ = true;
         }
-        let _e69 = phi_174_;
-        let _e71 = phi_175_;
-        phi_176_ = _e69;
-        phi_177_ = _e71;
+        let _e69 = phi_178_;
+        let _e71 = phi_179_;
+        phi_180_ = _e69;
+        phi_181_ = _e71;
     } else {
-        phi_176_ = lt_bvh_traverse_Tree();
-        phi_177_ = true;
+        phi_180_ = lt_bvh_traverse_Tree();
+        phi_181_ = true;
     }
-    let _e73 = phi_176_;
-    let _e75 = phi_177_;
+    let _e73 = phi_180_;
+    let _e75 = phi_181_;
     if _e75 {
-        phi_182_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_186_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_182_ = _e73;
+        phi_186_ = _e73;
     }
-    let _e80 = phi_182_;
+    let _e80 = phi_186_;
     return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
 }
 
@@ -139,320 +148,320 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, param_5: vec4<f32>, param_6: vec4<f32>) -> f32 {
-    var phi_362_: bool;
-    var phi_366_: f32;
-    var phi_385_: f32;
-    var phi_390_: f32;
-    var phi_412_: f32;
-    var phi_417_: f32;
-    var phi_418_: bool;
-    var phi_419_: f32;
-    var phi_420_: bool;
-    var phi_424_: f32;
-    var phi_462_: f32;
-    var phi_473_: f32;
-    var phi_478_: f32;
-    var phi_500_: f32;
-    var phi_505_: f32;
-    var phi_506_: bool;
-    var phi_507_: f32;
-    var phi_508_: bool;
-    var phi_512_: f32;
-    var phi_550_: f32;
-    var phi_561_: f32;
-    var phi_566_: f32;
-    var phi_588_: f32;
-    var phi_593_: f32;
-    var phi_594_: bool;
-    var phi_595_: f32;
-    var phi_596_: bool;
-    var phi_600_: f32;
-    var phi_638_: f32;
-    var phi_649_: f32;
-    var phi_654_: f32;
-    var phi_676_: f32;
-    var phi_681_: f32;
-    var phi_682_: bool;
-    var phi_683_: f32;
-    var phi_684_: bool;
-    var phi_688_: f32;
-    var phi_726_: f32;
-    var phi_779_: bool;
-    var phi_783_: f32;
-    var phi_795_: bool;
-    var phi_802_: f32;
-    var phi_815_: bool;
-    var phi_819_: f32;
-    var phi_839_: f32;
-    var phi_844_: f32;
-    var phi_866_: f32;
-    var phi_871_: f32;
-    var phi_872_: bool;
-    var phi_873_: f32;
-    var phi_874_: bool;
-    var phi_878_: f32;
-    var phi_916_: f32;
-    var phi_927_: f32;
-    var phi_932_: f32;
-    var phi_954_: f32;
-    var phi_959_: f32;
-    var phi_960_: bool;
-    var phi_961_: f32;
-    var phi_962_: bool;
-    var phi_966_: f32;
-    var phi_1004_: f32;
-    var phi_1015_: f32;
-    var phi_1020_: f32;
-    var phi_1042_: f32;
-    var phi_1047_: f32;
-    var phi_1048_: bool;
-    var phi_1049_: f32;
-    var phi_1050_: bool;
-    var phi_1054_: f32;
-    var phi_1092_: f32;
-    var phi_1103_: f32;
-    var phi_1108_: f32;
-    var phi_1130_: f32;
-    var phi_1135_: f32;
-    var phi_1136_: bool;
-    var phi_1137_: f32;
-    var phi_1138_: bool;
-    var phi_1142_: f32;
-    var phi_1180_: f32;
-    var phi_1233_: bool;
-    var phi_1237_: f32;
-    var phi_1249_: bool;
-    var phi_1256_: f32;
-    var phi_1267_: bool;
-    var phi_1271_: f32;
-    var phi_1286_: f32;
-    var phi_1287_: f32;
-    var phi_1288_: f32;
+    var phi_366_: bool;
+    var phi_370_: f32;
+    var phi_389_: f32;
+    var phi_394_: f32;
+    var phi_416_: f32;
+    var phi_421_: f32;
+    var phi_422_: bool;
+    var phi_423_: f32;
+    var phi_424_: bool;
+    var phi_428_: f32;
+    var phi_466_: f32;
+    var phi_477_: f32;
+    var phi_482_: f32;
+    var phi_504_: f32;
+    var phi_509_: f32;
+    var phi_510_: bool;
+    var phi_511_: f32;
+    var phi_512_: bool;
+    var phi_516_: f32;
+    var phi_554_: f32;
+    var phi_565_: f32;
+    var phi_570_: f32;
+    var phi_592_: f32;
+    var phi_597_: f32;
+    var phi_598_: bool;
+    var phi_599_: f32;
+    var phi_600_: bool;
+    var phi_604_: f32;
+    var phi_642_: f32;
+    var phi_653_: f32;
+    var phi_658_: f32;
+    var phi_680_: f32;
+    var phi_685_: f32;
+    var phi_686_: bool;
+    var phi_687_: f32;
+    var phi_688_: bool;
+    var phi_692_: f32;
+    var phi_730_: f32;
+    var phi_783_: bool;
+    var phi_787_: f32;
+    var phi_799_: bool;
+    var phi_806_: f32;
+    var phi_819_: bool;
+    var phi_823_: f32;
+    var phi_843_: f32;
+    var phi_848_: f32;
+    var phi_870_: f32;
+    var phi_875_: f32;
+    var phi_876_: bool;
+    var phi_877_: f32;
+    var phi_878_: bool;
+    var phi_882_: f32;
+    var phi_920_: f32;
+    var phi_931_: f32;
+    var phi_936_: f32;
+    var phi_958_: f32;
+    var phi_963_: f32;
+    var phi_964_: bool;
+    var phi_965_: f32;
+    var phi_966_: bool;
+    var phi_970_: f32;
+    var phi_1008_: f32;
+    var phi_1019_: f32;
+    var phi_1024_: f32;
+    var phi_1046_: f32;
+    var phi_1051_: f32;
+    var phi_1052_: bool;
+    var phi_1053_: f32;
+    var phi_1054_: bool;
+    var phi_1058_: f32;
+    var phi_1096_: f32;
+    var phi_1107_: f32;
+    var phi_1112_: f32;
+    var phi_1134_: f32;
+    var phi_1139_: f32;
+    var phi_1140_: bool;
+    var phi_1141_: f32;
+    var phi_1142_: bool;
+    var phi_1146_: f32;
+    var phi_1184_: f32;
+    var phi_1237_: bool;
+    var phi_1241_: f32;
+    var phi_1253_: bool;
+    var phi_1260_: f32;
+    var phi_1271_: bool;
+    var phi_1275_: f32;
+    var phi_1290_: f32;
+    var phi_1291_: f32;
+    var phi_1292_: f32;
 
     let _e60 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_362_ = true;
+        phi_366_ = true;
     } else {
         let _e64 = (42f < _e60);
         if _e64 {
         }
-        phi_362_ = _e64;
+        phi_366_ = _e64;
     }
-    let _e66 = phi_362_;
+    let _e66 = phi_366_;
     if _e66 {
-        phi_366_ = 42f;
+        phi_370_ = 42f;
     } else {
-        phi_366_ = _e60;
+        phi_370_ = _e60;
     }
-    let _e68 = phi_366_;
+    let _e68 = phi_370_;
     let _e70 = (_e68 * param_5.x);
     let _e72 = (_e68 * param_5.y);
     let _e74 = (_e68 * param_5.z);
     let _e76 = (_e68 * param_5.w);
     if ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u) {
-        phi_462_ = _e70;
+        phi_466_ = _e70;
     } else {
         if (_e70 < -87f) {
-            phi_385_ = -87f;
+            phi_389_ = -87f;
         } else {
-            phi_385_ = _e70;
+            phi_389_ = _e70;
         }
-        let _e82 = phi_385_;
+        let _e82 = phi_389_;
         if (_e82 > 88f) {
-            phi_390_ = 88f;
+            phi_394_ = 88f;
         } else {
-            phi_390_ = _e82;
+            phi_394_ = _e82;
         }
-        let _e85 = phi_390_;
+        let _e85 = phi_394_;
         let _e87 = ((_e85 * 1.442695f) + 0.5f);
         if (_e87 > -8388608f) {
             let _e99 = f32(select(0i, select(select(i32(_e87), i32(-2147483648), (_e87 < bitcast<f32>(3472883712u))), 2147483647i, (_e87 > bitcast<f32>(1325400063u))), (_e87 == _e87)));
             if (_e99 > _e87) {
-                phi_412_ = 1f;
+                phi_416_ = 1f;
             } else {
-                phi_412_ = 0f;
+                phi_416_ = 0f;
             }
-            let _e102 = phi_412_;
+            let _e102 = phi_416_;
             if (_e87 < 8388608f) {
-                phi_417_ = (_e99 - _e102);
-                phi_418_ = false;
+                phi_421_ = (_e99 - _e102);
+                phi_422_ = false;
             } else {
-                phi_417_ = f32();
-                phi_418_ = true;
+                phi_421_ = f32();
+                phi_422_ = true;
             }
-            let _e105 = phi_417_;
-            let _e107 = phi_418_;
-            phi_419_ = _e105;
-            phi_420_ = _e107;
+            let _e105 = phi_421_;
+            let _e107 = phi_422_;
+            phi_423_ = _e105;
+            phi_424_ = _e107;
         } else {
-            phi_419_ = f32();
-            phi_420_ = true;
+            phi_423_ = f32();
+            phi_424_ = true;
         }
-        let _e109 = phi_419_;
-        let _e111 = phi_420_;
+        let _e109 = phi_423_;
+        let _e111 = phi_424_;
         if _e111 {
-            phi_424_ = _e87;
+            phi_428_ = _e87;
         } else {
-            phi_424_ = _e109;
+            phi_428_ = _e109;
         }
-        let _e113 = phi_424_;
+        let _e113 = phi_428_;
         let _e117 = ((_e85 - (_e113 * 0.69314575f)) - (_e113 * 0.0000014286068f));
-        phi_462_ = ((((((((((((((((1f / 5040f) * _e117) + (1f / 720f)) * _e117) + (1f / 120f)) * _e117) + (1f / 24f)) * _e117) + (1f / 6f)) * _e117) + 0.5f) * _e117) + 1f) * _e117) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e113), i32(-2147483648), (_e113 < bitcast<f32>(3472883712u))), 2147483647i, (_e113 > bitcast<f32>(1325400063u))), (_e113 == _e113)) + 127i)) << bitcast<u32>(23i))));
+        phi_466_ = ((((((((((((((((1f / 5040f) * _e117) + (1f / 720f)) * _e117) + (1f / 120f)) * _e117) + (1f / 24f)) * _e117) + (1f / 6f)) * _e117) + 0.5f) * _e117) + 1f) * _e117) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e113), i32(-2147483648), (_e113 < bitcast<f32>(3472883712u))), 2147483647i, (_e113 > bitcast<f32>(1325400063u))), (_e113 == _e113)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e153 = phi_462_;
+    let _e153 = phi_466_;
     if ((bitcast<u32>(_e72) & 2147483647u) > 2139095040u) {
-        phi_550_ = _e72;
+        phi_554_ = _e72;
     } else {
         if (_e72 < -87f) {
-            phi_473_ = -87f;
+            phi_477_ = -87f;
         } else {
-            phi_473_ = _e72;
+            phi_477_ = _e72;
         }
-        let _e159 = phi_473_;
+        let _e159 = phi_477_;
         if (_e159 > 88f) {
-            phi_478_ = 88f;
+            phi_482_ = 88f;
         } else {
-            phi_478_ = _e159;
+            phi_482_ = _e159;
         }
-        let _e162 = phi_478_;
+        let _e162 = phi_482_;
         let _e164 = ((_e162 * 1.442695f) + 0.5f);
         if (_e164 > -8388608f) {
             let _e176 = f32(select(0i, select(select(i32(_e164), i32(-2147483648), (_e164 < bitcast<f32>(3472883712u))), 2147483647i, (_e164 > bitcast<f32>(1325400063u))), (_e164 == _e164)));
             if (_e176 > _e164) {
-                phi_500_ = 1f;
+                phi_504_ = 1f;
             } else {
-                phi_500_ = 0f;
+                phi_504_ = 0f;
             }
-            let _e179 = phi_500_;
+            let _e179 = phi_504_;
             if (_e164 < 8388608f) {
-                phi_505_ = (_e176 - _e179);
-                phi_506_ = false;
+                phi_509_ = (_e176 - _e179);
+                phi_510_ = false;
             } else {
-                phi_505_ = f32();
-                phi_506_ = true;
+                phi_509_ = f32();
+                phi_510_ = true;
             }
-            let _e182 = phi_505_;
-            let _e184 = phi_506_;
-            phi_507_ = _e182;
-            phi_508_ = _e184;
+            let _e182 = phi_509_;
+            let _e184 = phi_510_;
+            phi_511_ = _e182;
+            phi_512_ = _e184;
         } else {
-            phi_507_ = f32();
-            phi_508_ = true;
+            phi_511_ = f32();
+            phi_512_ = true;
         }
-        let _e186 = phi_507_;
-        let _e188 = phi_508_;
+        let _e186 = phi_511_;
+        let _e188 = phi_512_;
         if _e188 {
-            phi_512_ = _e164;
+            phi_516_ = _e164;
         } else {
-            phi_512_ = _e186;
+            phi_516_ = _e186;
         }
-        let _e190 = phi_512_;
+        let _e190 = phi_516_;
         let _e194 = ((_e162 - (_e190 * 0.69314575f)) - (_e190 * 0.0000014286068f));
-        phi_550_ = ((((((((((((((((1f / 5040f) * _e194) + (1f / 720f)) * _e194) + (1f / 120f)) * _e194) + (1f / 24f)) * _e194) + (1f / 6f)) * _e194) + 0.5f) * _e194) + 1f) * _e194) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e190), i32(-2147483648), (_e190 < bitcast<f32>(3472883712u))), 2147483647i, (_e190 > bitcast<f32>(1325400063u))), (_e190 == _e190)) + 127i)) << bitcast<u32>(23i))));
+        phi_554_ = ((((((((((((((((1f / 5040f) * _e194) + (1f / 720f)) * _e194) + (1f / 120f)) * _e194) + (1f / 24f)) * _e194) + (1f / 6f)) * _e194) + 0.5f) * _e194) + 1f) * _e194) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e190), i32(-2147483648), (_e190 < bitcast<f32>(3472883712u))), 2147483647i, (_e190 > bitcast<f32>(1325400063u))), (_e190 == _e190)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e230 = phi_550_;
+    let _e230 = phi_554_;
     if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
-        phi_638_ = _e74;
+        phi_642_ = _e74;
     } else {
         if (_e74 < -87f) {
-            phi_561_ = -87f;
+            phi_565_ = -87f;
         } else {
-            phi_561_ = _e74;
+            phi_565_ = _e74;
         }
-        let _e236 = phi_561_;
+        let _e236 = phi_565_;
         if (_e236 > 88f) {
-            phi_566_ = 88f;
+            phi_570_ = 88f;
         } else {
-            phi_566_ = _e236;
+            phi_570_ = _e236;
         }
-        let _e239 = phi_566_;
+        let _e239 = phi_570_;
         let _e241 = ((_e239 * 1.442695f) + 0.5f);
         if (_e241 > -8388608f) {
             let _e253 = f32(select(0i, select(select(i32(_e241), i32(-2147483648), (_e241 < bitcast<f32>(3472883712u))), 2147483647i, (_e241 > bitcast<f32>(1325400063u))), (_e241 == _e241)));
             if (_e253 > _e241) {
-                phi_588_ = 1f;
+                phi_592_ = 1f;
             } else {
-                phi_588_ = 0f;
+                phi_592_ = 0f;
             }
-            let _e256 = phi_588_;
+            let _e256 = phi_592_;
             if (_e241 < 8388608f) {
-                phi_593_ = (_e253 - _e256);
-                phi_594_ = false;
+                phi_597_ = (_e253 - _e256);
+                phi_598_ = false;
             } else {
-                phi_593_ = f32();
-                phi_594_ = true;
+                phi_597_ = f32();
+                phi_598_ = true;
             }
-            let _e259 = phi_593_;
-            let _e261 = phi_594_;
-            phi_595_ = _e259;
-            phi_596_ = _e261;
+            let _e259 = phi_597_;
+            let _e261 = phi_598_;
+            phi_599_ = _e259;
+            phi_600_ = _e261;
         } else {
-            phi_595_ = f32();
-            phi_596_ = true;
+            phi_599_ = f32();
+            phi_600_ = true;
         }
-        let _e263 = phi_595_;
-        let _e265 = phi_596_;
+        let _e263 = phi_599_;
+        let _e265 = phi_600_;
         if _e265 {
-            phi_600_ = _e241;
+            phi_604_ = _e241;
         } else {
-            phi_600_ = _e263;
+            phi_604_ = _e263;
         }
-        let _e267 = phi_600_;
+        let _e267 = phi_604_;
         let _e271 = ((_e239 - (_e267 * 0.69314575f)) - (_e267 * 0.0000014286068f));
-        phi_638_ = ((((((((((((((((1f / 5040f) * _e271) + (1f / 720f)) * _e271) + (1f / 120f)) * _e271) + (1f / 24f)) * _e271) + (1f / 6f)) * _e271) + 0.5f) * _e271) + 1f) * _e271) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)) + 127i)) << bitcast<u32>(23i))));
+        phi_642_ = ((((((((((((((((1f / 5040f) * _e271) + (1f / 720f)) * _e271) + (1f / 120f)) * _e271) + (1f / 24f)) * _e271) + (1f / 6f)) * _e271) + 0.5f) * _e271) + 1f) * _e271) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e307 = phi_638_;
+    let _e307 = phi_642_;
     if ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u) {
-        phi_726_ = _e76;
+        phi_730_ = _e76;
     } else {
         if (_e76 < -87f) {
-            phi_649_ = -87f;
+            phi_653_ = -87f;
         } else {
-            phi_649_ = _e76;
+            phi_653_ = _e76;
         }
-        let _e313 = phi_649_;
+        let _e313 = phi_653_;
         if (_e313 > 88f) {
-            phi_654_ = 88f;
+            phi_658_ = 88f;
         } else {
-            phi_654_ = _e313;
+            phi_658_ = _e313;
         }
-        let _e316 = phi_654_;
+        let _e316 = phi_658_;
         let _e318 = ((_e316 * 1.442695f) + 0.5f);
         if (_e318 > -8388608f) {
             let _e330 = f32(select(0i, select(select(i32(_e318), i32(-2147483648), (_e318 < bitcast<f32>(3472883712u))), 2147483647i, (_e318 > bitcast<f32>(1325400063u))), (_e318 == _e318)));
             if (_e330 > _e318) {
-                phi_676_ = 1f;
+                phi_680_ = 1f;
             } else {
-                phi_676_ = 0f;
+                phi_680_ = 0f;
             }
-            let _e333 = phi_676_;
+            let _e333 = phi_680_;
             if (_e318 < 8388608f) {
-                phi_681_ = (_e330 - _e333);
-                phi_682_ = false;
+                phi_685_ = (_e330 - _e333);
+                phi_686_ = false;
             } else {
-                phi_681_ = f32();
-                phi_682_ = true;
+                phi_685_ = f32();
+                phi_686_ = true;
             }
-            let _e336 = phi_681_;
-            let _e338 = phi_682_;
-            phi_683_ = _e336;
-            phi_684_ = _e338;
+            let _e336 = phi_685_;
+            let _e338 = phi_686_;
+            phi_687_ = _e336;
+            phi_688_ = _e338;
         } else {
-            phi_683_ = f32();
-            phi_684_ = true;
+            phi_687_ = f32();
+            phi_688_ = true;
         }
-        let _e340 = phi_683_;
-        let _e342 = phi_684_;
+        let _e340 = phi_687_;
+        let _e342 = phi_688_;
         if _e342 {
-            phi_688_ = _e318;
+            phi_692_ = _e318;
         } else {
-            phi_688_ = _e340;
+            phi_692_ = _e340;
         }
-        let _e344 = phi_688_;
+        let _e344 = phi_692_;
         let _e348 = ((_e316 - (_e344 * 0.69314575f)) - (_e344 * 0.0000014286068f));
-        phi_726_ = ((((((((((((((((1f / 5040f) * _e348) + (1f / 720f)) * _e348) + (1f / 120f)) * _e348) + (1f / 24f)) * _e348) + (1f / 6f)) * _e348) + 0.5f) * _e348) + 1f) * _e348) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e344), i32(-2147483648), (_e344 < bitcast<f32>(3472883712u))), 2147483647i, (_e344 > bitcast<f32>(1325400063u))), (_e344 == _e344)) + 127i)) << bitcast<u32>(23i))));
+        phi_730_ = ((((((((((((((((1f / 5040f) * _e348) + (1f / 720f)) * _e348) + (1f / 120f)) * _e348) + (1f / 24f)) * _e348) + (1f / 6f)) * _e348) + 0.5f) * _e348) + 1f) * _e348) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e344), i32(-2147483648), (_e344 < bitcast<f32>(3472883712u))), 2147483647i, (_e344 > bitcast<f32>(1325400063u))), (_e344 == _e344)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e384 = phi_726_;
+    let _e384 = phi_730_;
     let _e386 = (_e153 - vec4<f32>(1f, 1f, 1f, 1f).x);
     let _e388 = (_e230 - vec4<f32>(1f, 1f, 1f, 1f).y);
     let _e390 = (_e307 - vec4<f32>(1f, 1f, 1f, 1f).z);
@@ -466,261 +475,261 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, par
     let _e411 = (_e392 - _e407);
     let _e426 = (((((_e408 * _e408) * param_6.x) + ((_e409 * _e409) * param_6.y)) + ((_e410 * _e410) * param_6.z)) + ((_e411 * _e411) * param_6.w));
     if ((bitcast<u32>(_e396) & 2147483647u) > 2139095040u) {
-        phi_779_ = true;
+        phi_783_ = true;
     } else {
         let _e430 = (_e396 > _e426);
         if _e430 {
         }
-        phi_779_ = _e430;
+        phi_783_ = _e430;
     }
-    let _e432 = phi_779_;
+    let _e432 = phi_783_;
     if _e432 {
-        phi_783_ = _e396;
+        phi_787_ = _e396;
     } else {
-        phi_783_ = _e426;
+        phi_787_ = _e426;
     }
-    let _e434 = phi_783_;
+    let _e434 = phi_787_;
     let _e435 = -(_e407);
     if (_e435 <= 0f) {
         let _e439 = ((bitcast<u32>(_e434) & 2147483647u) > 2139095040u);
         if _e439 {
         }
-        phi_795_ = _e439;
+        phi_799_ = _e439;
     } else {
-        phi_795_ = true;
+        phi_799_ = true;
     }
-    let _e441 = phi_795_;
+    let _e441 = phi_799_;
     if _e441 {
-        phi_802_ = (_e434 / (_e434 + (_e435 * _e435)));
+        phi_806_ = (_e434 / (_e434 + (_e435 * _e435)));
     } else {
-        phi_802_ = 1f;
+        phi_806_ = 1f;
     }
-    let _e446 = phi_802_;
+    let _e446 = phi_806_;
     let _e448 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_815_ = true;
+        phi_819_ = true;
     } else {
         let _e452 = (42f < _e448);
         if _e452 {
         }
-        phi_815_ = _e452;
+        phi_819_ = _e452;
     }
-    let _e454 = phi_815_;
+    let _e454 = phi_819_;
     if _e454 {
-        phi_819_ = 42f;
+        phi_823_ = 42f;
     } else {
-        phi_819_ = _e448;
+        phi_823_ = _e448;
     }
-    let _e456 = phi_819_;
+    let _e456 = phi_823_;
     let _e457 = -(_e456);
     let _e459 = (_e457 * param_5.x);
     let _e461 = (_e457 * param_5.y);
     let _e463 = (_e457 * param_5.z);
     let _e465 = (_e457 * param_5.w);
     if ((bitcast<u32>(_e459) & 2147483647u) > 2139095040u) {
-        phi_916_ = _e459;
+        phi_920_ = _e459;
     } else {
         if (_e459 < -87f) {
-            phi_839_ = -87f;
+            phi_843_ = -87f;
         } else {
-            phi_839_ = _e459;
+            phi_843_ = _e459;
         }
-        let _e471 = phi_839_;
+        let _e471 = phi_843_;
         if (_e471 > 88f) {
-            phi_844_ = 88f;
+            phi_848_ = 88f;
         } else {
-            phi_844_ = _e471;
+            phi_848_ = _e471;
         }
-        let _e474 = phi_844_;
+        let _e474 = phi_848_;
         let _e476 = ((_e474 * 1.442695f) + 0.5f);
         if (_e476 > -8388608f) {
             let _e488 = f32(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < bitcast<f32>(3472883712u))), 2147483647i, (_e476 > bitcast<f32>(1325400063u))), (_e476 == _e476)));
             if (_e488 > _e476) {
-                phi_866_ = 1f;
+                phi_870_ = 1f;
             } else {
-                phi_866_ = 0f;
+                phi_870_ = 0f;
             }
-            let _e491 = phi_866_;
+            let _e491 = phi_870_;
             if (_e476 < 8388608f) {
-                phi_871_ = (_e488 - _e491);
-                phi_872_ = false;
+                phi_875_ = (_e488 - _e491);
+                phi_876_ = false;
             } else {
-                phi_871_ = f32();
-                phi_872_ = true;
+                phi_875_ = f32();
+                phi_876_ = true;
             }
-            let _e494 = phi_871_;
-            let _e496 = phi_872_;
-            phi_873_ = _e494;
-            phi_874_ = _e496;
+            let _e494 = phi_875_;
+            let _e496 = phi_876_;
+            phi_877_ = _e494;
+            phi_878_ = _e496;
         } else {
-            phi_873_ = f32();
-            phi_874_ = true;
+            phi_877_ = f32();
+            phi_878_ = true;
         }
-        let _e498 = phi_873_;
-        let _e500 = phi_874_;
+        let _e498 = phi_877_;
+        let _e500 = phi_878_;
         if _e500 {
-            phi_878_ = _e476;
+            phi_882_ = _e476;
         } else {
-            phi_878_ = _e498;
+            phi_882_ = _e498;
         }
-        let _e502 = phi_878_;
+        let _e502 = phi_882_;
         let _e506 = ((_e474 - (_e502 * 0.69314575f)) - (_e502 * 0.0000014286068f));
-        phi_916_ = ((((((((((((((((1f / 5040f) * _e506) + (1f / 720f)) * _e506) + (1f / 120f)) * _e506) + (1f / 24f)) * _e506) + (1f / 6f)) * _e506) + 0.5f) * _e506) + 1f) * _e506) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e502), i32(-2147483648), (_e502 < bitcast<f32>(3472883712u))), 2147483647i, (_e502 > bitcast<f32>(1325400063u))), (_e502 == _e502)) + 127i)) << bitcast<u32>(23i))));
+        phi_920_ = ((((((((((((((((1f / 5040f) * _e506) + (1f / 720f)) * _e506) + (1f / 120f)) * _e506) + (1f / 24f)) * _e506) + (1f / 6f)) * _e506) + 0.5f) * _e506) + 1f) * _e506) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e502), i32(-2147483648), (_e502 < bitcast<f32>(3472883712u))), 2147483647i, (_e502 > bitcast<f32>(1325400063u))), (_e502 == _e502)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e542 = phi_916_;
+    let _e542 = phi_920_;
     if ((bitcast<u32>(_e461) & 2147483647u) > 2139095040u) {
-        phi_1004_ = _e461;
+        phi_1008_ = _e461;
     } else {
         if (_e461 < -87f) {
-            phi_927_ = -87f;
+            phi_931_ = -87f;
         } else {
-            phi_927_ = _e461;
+            phi_931_ = _e461;
         }
-        let _e548 = phi_927_;
+        let _e548 = phi_931_;
         if (_e548 > 88f) {
-            phi_932_ = 88f;
+            phi_936_ = 88f;
         } else {
-            phi_932_ = _e548;
+            phi_936_ = _e548;
         }
-        let _e551 = phi_932_;
+        let _e551 = phi_936_;
         let _e553 = ((_e551 * 1.442695f) + 0.5f);
         if (_e553 > -8388608f) {
             let _e565 = f32(select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < bitcast<f32>(3472883712u))), 2147483647i, (_e553 > bitcast<f32>(1325400063u))), (_e553 == _e553)));
             if (_e565 > _e553) {
-                phi_954_ = 1f;
+                phi_958_ = 1f;
             } else {
-                phi_954_ = 0f;
+                phi_958_ = 0f;
             }
-            let _e568 = phi_954_;
+            let _e568 = phi_958_;
             if (_e553 < 8388608f) {
-                phi_959_ = (_e565 - _e568);
-                phi_960_ = false;
+                phi_963_ = (_e565 - _e568);
+                phi_964_ = false;
             } else {
-                phi_959_ = f32();
-                phi_960_ = true;
+                phi_963_ = f32();
+                phi_964_ = true;
             }
-            let _e571 = phi_959_;
-            let _e573 = phi_960_;
-            phi_961_ = _e571;
-            phi_962_ = _e573;
+            let _e571 = phi_963_;
+            let _e573 = phi_964_;
+            phi_965_ = _e571;
+            phi_966_ = _e573;
         } else {
-            phi_961_ = f32();
-            phi_962_ = true;
+            phi_965_ = f32();
+            phi_966_ = true;
         }
-        let _e575 = phi_961_;
-        let _e577 = phi_962_;
+        let _e575 = phi_965_;
+        let _e577 = phi_966_;
         if _e577 {
-            phi_966_ = _e553;
+            phi_970_ = _e553;
         } else {
-            phi_966_ = _e575;
+            phi_970_ = _e575;
         }
-        let _e579 = phi_966_;
+        let _e579 = phi_970_;
         let _e583 = ((_e551 - (_e579 * 0.69314575f)) - (_e579 * 0.0000014286068f));
-        phi_1004_ = ((((((((((((((((1f / 5040f) * _e583) + (1f / 720f)) * _e583) + (1f / 120f)) * _e583) + (1f / 24f)) * _e583) + (1f / 6f)) * _e583) + 0.5f) * _e583) + 1f) * _e583) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e579), i32(-2147483648), (_e579 < bitcast<f32>(3472883712u))), 2147483647i, (_e579 > bitcast<f32>(1325400063u))), (_e579 == _e579)) + 127i)) << bitcast<u32>(23i))));
+        phi_1008_ = ((((((((((((((((1f / 5040f) * _e583) + (1f / 720f)) * _e583) + (1f / 120f)) * _e583) + (1f / 24f)) * _e583) + (1f / 6f)) * _e583) + 0.5f) * _e583) + 1f) * _e583) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e579), i32(-2147483648), (_e579 < bitcast<f32>(3472883712u))), 2147483647i, (_e579 > bitcast<f32>(1325400063u))), (_e579 == _e579)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e619 = phi_1004_;
+    let _e619 = phi_1008_;
     if ((bitcast<u32>(_e463) & 2147483647u) > 2139095040u) {
-        phi_1092_ = _e463;
+        phi_1096_ = _e463;
     } else {
         if (_e463 < -87f) {
-            phi_1015_ = -87f;
+            phi_1019_ = -87f;
         } else {
-            phi_1015_ = _e463;
+            phi_1019_ = _e463;
         }
-        let _e625 = phi_1015_;
+        let _e625 = phi_1019_;
         if (_e625 > 88f) {
-            phi_1020_ = 88f;
+            phi_1024_ = 88f;
         } else {
-            phi_1020_ = _e625;
+            phi_1024_ = _e625;
         }
-        let _e628 = phi_1020_;
+        let _e628 = phi_1024_;
         let _e630 = ((_e628 * 1.442695f) + 0.5f);
         if (_e630 > -8388608f) {
             let _e642 = f32(select(0i, select(select(i32(_e630), i32(-2147483648), (_e630 < bitcast<f32>(3472883712u))), 2147483647i, (_e630 > bitcast<f32>(1325400063u))), (_e630 == _e630)));
             if (_e642 > _e630) {
-                phi_1042_ = 1f;
+                phi_1046_ = 1f;
             } else {
-                phi_1042_ = 0f;
+                phi_1046_ = 0f;
             }
-            let _e645 = phi_1042_;
+            let _e645 = phi_1046_;
             if (_e630 < 8388608f) {
-                phi_1047_ = (_e642 - _e645);
-                phi_1048_ = false;
+                phi_1051_ = (_e642 - _e645);
+                phi_1052_ = false;
             } else {
-                phi_1047_ = f32();
-                phi_1048_ = true;
+                phi_1051_ = f32();
+                phi_1052_ = true;
             }
-            let _e648 = phi_1047_;
-            let _e650 = phi_1048_;
-            phi_1049_ = _e648;
-            phi_1050_ = _e650;
+            let _e648 = phi_1051_;
+            let _e650 = phi_1052_;
+            phi_1053_ = _e648;
+            phi_1054_ = _e650;
         } else {
-            phi_1049_ = f32();
-            phi_1050_ = true;
+            phi_1053_ = f32();
+            phi_1054_ = true;
         }
-        let _e652 = phi_1049_;
-        let _e654 = phi_1050_;
+        let _e652 = phi_1053_;
+        let _e654 = phi_1054_;
         if _e654 {
-            phi_1054_ = _e630;
+            phi_1058_ = _e630;
         } else {
-            phi_1054_ = _e652;
+            phi_1058_ = _e652;
         }
-        let _e656 = phi_1054_;
+        let _e656 = phi_1058_;
         let _e660 = ((_e628 - (_e656 * 0.69314575f)) - (_e656 * 0.0000014286068f));
-        phi_1092_ = ((((((((((((((((1f / 5040f) * _e660) + (1f / 720f)) * _e660) + (1f / 120f)) * _e660) + (1f / 24f)) * _e660) + (1f / 6f)) * _e660) + 0.5f) * _e660) + 1f) * _e660) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e656), i32(-2147483648), (_e656 < bitcast<f32>(3472883712u))), 2147483647i, (_e656 > bitcast<f32>(1325400063u))), (_e656 == _e656)) + 127i)) << bitcast<u32>(23i))));
+        phi_1096_ = ((((((((((((((((1f / 5040f) * _e660) + (1f / 720f)) * _e660) + (1f / 120f)) * _e660) + (1f / 24f)) * _e660) + (1f / 6f)) * _e660) + 0.5f) * _e660) + 1f) * _e660) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e656), i32(-2147483648), (_e656 < bitcast<f32>(3472883712u))), 2147483647i, (_e656 > bitcast<f32>(1325400063u))), (_e656 == _e656)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e696 = phi_1092_;
+    let _e696 = phi_1096_;
     if ((bitcast<u32>(_e465) & 2147483647u) > 2139095040u) {
-        phi_1180_ = _e465;
+        phi_1184_ = _e465;
     } else {
         if (_e465 < -87f) {
-            phi_1103_ = -87f;
+            phi_1107_ = -87f;
         } else {
-            phi_1103_ = _e465;
+            phi_1107_ = _e465;
         }
-        let _e702 = phi_1103_;
+        let _e702 = phi_1107_;
         if (_e702 > 88f) {
-            phi_1108_ = 88f;
+            phi_1112_ = 88f;
         } else {
-            phi_1108_ = _e702;
+            phi_1112_ = _e702;
         }
-        let _e705 = phi_1108_;
+        let _e705 = phi_1112_;
         let _e707 = ((_e705 * 1.442695f) + 0.5f);
         if (_e707 > -8388608f) {
             let _e719 = f32(select(0i, select(select(i32(_e707), i32(-2147483648), (_e707 < bitcast<f32>(3472883712u))), 2147483647i, (_e707 > bitcast<f32>(1325400063u))), (_e707 == _e707)));
             if (_e719 > _e707) {
-                phi_1130_ = 1f;
+                phi_1134_ = 1f;
             } else {
-                phi_1130_ = 0f;
+                phi_1134_ = 0f;
             }
-            let _e722 = phi_1130_;
+            let _e722 = phi_1134_;
             if (_e707 < 8388608f) {
-                phi_1135_ = (_e719 - _e722);
-                phi_1136_ = false;
+                phi_1139_ = (_e719 - _e722);
+                phi_1140_ = false;
             } else {
-                phi_1135_ = f32();
-                phi_1136_ = true;
+                phi_1139_ = f32();
+                phi_1140_ = true;
             }
-            let _e725 = phi_1135_;
-            let _e727 = phi_1136_;
-            phi_1137_ = _e725;
-            phi_1138_ = _e727;
+            let _e725 = phi_1139_;
+            let _e727 = phi_1140_;
+            phi_1141_ = _e725;
+            phi_1142_ = _e727;
         } else {
-            phi_1137_ = f32();
-            phi_1138_ = true;
+            phi_1141_ = f32();
+            phi_1142_ = true;
         }
-        let _e729 = phi_1137_;
-        let _e731 = phi_1138_;
+        let _e729 = phi_1141_;
+        let _e731 = phi_1142_;
         if _e731 {
-            phi_1142_ = _e707;
+            phi_1146_ = _e707;
         } else {
-            phi_1142_ = _e729;
+            phi_1146_ = _e729;
         }
-        let _e733 = phi_1142_;
+        let _e733 = phi_1146_;
         let _e737 = ((_e705 - (_e733 * 0.69314575f)) - (_e733 * 0.0000014286068f));
-        phi_1180_ = ((((((((((((((((1f / 5040f) * _e737) + (1f / 720f)) * _e737) + (1f / 120f)) * _e737) + (1f / 24f)) * _e737) + (1f / 6f)) * _e737) + 0.5f) * _e737) + 1f) * _e737) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e733), i32(-2147483648), (_e733 < bitcast<f32>(3472883712u))), 2147483647i, (_e733 > bitcast<f32>(1325400063u))), (_e733 == _e733)) + 127i)) << bitcast<u32>(23i))));
+        phi_1184_ = ((((((((((((((((1f / 5040f) * _e737) + (1f / 720f)) * _e737) + (1f / 120f)) * _e737) + (1f / 24f)) * _e737) + (1f / 6f)) * _e737) + 0.5f) * _e737) + 1f) * _e737) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e733), i32(-2147483648), (_e733 < bitcast<f32>(3472883712u))), 2147483647i, (_e733 > bitcast<f32>(1325400063u))), (_e733 == _e733)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e773 = phi_1180_;
+    let _e773 = phi_1184_;
     let _e775 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e542);
     let _e777 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e619);
     let _e779 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e696);
@@ -734,92 +743,88 @@ fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, par
     let _e800 = (_e781 - _e796);
     let _e815 = (((((_e797 * _e797) * param_6.x) + ((_e798 * _e798) * param_6.y)) + ((_e799 * _e799) * param_6.z)) + ((_e800 * _e800) * param_6.w));
     if ((bitcast<u32>(_e785) & 2147483647u) > 2139095040u) {
-        phi_1233_ = true;
+        phi_1237_ = true;
     } else {
         let _e819 = (_e785 > _e815);
         if _e819 {
         }
-        phi_1233_ = _e819;
+        phi_1237_ = _e819;
     }
-    let _e821 = phi_1233_;
+    let _e821 = phi_1237_;
     if _e821 {
-        phi_1237_ = _e785;
+        phi_1241_ = _e785;
     } else {
-        phi_1237_ = _e815;
+        phi_1241_ = _e815;
     }
-    let _e823 = phi_1237_;
+    let _e823 = phi_1241_;
     let _e824 = -(_e796);
     if (_e824 <= 0f) {
         let _e828 = ((bitcast<u32>(_e823) & 2147483647u) > 2139095040u);
         if _e828 {
         }
-        phi_1249_ = _e828;
+        phi_1253_ = _e828;
     } else {
-        phi_1249_ = true;
+        phi_1253_ = true;
     }
-    let _e830 = phi_1249_;
+    let _e830 = phi_1253_;
     if _e830 {
-        phi_1256_ = (_e823 / (_e823 + (_e824 * _e824)));
+        phi_1260_ = (_e823 / (_e823 + (_e824 * _e824)));
     } else {
-        phi_1256_ = 1f;
+        phi_1260_ = 1f;
     }
-    let _e835 = phi_1256_;
+    let _e835 = phi_1260_;
     if ((bitcast<u32>(_e835) & 2147483647u) > 2139095040u) {
-        phi_1267_ = true;
+        phi_1271_ = true;
     } else {
         let _e839 = (_e835 < _e446);
         if _e839 {
         }
-        phi_1267_ = _e839;
+        phi_1271_ = _e839;
     }
-    let _e841 = phi_1267_;
+    let _e841 = phi_1271_;
     if _e841 {
-        phi_1271_ = _e835;
+        phi_1275_ = _e835;
     } else {
-        phi_1271_ = _e446;
+        phi_1275_ = _e446;
     }
-    let _e843 = phi_1271_;
+    let _e843 = phi_1275_;
     if ((bitcast<u32>(_e843) & 2147483647u) > 2139095040u) {
-        phi_1288_ = _e843;
+        phi_1292_ = _e843;
     } else {
         if (_e843 < 0f) {
-            phi_1287_ = 0f;
+            phi_1291_ = 0f;
         } else {
             if (_e843 > 1f) {
-                phi_1286_ = 1f;
+                phi_1290_ = 1f;
             } else {
-                phi_1286_ = _e843;
+                phi_1290_ = _e843;
             }
-            let _e850 = phi_1286_;
-            phi_1287_ = _e850;
+            let _e850 = phi_1290_;
+            phi_1291_ = _e850;
         }
-        let _e852 = phi_1287_;
-        phi_1288_ = _e852;
+        let _e852 = phi_1291_;
+        phi_1292_ = _e852;
     }
-    let _e854 = phi_1288_;
+    let _e854 = phi_1292_;
     return _e854;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_7: ptr<function, lt_math_Evsm>, param_8: vec4<f32>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_211_: f32;
-    var phi_212_: f32;
-    var phi_213_: f32;
-    var phi_229_: f32;
-    var phi_230_: f32;
-    var phi_231_: f32;
-    var phi_247_: f32;
-    var phi_248_: f32;
-    var phi_249_: f32;
-    var phi_265_: f32;
-    var phi_266_: f32;
-    var phi_267_: f32;
-    var phi_283_: f32;
-    var phi_284_: f32;
-    var phi_285_: f32;
-    var phi_322_: bool;
-    var phi_323_: bool;
-    var phi_324_: bool;
-    var phi_325_: bool;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_217_: f32;
+    var phi_233_: f32;
+    var phi_234_: f32;
+    var phi_235_: f32;
+    var phi_251_: f32;
+    var phi_252_: f32;
+    var phi_253_: f32;
+    var phi_269_: f32;
+    var phi_270_: f32;
+    var phi_271_: f32;
+    var phi_287_: f32;
+    var phi_288_: f32;
+    var phi_289_: f32;
     var phi_326_: bool;
     var phi_327_: bool;
     var phi_328_: bool;
@@ -827,100 +832,104 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
     var phi_330_: bool;
     var phi_331_: bool;
     var phi_332_: bool;
+    var phi_333_: bool;
+    var phi_334_: bool;
+    var phi_335_: bool;
     var phi_336_: bool;
     var phi_340_: bool;
-    var phi_345_: f32;
+    var phi_344_: bool;
+    var phi_349_: f32;
 
     if ((bitcast<u32>(param_10) & 2147483647u) > 2139095040u) {
-        phi_213_ = param_10;
+        phi_217_ = param_10;
     } else {
         if (param_10 < 0f) {
-            phi_212_ = 0f;
+            phi_216_ = 0f;
         } else {
             if (param_10 > 1f) {
-                phi_211_ = 1f;
+                phi_215_ = 1f;
             } else {
-                phi_211_ = param_10;
+                phi_215_ = param_10;
             }
-            let _e66 = phi_211_;
-            phi_212_ = _e66;
+            let _e66 = phi_215_;
+            phi_216_ = _e66;
         }
-        let _e68 = phi_212_;
-        phi_213_ = _e68;
+        let _e68 = phi_216_;
+        phi_217_ = _e68;
     }
-    let _e70 = phi_213_;
+    let _e70 = phi_217_;
     if ((bitcast<u32>(param_8.x) & 2147483647u) > 2139095040u) {
-        phi_231_ = param_8.x;
+        phi_235_ = param_8.x;
     } else {
         if (param_8.x < 0f) {
-            phi_230_ = 0f;
+            phi_234_ = 0f;
         } else {
             if (param_8.x > 1f) {
-                phi_229_ = 1f;
+                phi_233_ = 1f;
             } else {
-                phi_229_ = param_8.x;
+                phi_233_ = param_8.x;
             }
-            let _e78 = phi_229_;
-            phi_230_ = _e78;
+            let _e78 = phi_233_;
+            phi_234_ = _e78;
         }
-        let _e80 = phi_230_;
-        phi_231_ = _e80;
+        let _e80 = phi_234_;
+        phi_235_ = _e80;
     }
-    let _e82 = phi_231_;
+    let _e82 = phi_235_;
     if ((bitcast<u32>(param_8.y) & 2147483647u) > 2139095040u) {
-        phi_249_ = param_8.y;
+        phi_253_ = param_8.y;
     } else {
         if (param_8.y < 0f) {
-            phi_248_ = 0f;
+            phi_252_ = 0f;
         } else {
             if (param_8.y > 1f) {
-                phi_247_ = 1f;
+                phi_251_ = 1f;
             } else {
-                phi_247_ = param_8.y;
+                phi_251_ = param_8.y;
             }
-            let _e90 = phi_247_;
-            phi_248_ = _e90;
+            let _e90 = phi_251_;
+            phi_252_ = _e90;
         }
-        let _e92 = phi_248_;
-        phi_249_ = _e92;
+        let _e92 = phi_252_;
+        phi_253_ = _e92;
     }
-    let _e94 = phi_249_;
+    let _e94 = phi_253_;
     if ((bitcast<u32>(param_8.z) & 2147483647u) > 2139095040u) {
-        phi_267_ = param_8.z;
+        phi_271_ = param_8.z;
     } else {
         if (param_8.z < 0f) {
-            phi_266_ = 0f;
+            phi_270_ = 0f;
         } else {
             if (param_8.z > 1f) {
-                phi_265_ = 1f;
+                phi_269_ = 1f;
             } else {
-                phi_265_ = param_8.z;
+                phi_269_ = param_8.z;
             }
-            let _e102 = phi_265_;
-            phi_266_ = _e102;
+            let _e102 = phi_269_;
+            phi_270_ = _e102;
         }
-        let _e104 = phi_266_;
-        phi_267_ = _e104;
+        let _e104 = phi_270_;
+        phi_271_ = _e104;
     }
-    let _e106 = phi_267_;
+    let _e106 = phi_271_;
     if ((bitcast<u32>(param_8.w) & 2147483647u) > 2139095040u) {
-        phi_285_ = param_8.w;
+        phi_289_ = param_8.w;
     } else {
         if (param_8.w < 0f) {
-            phi_284_ = 0f;
+            phi_288_ = 0f;
         } else {
             if (param_8.w > 1f) {
-                phi_283_ = 1f;
+                phi_287_ = 1f;
             } else {
-                phi_283_ = param_8.w;
+                phi_287_ = param_8.w;
             }
-            let _e114 = phi_283_;
-            phi_284_ = _e114;
+            let _e114 = phi_287_;
+            phi_288_ = _e114;
         }
-        let _e116 = phi_284_;
-        phi_285_ = _e116;
+        let _e116 = phi_288_;
+        phi_289_ = _e116;
     }
-    let _e118 = phi_285_;
+    let _e118 = phi_289_;
     let _e119 = (_e82 - _e70);
     let _e120 = (_e94 - _e70);
     let _e121 = (_e106 - _e70);
@@ -929,152 +938,158 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
         if (_e120 >= 0f) {
             if (_e121 >= 0f) {
                 if (_e122 >= 0f) {
-                    phi_322_ = !(((bitcast<u32>(((((_e119 * param_9.x) + (_e120 * param_9.y)) + (_e121 * param_9.z)) + (_e122 * param_9.w))) & 2147483647u) > 2139095040u));
-                    phi_323_ = false;
+                    phi_326_ = !(((bitcast<u32>(((((_e119 * param_9.x) + (_e120 * param_9.y)) + (_e121 * param_9.z)) + (_e122 * param_9.w))) & 2147483647u) > 2139095040u));
+                    phi_327_ = false;
                 } else {
-                    phi_322_ = bool();
-                    phi_323_ = true;
+                    phi_326_ = bool();
+                    phi_327_ = true;
                 }
-                let _e144 = phi_322_;
-                let _e146 = phi_323_;
-                phi_324_ = _e144;
-                phi_325_ = false;
-                phi_326_ = _e146;
+                let _e144 = phi_326_;
+                let _e146 = phi_327_;
+                phi_328_ = _e144;
+                phi_329_ = false;
+                phi_330_ = _e146;
             } else {
-                phi_324_ = bool();
-                phi_325_ = true;
-                phi_326_ = false;
+                phi_328_ = bool();
+                phi_329_ = true;
+                phi_330_ = false;
             }
-            let _e148 = phi_324_;
-            let _e150 = phi_325_;
-            let _e152 = phi_326_;
-            phi_327_ = _e148;
-            phi_328_ = _e150;
-            phi_329_ = _e152;
+            let _e148 = phi_328_;
+            let _e150 = phi_329_;
+            let _e152 = phi_330_;
+            phi_331_ = _e148;
+            phi_332_ = _e150;
+            phi_333_ = _e152;
         } else {
-            phi_327_ = bool();
-            phi_328_ = true;
-            phi_329_ = false;
+            phi_331_ = bool();
+            phi_332_ = true;
+            phi_333_ = false;
         }
-        let _e154 = phi_327_;
-        let _e156 = phi_328_;
-        let _e158 = phi_329_;
-        phi_330_ = _e154;
-        phi_331_ = _e156;
-        phi_332_ = _e158;
+        let _e154 = phi_331_;
+        let _e156 = phi_332_;
+        let _e158 = phi_333_;
+        phi_334_ = _e154;
+        phi_335_ = _e156;
+        phi_336_ = _e158;
     } else {
-        phi_330_ = bool();
-        phi_331_ = true;
-        phi_332_ = false;
+        phi_334_ = bool();
+        phi_335_ = true;
+        phi_336_ = false;
     }
-    let _e160 = phi_330_;
-    let _e162 = phi_331_;
-    let _e164 = phi_332_;
+    let _e160 = phi_334_;
+    let _e162 = phi_335_;
+    let _e164 = phi_336_;
     if _e162 {
-        phi_336_ = true;
+        phi_340_ = true;
     } else {
-        phi_336_ = _e164;
+        phi_340_ = _e164;
     }
-    let _e166 = phi_336_;
+    let _e166 = phi_340_;
     if _e166 {
-        phi_340_ = false;
+        phi_344_ = false;
     } else {
-        phi_340_ = _e160;
+        phi_344_ = _e160;
     }
-    let _e168 = phi_340_;
+    let _e168 = phi_344_;
     if _e168 {
-        phi_345_ = 1f;
+        phi_349_ = 1f;
     } else {
         let _e169 = _lt_math_evsm_Evsm_bound_of_offsets(param_7, vec4<f32>(_e119, _e120, _e121, _e122), param_9);
-        phi_345_ = _e169;
+        phi_349_ = _e169;
     }
-    let _e171 = phi_345_;
+    let _e171 = phi_349_;
     return _e171;
 }
 
 fn function_() {
     var local_1: lt_math_Evsm;
-    var phi_1344_: bool;
-    var phi_1345_: bool;
-    var phi_1346_: bool;
     var phi_1347_: bool;
-    var phi_1351_: bool;
-    var phi_1395_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1399_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1419_: lt_math_LightPoint;
-    var phi_1422_: u32;
-    var phi_1424_: lt_math_LevelPoint;
-    var phi_1510_: bool;
-    var phi_1519_: bool;
-    var phi_1528_: bool;
-    var phi_1529_: bool;
-    var phi_1530_: bool;
-    var phi_1531_: bool;
-    var phi_1532_: bool;
-    var phi_1533_: bool;
-    var phi_1534_: bool;
-    var phi_1538_: bool;
-    var phi_1565_: bool;
-    var phi_1566_: bool;
-    var phi_1567_: bool;
-    var phi_1568_: bool;
-    var phi_1569_: bool;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
+    var phi_1354_: bool;
+    var phi_1424_: bool;
+    var phi_1425_: bool;
+    var phi_1436_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1437_: bool;
+    var phi_1438_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1439_: bool;
+    var phi_1446_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1450_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1470_: lt_math_LightPoint;
+    var phi_1473_: u32;
+    var phi_1475_: lt_math_LevelPoint;
+    var phi_1561_: bool;
     var phi_1570_: bool;
-    var phi_1571_: bool;
-    var phi_1572_: bool;
-    var phi_1576_: bool;
-    var phi_1585_: lt_math_LightPoint;
-    var phi_1586_: u32;
-    var phi_1587_: lt_math_LevelPoint;
-    var phi_1588_: bool;
-    var phi_1420_: lt_math_LightPoint;
-    var phi_1423_: u32;
-    var phi_1425_: lt_math_LevelPoint;
+    var phi_1579_: bool;
+    var phi_1580_: bool;
+    var phi_1581_: bool;
+    var phi_1582_: bool;
+    var phi_1583_: bool;
+    var phi_1584_: bool;
+    var phi_1585_: bool;
     var phi_1589_: bool;
+    var phi_1616_: bool;
+    var phi_1617_: bool;
+    var phi_1618_: bool;
+    var phi_1619_: bool;
+    var phi_1620_: bool;
+    var phi_1621_: bool;
+    var phi_1622_: bool;
+    var phi_1623_: bool;
+    var phi_1627_: bool;
+    var phi_1636_: lt_math_LightPoint;
+    var phi_1637_: u32;
+    var phi_1638_: lt_math_LevelPoint;
+    var phi_1639_: bool;
+    var phi_1471_: lt_math_LightPoint;
+    var phi_1474_: u32;
+    var phi_1476_: lt_math_LevelPoint;
+    var phi_1640_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1629_: bool;
-    var phi_1630_: bool;
-    var phi_1631_: bool;
-    var phi_1632_: bool;
-    var phi_1636_: bool;
-    var phi_1718_: f32;
-    var phi_1834_: f32;
-    var phi_1835_: f32;
-    var phi_1838_: f32;
-    var phi_1867_: f32;
-    var phi_1872_: f32;
-    var phi_1873_: bool;
-    var phi_1874_: f32;
-    var phi_1875_: bool;
-    var phi_1879_: f32;
-    var phi_1899_: f32;
-    var phi_1904_: f32;
-    var phi_1905_: bool;
-    var phi_1906_: f32;
-    var phi_1907_: bool;
-    var phi_1911_: f32;
+    var phi_1680_: bool;
+    var phi_1681_: bool;
+    var phi_1682_: bool;
+    var phi_1683_: bool;
+    var phi_1687_: bool;
+    var phi_1769_: f32;
+    var phi_1885_: f32;
+    var phi_1886_: f32;
+    var phi_1889_: f32;
+    var phi_1918_: f32;
+    var phi_1923_: f32;
+    var phi_1924_: bool;
+    var phi_1925_: f32;
+    var phi_1926_: bool;
+    var phi_1930_: f32;
+    var phi_1950_: f32;
+    var phi_1955_: f32;
+    var phi_1956_: bool;
+    var phi_1957_: f32;
+    var phi_1958_: bool;
+    var phi_1962_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1964_: i32;
-    var phi_1969_: i32;
-    var phi_1974_: i32;
-    var phi_1979_: i32;
-    var phi_1988_: i32;
-    var phi_1993_: i32;
-    var phi_1998_: i32;
-    var phi_2003_: i32;
-    var phi_2054_: bool;
-    var phi_2062_: bool;
-    var phi_2074_: bool;
-    var phi_2075_: bool;
-    var phi_2079_: f32;
-    var phi_2085_: f32;
-    var phi_2087_: evaluate_Verdict;
-    var phi_2092_: evaluate_Verdict;
-    var phi_2093_: evaluate_Verdict;
-    var phi_2097_: bool;
-    var phi_2098_: u32;
-    var phi_2109_: u32;
+    var phi_2015_: i32;
+    var phi_2020_: i32;
+    var phi_2025_: i32;
+    var phi_2030_: i32;
+    var phi_2039_: i32;
+    var phi_2044_: i32;
+    var phi_2049_: i32;
+    var phi_2054_: i32;
+    var phi_2105_: bool;
+    var phi_2113_: bool;
+    var phi_2125_: bool;
+    var phi_2126_: bool;
+    var phi_2130_: f32;
+    var phi_2136_: f32;
+    var phi_2138_: evaluate_Verdict;
+    var phi_2143_: evaluate_Verdict;
+    var phi_2144_: evaluate_Verdict;
+    var phi_2148_: bool;
+    var phi_2149_: u32;
+    var phi_2160_: u32;
 
     let _e57 = id_1;
     let _e58 = local_5;
@@ -1085,541 +1100,580 @@ fn function_() {
     let _e74 = lt_shaders_entry_pixel_index(_e57, _e71, _e73);
     if (bitcast<i32>(_e74.root) != 0i) {
         let _e81 = p.member.level_count;
-        let _e83 = p.member.light;
-        let _e86 = samples.member[_e74.first_primitive].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[_e74.first_primitive].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[_e74.first_primitive].normal[2u];
-                let _e98 = global[2u];
-                phi_1344_ = (_e96 == _e98);
-                phi_1345_ = false;
+        let _e85 = samples.member[_e74.first_primitive].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[_e74.first_primitive].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[_e74.first_primitive].normal[2u];
+                let _e97 = global[2u];
+                phi_1347_ = (_e95 == _e97);
+                phi_1348_ = false;
             } else {
-                phi_1344_ = bool();
-                phi_1345_ = true;
+                phi_1347_ = bool();
+                phi_1348_ = true;
             }
-            let _e101 = phi_1344_;
-            let _e103 = phi_1345_;
-            phi_1346_ = _e101;
-            phi_1347_ = _e103;
+            let _e100 = phi_1347_;
+            let _e102 = phi_1348_;
+            phi_1349_ = _e100;
+            phi_1350_ = _e102;
         } else {
-            phi_1346_ = bool();
-            phi_1347_ = true;
+            phi_1349_ = bool();
+            phi_1350_ = true;
         }
-        let _e105 = phi_1346_;
-        let _e107 = phi_1347_;
-        if _e107 {
-            phi_1351_ = false;
+        let _e104 = phi_1349_;
+        let _e106 = phi_1350_;
+        if _e106 {
+            phi_1354_ = false;
         } else {
-            phi_1351_ = _e105;
+            phi_1354_ = _e104;
         }
-        let _e109 = phi_1351_;
-        if !(_e109) {
-            let _e112 = samples.member[_e74.first_primitive].normal;
-            let _e114 = samples.member[_e74.first_primitive].position;
-            if ((((_e112.x * (_e83.x - (_e114.x * _e83.w))) + (_e112.y * (_e83.y - (_e114.y * _e83.w)))) + (_e112.z * (_e83.z - (_e114.z * _e83.w)))) > 0f) {
-                let _e138 = samples.member[_e74.first_primitive].flags;
-                let _e146 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e146.unnamed.visibility, false), _e146.unnamed_1);
-                phi_1395_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e152.unnamed, ((_e138 & 1u) == 0u));
-            } else {
-                let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-                phi_1395_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, true);
-            }
-            let _e172 = phi_1395_;
-            phi_1399_ = _e172;
-        } else {
-            let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
-            phi_1399_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, true);
-        }
-        let _e189 = phi_1399_;
-        if _e189.unnamed_1 {
-            phi_2093_ = evaluate_Verdict(_e189.unnamed.visibility, _e189.unnamed.is_doubted);
-        } else {
-            let _e197 = samples.member[_e74.first_primitive].position;
-            let _e199 = p.member.map_size;
-            let _e201 = (0.5f / f32(_e199));
-            let _e208 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e215 = lt_math_LightPoint(vec2<f32>(_e208.uv.x, 0f), _e208.depth, _e208.is_inside);
-            let _e219 = lt_math_LightPoint(_e215.uv, 0f, _e215.is_inside);
-            phi_1419_ = lt_math_LightPoint();
-            phi_1422_ = 0u;
-            phi_1424_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e219.uv, _e219.depth, false));
-            loop {
-                let _e226 = phi_1419_;
-                let _e228 = phi_1422_;
-                let _e230 = phi_1424_;
-                local_2 = _e230;
-                local_3 = _e230;
-                local_4 = _e230;
-                if (_e228 < _e81) {
-                    if _e230.point.is_inside {
-                        phi_1585_ = lt_math_LightPoint();
-                        phi_1586_ = u32();
-                        phi_1587_ = lt_math_LevelPoint();
-                        phi_1588_ = false;
+        let _e108 = phi_1354_;
+        if !(_e108) {
+            let _e111 = samples.member[_e74.first_primitive].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[_e74.first_primitive].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_1425_ = true;
+                } else {
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_1424_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        if (_e228 < _e68) {
+                        phi_1424_ = false;
+                    }
+                    let _e169 = phi_1424_;
+                    phi_1425_ = _e169;
+                }
+                let _e171 = phi_1425_;
+                if _e171 {
+                    let _e173 = samples.member[_e74.first_primitive].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_1436_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_1437_ = false;
+                } else {
+                    phi_1436_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1437_ = true;
+                }
+                let _e192 = phi_1436_;
+                let _e194 = phi_1437_;
+                phi_1438_ = _e192;
+                phi_1439_ = _e194;
+            } else {
+                phi_1438_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1439_ = true;
+            }
+            let _e196 = phi_1438_;
+            let _e198 = phi_1439_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_1446_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+            } else {
+                phi_1446_ = _e196;
+            }
+            let _e215 = phi_1446_;
+            phi_1450_ = _e215;
+        } else {
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_1450_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+        }
+        let _e232 = phi_1450_;
+        if _e232.unnamed_1 {
+            phi_2144_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+        } else {
+            let _e240 = samples.member[_e74.first_primitive].position;
+            let _e242 = p.member.map_size;
+            let _e244 = (0.5f / f32(_e242));
+            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
+            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
+            phi_1470_ = lt_math_LightPoint();
+            phi_1473_ = 0u;
+            phi_1475_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            loop {
+                let _e269 = phi_1470_;
+                let _e271 = phi_1473_;
+                let _e273 = phi_1475_;
+                local_2 = _e273;
+                local_3 = _e273;
+                local_4 = _e273;
+                if (_e271 < _e81) {
+                    if _e273.point.is_inside {
+                        phi_1636_ = lt_math_LightPoint();
+                        phi_1637_ = u32();
+                        phi_1638_ = lt_math_LevelPoint();
+                        phi_1639_ = false;
+                    } else {
+                        if (_e271 < _e68) {
                         } else {
                             return;
                         }
-                        let _e241 = levels.member[(0u + _e228)].row_w;
-                        let _e252 = ((((_e241.x * _e197.x) + (_e241.y * _e197.y)) + (_e241.z * _e197.z)) + (_e241.w * 1f));
-                        let _e254 = levels.member[(0u + _e228)].row_x;
-                        let _e266 = (((((_e254.x * _e197.x) + (_e254.y * _e197.y)) + (_e254.z * _e197.z)) + (_e254.w * 1f)) / _e252);
-                        let _e268 = levels.member[(0u + _e228)].row_y;
-                        let _e280 = (((((_e268.x * _e197.x) + (_e268.y * _e197.y)) + (_e268.z * _e197.z)) + (_e268.w * 1f)) / _e252);
-                        let _e282 = levels.member[(0u + _e228)].row_z;
-                        let _e293 = ((((_e282.x * _e197.x) + (_e282.y * _e197.y)) + (_e282.z * _e197.z)) + (_e282.w * 1f));
-                        if (_e252 > 0f) {
-                            if (_e266 >= 0f) {
-                                phi_1510_ = (_e266 <= 1f);
+                        let _e284 = levels.member[(0u + _e271)].row_w;
+                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
+                        let _e297 = levels.member[(0u + _e271)].row_x;
+                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
+                        let _e311 = levels.member[(0u + _e271)].row_y;
+                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
+                        let _e325 = levels.member[(0u + _e271)].row_z;
+                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
+                        if (_e295 > 0f) {
+                            if (_e309 >= 0f) {
+                                phi_1561_ = (_e309 <= 1f);
                             } else {
-                                phi_1510_ = false;
+                                phi_1561_ = false;
                             }
-                            let _e298 = phi_1510_;
-                            if _e298 {
-                                if (_e280 >= 0f) {
-                                    phi_1519_ = (_e280 <= 1f);
+                            let _e341 = phi_1561_;
+                            if _e341 {
+                                if (_e323 >= 0f) {
+                                    phi_1570_ = (_e323 <= 1f);
                                 } else {
-                                    phi_1519_ = false;
+                                    phi_1570_ = false;
                                 }
-                                let _e302 = phi_1519_;
-                                if _e302 {
-                                    if (_e293 >= 0f) {
-                                        phi_1528_ = (_e293 <= 1f);
+                                let _e345 = phi_1570_;
+                                if _e345 {
+                                    if (_e336 >= 0f) {
+                                        phi_1579_ = (_e336 <= 1f);
                                     } else {
-                                        phi_1528_ = false;
+                                        phi_1579_ = false;
                                     }
-                                    let _e306 = phi_1528_;
-                                    phi_1529_ = _e306;
-                                    phi_1530_ = false;
+                                    let _e349 = phi_1579_;
+                                    phi_1580_ = _e349;
+                                    phi_1581_ = false;
                                 } else {
-                                    phi_1529_ = bool();
-                                    phi_1530_ = true;
+                                    phi_1580_ = bool();
+                                    phi_1581_ = true;
                                 }
-                                let _e308 = phi_1529_;
-                                let _e310 = phi_1530_;
-                                phi_1531_ = _e308;
-                                phi_1532_ = _e310;
+                                let _e351 = phi_1580_;
+                                let _e353 = phi_1581_;
+                                phi_1582_ = _e351;
+                                phi_1583_ = _e353;
                             } else {
-                                phi_1531_ = bool();
-                                phi_1532_ = true;
+                                phi_1582_ = bool();
+                                phi_1583_ = true;
                             }
-                            let _e312 = phi_1531_;
-                            let _e314 = phi_1532_;
-                            phi_1533_ = _e312;
-                            phi_1534_ = _e314;
+                            let _e355 = phi_1582_;
+                            let _e357 = phi_1583_;
+                            phi_1584_ = _e355;
+                            phi_1585_ = _e357;
                         } else {
-                            phi_1533_ = bool();
-                            phi_1534_ = true;
+                            phi_1584_ = bool();
+                            phi_1585_ = true;
                         }
-                        let _e316 = phi_1533_;
-                        let _e318 = phi_1534_;
-                        if _e318 {
-                            phi_1538_ = false;
+                        let _e359 = phi_1584_;
+                        let _e361 = phi_1585_;
+                        if _e361 {
+                            phi_1589_ = false;
                         } else {
-                            phi_1538_ = _e316;
+                            phi_1589_ = _e359;
                         }
-                        let _e320 = phi_1538_;
-                        if _e320 {
-                            if (_e266 >= _e201) {
-                                if (_e266 <= (1f - _e201)) {
-                                    if (_e280 >= _e201) {
-                                        phi_1565_ = (_e280 <= (1f - _e201));
-                                        phi_1566_ = false;
+                        let _e363 = phi_1589_;
+                        if _e363 {
+                            if (_e309 >= _e244) {
+                                if (_e309 <= (1f - _e244)) {
+                                    if (_e323 >= _e244) {
+                                        phi_1616_ = (_e323 <= (1f - _e244));
+                                        phi_1617_ = false;
                                     } else {
-                                        phi_1565_ = bool();
-                                        phi_1566_ = true;
+                                        phi_1616_ = bool();
+                                        phi_1617_ = true;
                                     }
-                                    let _e328 = phi_1565_;
-                                    let _e330 = phi_1566_;
-                                    phi_1567_ = _e328;
-                                    phi_1568_ = _e330;
+                                    let _e371 = phi_1616_;
+                                    let _e373 = phi_1617_;
+                                    phi_1618_ = _e371;
+                                    phi_1619_ = _e373;
                                 } else {
-                                    phi_1567_ = bool();
-                                    phi_1568_ = true;
+                                    phi_1618_ = bool();
+                                    phi_1619_ = true;
                                 }
-                                let _e332 = phi_1567_;
-                                let _e334 = phi_1568_;
-                                phi_1569_ = _e332;
-                                phi_1570_ = _e334;
+                                let _e375 = phi_1618_;
+                                let _e377 = phi_1619_;
+                                phi_1620_ = _e375;
+                                phi_1621_ = _e377;
                             } else {
-                                phi_1569_ = bool();
-                                phi_1570_ = true;
+                                phi_1620_ = bool();
+                                phi_1621_ = true;
                             }
-                            let _e336 = phi_1569_;
-                            let _e338 = phi_1570_;
-                            phi_1571_ = _e336;
-                            phi_1572_ = _e338;
+                            let _e379 = phi_1620_;
+                            let _e381 = phi_1621_;
+                            phi_1622_ = _e379;
+                            phi_1623_ = _e381;
                         } else {
-                            phi_1571_ = bool();
-                            phi_1572_ = true;
+                            phi_1622_ = bool();
+                            phi_1623_ = true;
                         }
-                        let _e340 = phi_1571_;
-                        let _e342 = phi_1572_;
-                        if _e342 {
-                            phi_1576_ = false;
+                        let _e383 = phi_1622_;
+                        let _e385 = phi_1623_;
+                        if _e385 {
+                            phi_1627_ = false;
                         } else {
-                            phi_1576_ = _e340;
+                            phi_1627_ = _e383;
                         }
-                        let _e344 = phi_1576_;
-                        let _e351 = lt_math_LightPoint(vec2<f32>(_e266, _e226.uv.y), _e226.depth, _e226.is_inside);
-                        let _e358 = lt_math_LightPoint(vec2<f32>(_e351.uv.x, _e280), _e351.depth, _e351.is_inside);
-                        let _e362 = lt_math_LightPoint(_e358.uv, _e293, _e358.is_inside);
-                        let _e366 = lt_math_LightPoint(_e362.uv, _e362.depth, _e344);
-                        phi_1585_ = _e366;
-                        phi_1586_ = (_e228 + 1u);
-                        phi_1587_ = lt_math_LevelPoint(_e228, _e366);
-                        phi_1588_ = true;
+                        let _e387 = phi_1627_;
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
+                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
+                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
+                        phi_1636_ = _e409;
+                        phi_1637_ = (_e271 + 1u);
+                        phi_1638_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_1639_ = true;
                     }
-                    let _e370 = phi_1585_;
-                    let _e372 = phi_1586_;
-                    let _e374 = phi_1587_;
-                    let _e376 = phi_1588_;
-                    phi_1420_ = _e370;
-                    phi_1423_ = _e372;
-                    phi_1425_ = _e374;
-                    phi_1589_ = _e376;
+                    let _e413 = phi_1636_;
+                    let _e415 = phi_1637_;
+                    let _e417 = phi_1638_;
+                    let _e419 = phi_1639_;
+                    phi_1471_ = _e413;
+                    phi_1474_ = _e415;
+                    phi_1476_ = _e417;
+                    phi_1640_ = _e419;
                 } else {
-                    phi_1420_ = lt_math_LightPoint();
-                    phi_1423_ = u32();
-                    phi_1425_ = lt_math_LevelPoint();
-                    phi_1589_ = false;
+                    phi_1471_ = lt_math_LightPoint();
+                    phi_1474_ = u32();
+                    phi_1476_ = lt_math_LevelPoint();
+                    phi_1640_ = false;
                 }
-                let _e378 = phi_1420_;
-                let _e380 = phi_1423_;
-                let _e382 = phi_1425_;
-                let _e384 = phi_1589_;
+                let _e421 = phi_1471_;
+                let _e423 = phi_1474_;
+                let _e425 = phi_1476_;
+                let _e427 = phi_1640_;
                 continue;
                 continuing {
-                    phi_1419_ = _e378;
-                    phi_1422_ = _e380;
-                    phi_1424_ = _e382;
-                    break if !(_e384);
+                    phi_1470_ = _e421;
+                    phi_1473_ = _e423;
+                    phi_1475_ = _e425;
+                    break if !(_e427);
                 }
             }
-            let _e387 = local_2;
-            if _e387.point.is_inside {
+            let _e430 = local_2;
+            if _e430.point.is_inside {
                 if (0f > 0f) {
-                    let _e393 = local_3;
-                    if (_e393.level < _e68) {
+                    let _e436 = local_3;
+                    if (_e436.level < _e68) {
                     } else {
                         return;
                     }
-                    let _e398 = levels.member[(0u + _e393.level)];
-                    let _e404 = global[0u];
-                    if (_e398.row_w.x == _e404) {
-                        let _e407 = global[1u];
-                        if (_e398.row_w.y == _e407) {
-                            let _e410 = global[2u];
-                            phi_1629_ = (_e398.row_w.z == _e410);
-                            phi_1630_ = false;
+                    let _e441 = levels.member[(0u + _e436.level)];
+                    let _e447 = global[0u];
+                    if (_e441.row_w.x == _e447) {
+                        let _e450 = global[1u];
+                        if (_e441.row_w.y == _e450) {
+                            let _e453 = global[2u];
+                            phi_1680_ = (_e441.row_w.z == _e453);
+                            phi_1681_ = false;
                         } else {
-                            phi_1629_ = bool();
-                            phi_1630_ = true;
+                            phi_1680_ = bool();
+                            phi_1681_ = true;
                         }
-                        let _e413 = phi_1629_;
-                        let _e415 = phi_1630_;
-                        phi_1631_ = _e413;
-                        phi_1632_ = _e415;
+                        let _e456 = phi_1680_;
+                        let _e458 = phi_1681_;
+                        phi_1682_ = _e456;
+                        phi_1683_ = _e458;
                     } else {
-                        phi_1631_ = bool();
-                        phi_1632_ = true;
+                        phi_1682_ = bool();
+                        phi_1683_ = true;
                     }
-                    let _e417 = phi_1631_;
-                    let _e419 = phi_1632_;
-                    if _e419 {
-                        phi_1636_ = false;
+                    let _e460 = phi_1682_;
+                    let _e462 = phi_1683_;
+                    if _e462 {
+                        phi_1687_ = false;
                     } else {
-                        phi_1636_ = _e417;
+                        phi_1687_ = _e460;
                     }
-                    let _e421 = phi_1636_;
-                    if _e421 {
-                        let _e423 = samples.member[_e74.first_primitive].normal;
-                        let _e425 = p.member.map_size;
-                        let _e495 = ((abs(((((_e398.row_x.x * _e423.x) + (_e398.row_x.y * _e423.y)) + (_e398.row_x.z * _e423.z)) / (((_e398.row_x.x * _e398.row_x.x) + (_e398.row_x.y * _e398.row_x.y)) + (_e398.row_x.z * _e398.row_x.z)))) + abs(((((_e398.row_y.x * _e423.x) + (_e398.row_y.y * _e423.y)) + (_e398.row_y.z * _e423.z)) / (((_e398.row_y.x * _e398.row_y.x) + (_e398.row_y.y * _e398.row_y.y)) + (_e398.row_y.z * _e398.row_y.z))))) / (abs(((((_e398.row_z.x * _e423.x) + (_e398.row_z.y * _e423.y)) + (_e398.row_z.z * _e423.z)) / (((_e398.row_z.x * _e398.row_z.x) + (_e398.row_z.y * _e398.row_z.y)) + (_e398.row_z.z * _e398.row_z.z)))) * f32(_e425)));
-                        if (_e495 < 0.002f) {
-                            phi_1718_ = _e495;
+                    let _e464 = phi_1687_;
+                    if _e464 {
+                        let _e466 = samples.member[_e74.first_primitive].normal;
+                        let _e468 = p.member.map_size;
+                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
+                        if (_e538 < 0.002f) {
+                            phi_1769_ = _e538;
                         } else {
-                            phi_1718_ = 0.002f;
+                            phi_1769_ = 0.002f;
                         }
-                        let _e498 = phi_1718_;
-                        phi_1835_ = _e498;
+                        let _e541 = phi_1769_;
+                        phi_1886_ = _e541;
                     } else {
-                        let _e500 = p.member.map_size;
-                        let _e506 = samples.member[_e74.first_primitive].position;
-                        let _e517 = ((((_e398.row_w.x * _e506.x) + (_e398.row_w.y * _e506.y)) + (_e398.row_w.z * _e506.z)) + _e398.row_w.w);
-                        let _e530 = ((_e398.row_x.x - (_e398.row_w.x * _e387.point.uv.x)) / _e517);
-                        let _e531 = ((_e398.row_x.y - (_e398.row_w.y * _e387.point.uv.x)) / _e517);
-                        let _e532 = ((_e398.row_x.z - (_e398.row_w.z * _e387.point.uv.x)) / _e517);
-                        let _e545 = ((_e398.row_y.x - (_e398.row_w.x * _e387.point.uv.y)) / _e517);
-                        let _e546 = ((_e398.row_y.y - (_e398.row_w.y * _e387.point.uv.y)) / _e517);
-                        let _e547 = ((_e398.row_y.z - (_e398.row_w.z * _e387.point.uv.y)) / _e517);
-                        let _e553 = samples.member[_e74.first_primitive].normal;
-                        let _e558 = ((_e546 * _e553.z) - (_e553.y * _e547));
-                        let _e563 = ((_e547 * _e553.x) - (_e553.z * _e545));
-                        let _e568 = ((_e545 * _e553.y) - (_e553.x * _e546));
-                        let _e570 = samples.member[_e74.first_primitive].normal;
-                        let _e575 = ((_e531 * _e570.z) - (_e570.y * _e532));
-                        let _e580 = ((_e532 * _e570.x) - (_e570.z * _e530));
-                        let _e585 = ((_e530 * _e570.y) - (_e570.x * _e531));
-                        let _e612 = ((abs(((((_e398.row_z.x * _e558) + (_e398.row_z.y * _e563)) + (_e398.row_z.z * _e568)) / (((_e530 * _e558) + (_e531 * _e563)) + (_e532 * _e568)))) + abs(((((_e398.row_z.x * _e575) + (_e398.row_z.y * _e580)) + (_e398.row_z.z * _e585)) / (((_e545 * _e575) + (_e546 * _e580)) + (_e547 * _e585))))) / f32(_e500));
-                        if (_e612 < 0.002f) {
-                            phi_1834_ = _e612;
+                        let _e543 = p.member.map_size;
+                        let _e549 = samples.member[_e74.first_primitive].position;
+                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
+                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
+                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
+                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
+                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
+                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
+                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
+                        let _e596 = samples.member[_e74.first_primitive].normal;
+                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
+                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
+                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
+                        let _e613 = samples.member[_e74.first_primitive].normal;
+                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
+                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
+                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
+                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
+                        if (_e655 < 0.002f) {
+                            phi_1885_ = _e655;
                         } else {
-                            phi_1834_ = 0.002f;
+                            phi_1885_ = 0.002f;
                         }
-                        let _e615 = phi_1834_;
-                        phi_1835_ = _e615;
+                        let _e658 = phi_1885_;
+                        phi_1886_ = _e658;
                     }
-                    let _e617 = phi_1835_;
-                    phi_1838_ = (_e387.point.depth - (0f * _e617));
+                    let _e660 = phi_1886_;
+                    phi_1889_ = (_e430.point.depth - (0f * _e660));
                 } else {
-                    phi_1838_ = _e387.point.depth;
+                    phi_1889_ = _e430.point.depth;
                 }
-                let _e621 = phi_1838_;
-                let _e627 = p.member.map_size;
-                let _e628 = f32(_e627);
-                let _e631 = ((_e387.point.uv.x * _e628) - 0.5f);
-                let _e632 = ((_e387.point.uv.y * _e628) - 0.5f);
-                if (_e631 > -8388608f) {
-                    let _e644 = f32(select(0i, select(select(i32(_e631), i32(-2147483648), (_e631 < bitcast<f32>(3472883712u))), 2147483647i, (_e631 > bitcast<f32>(1325400063u))), (_e631 == _e631)));
-                    if (_e644 > _e631) {
-                        phi_1867_ = 1f;
+                let _e664 = phi_1889_;
+                let _e670 = p.member.map_size;
+                let _e671 = f32(_e670);
+                let _e674 = ((_e430.point.uv.x * _e671) - 0.5f);
+                let _e675 = ((_e430.point.uv.y * _e671) - 0.5f);
+                if (_e674 > -8388608f) {
+                    let _e687 = f32(select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674)));
+                    if (_e687 > _e674) {
+                        phi_1918_ = 1f;
                     } else {
-                        phi_1867_ = 0f;
+                        phi_1918_ = 0f;
                     }
-                    let _e647 = phi_1867_;
-                    if (_e631 < 8388608f) {
-                        phi_1872_ = (_e644 - _e647);
-                        phi_1873_ = false;
+                    let _e690 = phi_1918_;
+                    if (_e674 < 8388608f) {
+                        phi_1923_ = (_e687 - _e690);
+                        phi_1924_ = false;
                     } else {
-                        phi_1872_ = f32();
-                        phi_1873_ = true;
+                        phi_1923_ = f32();
+                        phi_1924_ = true;
                     }
-                    let _e650 = phi_1872_;
-                    let _e652 = phi_1873_;
-                    phi_1874_ = _e650;
-                    phi_1875_ = _e652;
+                    let _e693 = phi_1923_;
+                    let _e695 = phi_1924_;
+                    phi_1925_ = _e693;
+                    phi_1926_ = _e695;
                 } else {
-                    phi_1874_ = f32();
-                    phi_1875_ = true;
+                    phi_1925_ = f32();
+                    phi_1926_ = true;
                 }
-                let _e654 = phi_1874_;
-                let _e656 = phi_1875_;
-                if _e656 {
-                    phi_1879_ = _e631;
+                let _e697 = phi_1925_;
+                let _e699 = phi_1926_;
+                if _e699 {
+                    phi_1930_ = _e674;
                 } else {
-                    phi_1879_ = _e654;
+                    phi_1930_ = _e697;
                 }
-                let _e658 = phi_1879_;
-                if (_e632 > -8388608f) {
-                    let _e670 = f32(select(0i, select(select(i32(_e632), i32(-2147483648), (_e632 < bitcast<f32>(3472883712u))), 2147483647i, (_e632 > bitcast<f32>(1325400063u))), (_e632 == _e632)));
-                    if (_e670 > _e632) {
-                        phi_1899_ = 1f;
+                let _e701 = phi_1930_;
+                if (_e675 > -8388608f) {
+                    let _e713 = f32(select(0i, select(select(i32(_e675), i32(-2147483648), (_e675 < bitcast<f32>(3472883712u))), 2147483647i, (_e675 > bitcast<f32>(1325400063u))), (_e675 == _e675)));
+                    if (_e713 > _e675) {
+                        phi_1950_ = 1f;
                     } else {
-                        phi_1899_ = 0f;
+                        phi_1950_ = 0f;
                     }
-                    let _e673 = phi_1899_;
-                    if (_e632 < 8388608f) {
-                        phi_1904_ = (_e670 - _e673);
-                        phi_1905_ = false;
+                    let _e716 = phi_1950_;
+                    if (_e675 < 8388608f) {
+                        phi_1955_ = (_e713 - _e716);
+                        phi_1956_ = false;
                     } else {
-                        phi_1904_ = f32();
-                        phi_1905_ = true;
+                        phi_1955_ = f32();
+                        phi_1956_ = true;
                     }
-                    let _e676 = phi_1904_;
-                    let _e678 = phi_1905_;
-                    phi_1906_ = _e676;
-                    phi_1907_ = _e678;
+                    let _e719 = phi_1955_;
+                    let _e721 = phi_1956_;
+                    phi_1957_ = _e719;
+                    phi_1958_ = _e721;
                 } else {
-                    phi_1906_ = f32();
-                    phi_1907_ = true;
+                    phi_1957_ = f32();
+                    phi_1958_ = true;
                 }
-                let _e680 = phi_1906_;
-                let _e682 = phi_1907_;
-                if _e682 {
-                    phi_1911_ = _e632;
+                let _e723 = phi_1957_;
+                let _e725 = phi_1958_;
+                if _e725 {
+                    phi_1962_ = _e675;
                 } else {
-                    phi_1911_ = _e680;
+                    phi_1962_ = _e723;
                 }
-                let _e684 = phi_1911_;
-                let _e685 = (_e631 - _e658);
-                let _e686 = (_e632 - _e684);
-                let _e695 = select(0i, select(select(i32(_e658), i32(-2147483648), (_e658 < bitcast<f32>(3472883712u))), 2147483647i, (_e658 > bitcast<f32>(1325400063u))), (_e658 == _e658));
-                let _e704 = select(0i, select(select(i32(_e684), i32(-2147483648), (_e684 < bitcast<f32>(3472883712u))), 2147483647i, (_e684 > bitcast<f32>(1325400063u))), (_e684 == _e684));
-                let _e715 = p.member.test;
-                let _e716 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e715);
-                let _e718 = p.member.map_size;
-                let _e720 = local_4;
-                local_1 = lt_math_Evsm(_e716.positive_exponent, _e716.negative_exponent, _e716.min_variance);
-                let _e727 = ((_e720.level * _e718) * _e718);
-                let _e729 = (bitcast<i32>(_e718) - 1i);
-                if (_e695 > 0i) {
-                    phi_1964_ = _e695;
+                let _e727 = phi_1962_;
+                let _e728 = (_e674 - _e701);
+                let _e729 = (_e675 - _e727);
+                let _e738 = select(0i, select(select(i32(_e701), i32(-2147483648), (_e701 < bitcast<f32>(3472883712u))), 2147483647i, (_e701 > bitcast<f32>(1325400063u))), (_e701 == _e701));
+                let _e747 = select(0i, select(select(i32(_e727), i32(-2147483648), (_e727 < bitcast<f32>(3472883712u))), 2147483647i, (_e727 > bitcast<f32>(1325400063u))), (_e727 == _e727));
+                let _e758 = p.member.test;
+                let _e759 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e758);
+                let _e761 = p.member.map_size;
+                let _e763 = local_4;
+                local_1 = lt_math_Evsm(_e759.positive_exponent, _e759.negative_exponent, _e759.min_variance);
+                let _e770 = ((_e763.level * _e761) * _e761);
+                let _e772 = (bitcast<i32>(_e761) - 1i);
+                if (_e738 > 0i) {
+                    phi_2015_ = _e738;
                 } else {
-                    phi_1964_ = 0i;
+                    phi_2015_ = 0i;
                 }
-                let _e732 = phi_1964_;
-                if (_e704 > 0i) {
-                    phi_1969_ = _e704;
+                let _e775 = phi_2015_;
+                if (_e747 > 0i) {
+                    phi_2020_ = _e747;
                 } else {
-                    phi_1969_ = 0i;
+                    phi_2020_ = 0i;
                 }
-                let _e735 = phi_1969_;
-                if (_e732 < _e729) {
-                    phi_1974_ = _e732;
+                let _e778 = phi_2020_;
+                if (_e775 < _e772) {
+                    phi_2025_ = _e775;
                 } else {
-                    phi_1974_ = _e729;
+                    phi_2025_ = _e772;
                 }
-                let _e738 = phi_1974_;
-                if (_e735 < _e729) {
-                    phi_1979_ = _e735;
+                let _e781 = phi_2025_;
+                if (_e778 < _e772) {
+                    phi_2030_ = _e778;
                 } else {
-                    phi_1979_ = _e729;
+                    phi_2030_ = _e772;
                 }
-                let _e741 = phi_1979_;
-                let _e742 = bitcast<u32>(_e738);
-                let _e744 = (_e695 + 1i);
-                let _e745 = (_e704 + 1i);
-                if (_e744 > 0i) {
-                    phi_1988_ = _e744;
+                let _e784 = phi_2030_;
+                let _e785 = bitcast<u32>(_e781);
+                let _e787 = (_e738 + 1i);
+                let _e788 = (_e747 + 1i);
+                if (_e787 > 0i) {
+                    phi_2039_ = _e787;
                 } else {
-                    phi_1988_ = 0i;
+                    phi_2039_ = 0i;
                 }
-                let _e748 = phi_1988_;
-                if (_e745 > 0i) {
-                    phi_1993_ = _e745;
+                let _e791 = phi_2039_;
+                if (_e788 > 0i) {
+                    phi_2044_ = _e788;
                 } else {
-                    phi_1993_ = 0i;
+                    phi_2044_ = 0i;
                 }
-                let _e751 = phi_1993_;
-                if (_e748 < _e729) {
-                    phi_1998_ = _e748;
+                let _e794 = phi_2044_;
+                if (_e791 < _e772) {
+                    phi_2049_ = _e791;
                 } else {
-                    phi_1998_ = _e729;
+                    phi_2049_ = _e772;
                 }
-                let _e754 = phi_1998_;
-                if (_e751 < _e729) {
-                    phi_2003_ = _e751;
+                let _e797 = phi_2049_;
+                if (_e794 < _e772) {
+                    phi_2054_ = _e794;
                 } else {
-                    phi_2003_ = _e729;
+                    phi_2054_ = _e772;
                 }
-                let _e757 = phi_2003_;
-                let _e758 = bitcast<u32>(_e754);
-                let _e760 = (bitcast<u32>(_e741) * _e718);
-                let _e761 = (bitcast<u32>(_e757) * _e718);
-                let _e766 = ((_e760 + _e742) + _e727);
-                let _e767 = ((_e760 + _e758) + _e727);
-                let _e768 = ((_e761 + _e742) + _e727);
-                let _e769 = ((_e761 + _e758) + _e727);
-                if (_e766 < _e63) {
+                let _e800 = phi_2054_;
+                let _e801 = bitcast<u32>(_e797);
+                let _e803 = (bitcast<u32>(_e784) * _e761);
+                let _e804 = (bitcast<u32>(_e800) * _e761);
+                let _e809 = ((_e803 + _e785) + _e770);
+                let _e810 = ((_e803 + _e801) + _e770);
+                let _e811 = ((_e804 + _e785) + _e770);
+                let _e812 = ((_e804 + _e801) + _e770);
+                if (_e809 < _e63) {
                 } else {
                     return;
                 }
-                let _e773 = map.member[(0u + _e766)];
-                if (_e767 < _e63) {
+                let _e816 = map.member[(0u + _e809)];
+                if (_e810 < _e63) {
                 } else {
                     return;
                 }
-                let _e777 = map.member[(0u + _e767)];
-                if (_e768 < _e63) {
+                let _e820 = map.member[(0u + _e810)];
+                if (_e811 < _e63) {
                 } else {
                     return;
                 }
-                let _e781 = map.member[(0u + _e768)];
-                if (_e769 < _e63) {
+                let _e824 = map.member[(0u + _e811)];
+                if (_e812 < _e63) {
                 } else {
                     return;
                 }
-                let _e785 = map.member[(0u + _e769)];
-                let _e787 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e773, _e777, _e781, _e785), vec4<f32>(((1f - _e685) * (1f - _e686)), (_e685 * (1f - _e686)), ((1f - _e685) * _e686), (_e685 * _e686)), _e621);
-                let _e789 = p.member.epsilon;
-                if (_e787 <= _e789) {
-                    phi_2054_ = true;
+                let _e828 = map.member[(0u + _e812)];
+                let _e830 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e816, _e820, _e824, _e828), vec4<f32>(((1f - _e728) * (1f - _e729)), (_e728 * (1f - _e729)), ((1f - _e728) * _e729), (_e728 * _e729)), _e664);
+                let _e832 = p.member.epsilon;
+                if (_e830 <= _e832) {
+                    phi_2105_ = true;
                 } else {
-                    phi_2054_ = (_e787 >= (1f - _e789));
+                    phi_2105_ = (_e830 >= (1f - _e832));
                 }
-                let _e794 = phi_2054_;
-                if ((bitcast<u32>(_e787) & 2147483647u) > 2139095040u) {
-                    phi_2062_ = true;
+                let _e837 = phi_2105_;
+                if ((bitcast<u32>(_e830) & 2147483647u) > 2139095040u) {
+                    phi_2113_ = true;
                 } else {
-                    phi_2062_ = !(_e794);
+                    phi_2113_ = !(_e837);
                 }
-                let _e800 = phi_2062_;
-                if _e800 {
-                    if (_e787 > 0f) {
-                        if (_e787 < 1f) {
-                            phi_2074_ = false;
+                let _e843 = phi_2113_;
+                if _e843 {
+                    if (_e830 > 0f) {
+                        if (_e830 < 1f) {
+                            phi_2125_ = false;
                         } else {
-                            phi_2074_ = true;
+                            phi_2125_ = true;
                         }
-                        let _e804 = phi_2074_;
-                        phi_2075_ = _e804;
+                        let _e847 = phi_2125_;
+                        phi_2126_ = _e847;
                     } else {
-                        phi_2075_ = true;
+                        phi_2126_ = true;
                     }
-                    let _e806 = phi_2075_;
-                    if _e806 {
-                        phi_2079_ = 0.5f;
+                    let _e849 = phi_2126_;
+                    if _e849 {
+                        phi_2130_ = 0.5f;
                     } else {
-                        phi_2079_ = _e787;
+                        phi_2130_ = _e830;
                     }
-                    let _e808 = phi_2079_;
-                    phi_2087_ = evaluate_Verdict(_e808, true);
+                    let _e851 = phi_2130_;
+                    phi_2138_ = evaluate_Verdict(_e851, true);
                 } else {
-                    if (_e787 > 0.5f) {
-                        phi_2085_ = 1f;
+                    if (_e830 > 0.5f) {
+                        phi_2136_ = 1f;
                     } else {
-                        phi_2085_ = 0f;
+                        phi_2136_ = 0f;
                     }
-                    let _e812 = phi_2085_;
-                    phi_2087_ = evaluate_Verdict(_e812, false);
+                    let _e855 = phi_2136_;
+                    phi_2138_ = evaluate_Verdict(_e855, false);
                 }
-                let _e815 = phi_2087_;
-                phi_2092_ = evaluate_Verdict(_e815.visibility, _e815.is_doubted);
+                let _e858 = phi_2138_;
+                phi_2143_ = evaluate_Verdict(_e858.visibility, _e858.is_doubted);
             } else {
-                phi_2092_ = evaluate_Verdict(0.5f, true);
+                phi_2143_ = evaluate_Verdict(0.5f, true);
             }
-            let _e821 = phi_2092_;
-            phi_2093_ = _e821;
+            let _e864 = phi_2143_;
+            phi_2144_ = _e864;
         }
-        let _e823 = phi_2093_;
-        visibility.member[_e74.first_primitive] = _e823.visibility;
-        phi_2097_ = _e823.is_doubted;
-        phi_2098_ = _e74.first_primitive;
+        let _e866 = phi_2144_;
+        visibility.member[_e74.first_primitive] = _e866.visibility;
+        phi_2148_ = _e866.is_doubted;
+        phi_2149_ = _e74.first_primitive;
     } else {
-        phi_2097_ = false;
-        phi_2098_ = 0u;
+        phi_2148_ = false;
+        phi_2149_ = 0u;
     }
-    let _e828 = phi_2097_;
-    let _e830 = phi_2098_;
+    let _e871 = phi_2148_;
+    let _e873 = phi_2149_;
     if (_e58 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e828 {
-        let _e834 = atomicAdd((&shared_[0u]), 1u);
-        phi_2109_ = _e834;
+    if _e871 {
+        let _e877 = atomicAdd((&shared_[0u]), 1u);
+        phi_2160_ = _e877;
     } else {
-        phi_2109_ = 0u;
+        phi_2160_ = 0u;
     }
-    let _e836 = phi_2109_;
+    let _e879 = phi_2160_;
     workgroupBarrier();
     if (_e58 == 0u) {
-        let _e840 = atomicLoad((&shared_[0u]));
-        let _e841 = atomicAdd((&list.member[3u]), _e840);
-        atomicStore((&shared_[1u]), _e841);
+        let _e883 = atomicLoad((&shared_[0u]));
+        let _e884 = atomicAdd((&list.member[3u]), _e883);
+        atomicStore((&shared_[1u]), _e884);
     }
     workgroupBarrier();
-    if _e828 {
-        let _e844 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e844) + _e836)]), _e830);
+    if _e871 {
+        let _e887 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e887) + _e879)]), _e873);
     }
     return;
 }

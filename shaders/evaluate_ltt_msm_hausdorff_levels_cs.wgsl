@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: abi_ShadowParams,
 }
 
@@ -69,7 +78,7 @@ struct lt_bvh_slab_Span {
     far: f32,
 }
 
-struct type_43 {
+struct type_45 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,7 +87,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<atomic<u32>>,
 }
 
@@ -89,47 +98,47 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_38;
+var<uniform> p: type_40;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_49;
+var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_43;
+var<storage> levels: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_168_: bool;
+    var phi_173_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_163_ = false;
+            phi_165_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_166_ = false;
         } else {
-            phi_162_ = lt_bvh_traverse_Tree();
-            phi_163_ = true;
+            phi_165_ = lt_bvh_traverse_Tree();
+            phi_166_ = true;
         }
-        let _e60 = phi_162_;
-        let _e62 = phi_163_;
-        phi_164_ = _e60;
-        phi_165_ = _e62;
+        let _e60 = phi_165_;
+        let _e62 = phi_166_;
+        phi_167_ = _e60;
+        phi_168_ = _e62;
     } else {
-        phi_164_ = lt_bvh_traverse_Tree();
-        phi_165_ = true;
+        phi_167_ = lt_bvh_traverse_Tree();
+        phi_168_ = true;
     }
-    let _e64 = phi_164_;
-    let _e66 = phi_165_;
+    let _e64 = phi_167_;
+    let _e66 = phi_168_;
     if _e66 {
-        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_173_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_170_ = _e64;
+        phi_173_ = _e64;
     }
-    let _e71 = phi_170_;
+    let _e71 = phi_173_;
     return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
@@ -138,233 +147,233 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_197_: f32;
-    var phi_198_: f32;
-    var phi_199_: f32;
-    var phi_216_: f32;
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
-    var phi_236_: f32;
-    var phi_252_: f32;
-    var phi_253_: f32;
-    var phi_254_: f32;
-    var phi_270_: f32;
-    var phi_271_: f32;
-    var phi_272_: f32;
-    var phi_307_: bool;
-    var phi_308_: bool;
-    var phi_309_: bool;
+    var phi_200_: f32;
+    var phi_201_: f32;
+    var phi_202_: f32;
+    var phi_219_: f32;
+    var phi_220_: f32;
+    var phi_221_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_239_: f32;
+    var phi_255_: f32;
+    var phi_256_: f32;
+    var phi_257_: f32;
+    var phi_273_: f32;
+    var phi_274_: f32;
+    var phi_275_: f32;
     var phi_310_: bool;
     var phi_311_: bool;
     var phi_312_: bool;
-    var phi_316_: bool;
-    var phi_627_: f32;
-    var phi_628_: f32;
-    var phi_629_: f32;
-    var phi_646_: f32;
-    var phi_647_: f32;
-    var phi_648_: f32;
-    var phi_665_: f32;
-    var phi_666_: f32;
-    var phi_667_: f32;
-    var phi_684_: f32;
-    var phi_685_: f32;
-    var phi_686_: f32;
-    var phi_709_: f32;
-    var phi_710_: f32;
-    var phi_711_: f32;
-    var phi_722_: f32;
-    var phi_737_: f32;
-    var phi_739_: lt_bvh_slab_Span;
-    var phi_797_: f32;
-    var phi_798_: f32;
-    var phi_799_: f32;
+    var phi_313_: bool;
+    var phi_314_: bool;
+    var phi_315_: bool;
+    var phi_319_: bool;
+    var phi_630_: f32;
+    var phi_631_: f32;
+    var phi_632_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_651_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_670_: f32;
+    var phi_687_: f32;
+    var phi_688_: f32;
+    var phi_689_: f32;
+    var phi_712_: f32;
+    var phi_713_: f32;
+    var phi_714_: f32;
+    var phi_725_: f32;
+    var phi_740_: f32;
+    var phi_742_: lt_bvh_slab_Span;
     var phi_800_: f32;
     var phi_801_: f32;
-    var phi_802_: bool;
-    var phi_806_: f32;
-    var phi_816_: bool;
-    var phi_829_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
-    var phi_844_: bool;
-    var phi_845_: bool;
-    var phi_846_: bool;
-    var phi_850_: bool;
-    var phi_901_: f32;
-    var phi_902_: f32;
-    var phi_903_: f32;
-    var phi_920_: f32;
-    var phi_921_: f32;
-    var phi_922_: f32;
-    var phi_939_: f32;
-    var phi_940_: f32;
-    var phi_941_: f32;
-    var phi_958_: f32;
-    var phi_959_: f32;
-    var phi_960_: f32;
-    var phi_983_: f32;
-    var phi_984_: f32;
-    var phi_985_: f32;
-    var phi_1072_: f32;
-    var phi_1073_: f32;
-    var phi_1084_: bool;
-    var phi_1088_: f32;
-    var phi_1089_: f32;
-    var phi_1104_: f32;
-    var phi_1105_: f32;
-    var phi_1106_: f32;
+    var phi_802_: f32;
+    var phi_803_: f32;
+    var phi_804_: f32;
+    var phi_805_: bool;
+    var phi_809_: f32;
+    var phi_819_: bool;
+    var phi_832_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_847_: bool;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_853_: bool;
+    var phi_904_: f32;
+    var phi_905_: f32;
+    var phi_906_: f32;
+    var phi_923_: f32;
+    var phi_924_: f32;
+    var phi_925_: f32;
+    var phi_942_: f32;
+    var phi_943_: f32;
+    var phi_944_: f32;
+    var phi_961_: f32;
+    var phi_962_: f32;
+    var phi_963_: f32;
+    var phi_986_: f32;
+    var phi_987_: f32;
+    var phi_988_: f32;
+    var phi_1075_: f32;
+    var phi_1076_: f32;
+    var phi_1087_: bool;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
     var phi_1107_: f32;
     var phi_1108_: f32;
     var phi_1109_: f32;
     var phi_1110_: f32;
-    var phi_1111_: bool;
+    var phi_1111_: f32;
     var phi_1112_: f32;
     var phi_1113_: f32;
     var phi_1114_: bool;
-    var phi_1118_: f32;
+    var phi_1115_: f32;
+    var phi_1116_: f32;
+    var phi_1117_: bool;
+    var phi_1121_: f32;
 
     let _e51 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_199_ = param_7;
+        phi_202_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_198_ = 0f;
+            phi_201_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_197_ = 1f;
+                phi_200_ = 1f;
             } else {
-                phi_197_ = param_7;
+                phi_200_ = param_7;
             }
-            let _e58 = phi_197_;
-            phi_198_ = _e58;
+            let _e58 = phi_200_;
+            phi_201_ = _e58;
         }
-        let _e60 = phi_198_;
-        phi_199_ = _e60;
+        let _e60 = phi_201_;
+        phi_202_ = _e60;
     }
-    let _e62 = phi_199_;
+    let _e62 = phi_202_;
     let _e63 = (_e62 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_218_ = param_5.x;
+        phi_221_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_217_ = 0f;
+            phi_220_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_216_ = 1f;
+                phi_219_ = 1f;
             } else {
-                phi_216_ = param_5.x;
+                phi_219_ = param_5.x;
             }
-            let _e71 = phi_216_;
-            phi_217_ = _e71;
+            let _e71 = phi_219_;
+            phi_220_ = _e71;
         }
-        let _e73 = phi_217_;
-        phi_218_ = _e73;
+        let _e73 = phi_220_;
+        phi_221_ = _e73;
     }
-    let _e75 = phi_218_;
+    let _e75 = phi_221_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_236_ = param_5.y;
+        phi_239_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_235_ = 0f;
+            phi_238_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_234_ = 1f;
+                phi_237_ = 1f;
             } else {
-                phi_234_ = param_5.y;
+                phi_237_ = param_5.y;
             }
-            let _e83 = phi_234_;
-            phi_235_ = _e83;
+            let _e83 = phi_237_;
+            phi_238_ = _e83;
         }
-        let _e85 = phi_235_;
-        phi_236_ = _e85;
+        let _e85 = phi_238_;
+        phi_239_ = _e85;
     }
-    let _e87 = phi_236_;
+    let _e87 = phi_239_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_254_ = param_5.z;
+        phi_257_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_253_ = 0f;
+            phi_256_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_252_ = 1f;
+                phi_255_ = 1f;
             } else {
-                phi_252_ = param_5.z;
+                phi_255_ = param_5.z;
             }
-            let _e95 = phi_252_;
-            phi_253_ = _e95;
+            let _e95 = phi_255_;
+            phi_256_ = _e95;
         }
-        let _e97 = phi_253_;
-        phi_254_ = _e97;
+        let _e97 = phi_256_;
+        phi_257_ = _e97;
     }
-    let _e99 = phi_254_;
+    let _e99 = phi_257_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_272_ = param_5.w;
+        phi_275_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_271_ = 0f;
+            phi_274_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_270_ = 1f;
+                phi_273_ = 1f;
             } else {
-                phi_270_ = param_5.w;
+                phi_273_ = param_5.w;
             }
-            let _e107 = phi_270_;
-            phi_271_ = _e107;
+            let _e107 = phi_273_;
+            phi_274_ = _e107;
         }
-        let _e109 = phi_271_;
-        phi_272_ = _e109;
+        let _e109 = phi_274_;
+        phi_275_ = _e109;
     }
-    let _e111 = phi_272_;
+    let _e111 = phi_275_;
     let _e112 = (_e75 - _e63);
     let _e113 = (_e87 - _e63);
     let _e114 = (_e99 - _e63);
     let _e115 = (_e111 - _e63);
     let _e126 = ((((_e112 * param_6.x) + (_e113 * param_6.y)) + (_e114 * param_6.z)) + (_e115 * param_6.w));
     if ((bitcast<u32>(_e126) & 2147483647u) > 2139095040u) {
-        phi_1112_ = _e126;
-        phi_1113_ = f32();
-        phi_1114_ = true;
+        phi_1115_ = _e126;
+        phi_1116_ = f32();
+        phi_1117_ = true;
     } else {
         if (_e112 >= 0f) {
             if (_e113 >= 0f) {
                 if (_e114 >= 0f) {
-                    phi_307_ = (_e115 >= 0f);
-                    phi_308_ = false;
+                    phi_310_ = (_e115 >= 0f);
+                    phi_311_ = false;
                 } else {
-                    phi_307_ = bool();
-                    phi_308_ = true;
+                    phi_310_ = bool();
+                    phi_311_ = true;
                 }
-                let _e135 = phi_307_;
-                let _e137 = phi_308_;
-                phi_309_ = _e135;
-                phi_310_ = _e137;
+                let _e135 = phi_310_;
+                let _e137 = phi_311_;
+                phi_312_ = _e135;
+                phi_313_ = _e137;
             } else {
-                phi_309_ = bool();
-                phi_310_ = true;
+                phi_312_ = bool();
+                phi_313_ = true;
             }
-            let _e139 = phi_309_;
-            let _e141 = phi_310_;
-            phi_311_ = _e139;
-            phi_312_ = _e141;
+            let _e139 = phi_312_;
+            let _e141 = phi_313_;
+            phi_314_ = _e139;
+            phi_315_ = _e141;
         } else {
-            phi_311_ = bool();
-            phi_312_ = true;
+            phi_314_ = bool();
+            phi_315_ = true;
         }
-        let _e143 = phi_311_;
-        let _e145 = phi_312_;
+        let _e143 = phi_314_;
+        let _e145 = phi_315_;
         if _e145 {
-            phi_316_ = false;
+            phi_319_ = false;
         } else {
-            phi_316_ = _e143;
+            phi_319_ = _e143;
         }
-        let _e147 = phi_316_;
+        let _e147 = phi_319_;
         if _e147 {
-            phi_1109_ = 1f;
-            phi_1110_ = f32();
-            phi_1111_ = true;
+            phi_1112_ = 1f;
+            phi_1113_ = f32();
+            phi_1114_ = true;
         } else {
             let _e148 = (0.5f * _e51);
             let _e149 = (1f - _e51);
@@ -444,204 +453,204 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e435 = (_e429 < 0.0000000000000000000000000000000001f);
             if _e435 {
                 if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                    phi_629_ = _e112;
+                    phi_632_ = _e112;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_628_ = 0f;
+                        phi_631_ = 0f;
                     } else {
                         if (_e112 < 0f) {
-                            phi_627_ = 0f;
+                            phi_630_ = 0f;
                         } else {
-                            phi_627_ = 1f;
+                            phi_630_ = 1f;
                         }
-                        let _e444 = phi_627_;
-                        phi_628_ = _e444;
+                        let _e444 = phi_630_;
+                        phi_631_ = _e444;
                     }
-                    let _e446 = phi_628_;
-                    phi_629_ = _e446;
+                    let _e446 = phi_631_;
+                    phi_632_ = _e446;
                 }
-                let _e448 = phi_629_;
+                let _e448 = phi_632_;
                 if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                    phi_648_ = _e113;
+                    phi_651_ = _e113;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_647_ = 0f;
+                        phi_650_ = 0f;
                     } else {
                         if (_e113 < 0f) {
-                            phi_646_ = 0f;
+                            phi_649_ = 0f;
                         } else {
-                            phi_646_ = 1f;
+                            phi_649_ = 1f;
                         }
-                        let _e457 = phi_646_;
-                        phi_647_ = _e457;
+                        let _e457 = phi_649_;
+                        phi_650_ = _e457;
                     }
-                    let _e459 = phi_647_;
-                    phi_648_ = _e459;
+                    let _e459 = phi_650_;
+                    phi_651_ = _e459;
                 }
-                let _e461 = phi_648_;
+                let _e461 = phi_651_;
                 if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-                    phi_667_ = _e114;
+                    phi_670_ = _e114;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_666_ = 0f;
+                        phi_669_ = 0f;
                     } else {
                         if (_e114 < 0f) {
-                            phi_665_ = 0f;
+                            phi_668_ = 0f;
                         } else {
-                            phi_665_ = 1f;
+                            phi_668_ = 1f;
                         }
-                        let _e470 = phi_665_;
-                        phi_666_ = _e470;
+                        let _e470 = phi_668_;
+                        phi_669_ = _e470;
                     }
-                    let _e472 = phi_666_;
-                    phi_667_ = _e472;
+                    let _e472 = phi_669_;
+                    phi_670_ = _e472;
                 }
-                let _e474 = phi_667_;
+                let _e474 = phi_670_;
                 if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-                    phi_686_ = _e115;
+                    phi_689_ = _e115;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_685_ = 0f;
+                        phi_688_ = 0f;
                     } else {
                         if (_e115 < 0f) {
-                            phi_684_ = 0f;
+                            phi_687_ = 0f;
                         } else {
-                            phi_684_ = 1f;
+                            phi_687_ = 1f;
                         }
-                        let _e483 = phi_684_;
-                        phi_685_ = _e483;
+                        let _e483 = phi_687_;
+                        phi_688_ = _e483;
                     }
-                    let _e485 = phi_685_;
-                    phi_686_ = _e485;
+                    let _e485 = phi_688_;
+                    phi_689_ = _e485;
                 }
-                let _e487 = phi_686_;
+                let _e487 = phi_689_;
                 let _e495 = (((((_e448 * _e151) + (_e461 * _e153)) + (_e474 * _e155)) + (_e487 * _e157)) + _e148);
                 if ((bitcast<u32>(_e495) & 2147483647u) > 2139095040u) {
-                    phi_711_ = _e495;
+                    phi_714_ = _e495;
                 } else {
                     if (_e495 < 0f) {
-                        phi_710_ = 0f;
+                        phi_713_ = 0f;
                     } else {
                         if (_e495 > 1f) {
-                            phi_709_ = 1f;
+                            phi_712_ = 1f;
                         } else {
-                            phi_709_ = _e495;
+                            phi_712_ = _e495;
                         }
-                        let _e502 = phi_709_;
-                        phi_710_ = _e502;
+                        let _e502 = phi_712_;
+                        phi_713_ = _e502;
                     }
-                    let _e504 = phi_710_;
-                    phi_711_ = _e504;
+                    let _e504 = phi_713_;
+                    phi_714_ = _e504;
                 }
-                let _e506 = phi_711_;
-                phi_1107_ = _e506;
-                phi_1108_ = f32();
+                let _e506 = phi_714_;
+                phi_1110_ = _e506;
+                phi_1111_ = f32();
             } else {
                 let _e508 = ((0.5f * -(((((((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e114))) + (_e240 * (_e112 + _e158))) + (_e252 * (_e112 + _e159))) + ((((_e213 * (_e113 + _e114)) + (_e217 * (_e113 + _e115))) + (_e241 * (_e113 + _e158))) + (_e253 * (_e113 + _e159)))) + ((((_e214 * (_e114 + _e115)) + (_e218 * (_e114 + _e112))) + (_e242 * (_e114 + _e158))) + (_e254 * (_e114 + _e159)))) + ((((_e215 * (_e115 + _e112)) + (_e219 * (_e115 + _e113))) + (_e243 * (_e115 + _e158))) + (_e255 * (_e115 + _e159)))) + (_e426 * (_e158 + _e159))))) / _e429);
                 let _e509 = ((((((((_e212 + _e216) + _e240) + _e252) + (((_e213 + _e217) + _e241) + _e253)) + (((_e214 + _e218) + _e242) + _e254)) + (((_e215 + _e219) + _e243) + _e255)) + _e426) / _e429);
                 let _e511 = ((_e508 * _e508) - _e509);
                 if (_e511 > 0f) {
-                    phi_722_ = sqrt(_e511);
+                    phi_725_ = sqrt(_e511);
                 } else {
-                    phi_722_ = 0f;
+                    phi_725_ = 0f;
                 }
-                let _e515 = phi_722_;
+                let _e515 = phi_725_;
                 if (_e508 > 0f) {
                     let _e518 = (-(_e508) - _e515);
-                    phi_739_ = lt_bvh_slab_Span(_e518, (_e509 / _e518));
+                    phi_742_ = lt_bvh_slab_Span(_e518, (_e509 / _e518));
                 } else {
                     let _e521 = (_e515 - _e508);
                     if (_e521 > 0f) {
-                        phi_737_ = (_e509 / _e521);
+                        phi_740_ = (_e509 / _e521);
                     } else {
-                        phi_737_ = 0f;
+                        phi_740_ = 0f;
                     }
-                    let _e525 = phi_737_;
-                    phi_739_ = lt_bvh_slab_Span(_e525, _e521);
+                    let _e525 = phi_740_;
+                    phi_742_ = lt_bvh_slab_Span(_e525, _e521);
                 }
-                let _e528 = phi_739_;
+                let _e528 = phi_742_;
                 if (_e528.near >= 0f) {
-                    phi_800_ = 1f;
-                    phi_801_ = f32();
-                    phi_802_ = true;
+                    phi_803_ = 1f;
+                    phi_804_ = f32();
+                    phi_805_ = true;
                 } else {
                     let _e532 = (_e528.far <= 0f);
                     if _e532 {
-                        phi_798_ = (_e423 / _e429);
-                        phi_799_ = f32();
+                        phi_801_ = (_e423 / _e429);
+                        phi_802_ = f32();
                     } else {
                         let _e543 = (((((_e151 * _e112) + (_e153 * _e113)) + (_e155 * _e114)) + (_e157 * _e115)) + (_e148 * (_e158 + _e159)));
                         let _e559 = (((((_e151 * (_e112 * _e112)) + (_e153 * (_e113 * _e113))) + (_e155 * (_e114 * _e114))) + (_e157 * (_e115 * _e115))) + (_e148 * ((_e158 * _e158) + (_e159 * _e159))));
                         if (-(_e528.near) <= _e528.far) {
-                            phi_797_ = (1f - (((_e528.near * _e528.near) * ((_e528.far * _e559) - _e543)) / (_e528.far - _e528.near)));
+                            phi_800_ = (1f - (((_e528.near * _e528.near) * ((_e528.far * _e559) - _e543)) / (_e528.far - _e528.near)));
                         } else {
-                            phi_797_ = ((_e423 / _e429) + (((_e528.far * _e528.far) * (_e543 - (_e528.near * _e559))) / (_e528.far - _e528.near)));
+                            phi_800_ = ((_e423 / _e429) + (((_e528.far * _e528.far) * (_e543 - (_e528.near * _e559))) / (_e528.far - _e528.near)));
                         }
-                        let _e578 = phi_797_;
-                        phi_798_ = f32();
-                        phi_799_ = _e578;
+                        let _e578 = phi_800_;
+                        phi_801_ = f32();
+                        phi_802_ = _e578;
                     }
-                    let _e580 = phi_798_;
-                    let _e582 = phi_799_;
-                    phi_800_ = _e580;
-                    phi_801_ = _e582;
-                    phi_802_ = _e532;
+                    let _e580 = phi_801_;
+                    let _e582 = phi_802_;
+                    phi_803_ = _e580;
+                    phi_804_ = _e582;
+                    phi_805_ = _e532;
                 }
-                let _e584 = phi_800_;
-                let _e586 = phi_801_;
-                let _e588 = phi_802_;
+                let _e584 = phi_803_;
+                let _e586 = phi_804_;
+                let _e588 = phi_805_;
                 if _e588 {
-                    phi_806_ = _e584;
+                    phi_809_ = _e584;
                 } else {
-                    phi_806_ = _e586;
+                    phi_809_ = _e586;
                 }
-                let _e590 = phi_806_;
+                let _e590 = phi_809_;
                 if ((_e528.near * _e158) >= (1f - 0.00001f)) {
-                    phi_816_ = true;
+                    phi_819_ = true;
                 } else {
-                    phi_816_ = ((_e528.near * _e159) >= (1f - 0.00001f));
+                    phi_819_ = ((_e528.near * _e159) >= (1f - 0.00001f));
                 }
-                let _e598 = phi_816_;
+                let _e598 = phi_819_;
                 if _e598 {
                     if ((_e528.far * _e158) >= (1f - 0.00001f)) {
-                        phi_829_ = true;
+                        phi_832_ = true;
                     } else {
-                        phi_829_ = ((_e528.far * _e159) >= (1f - 0.00001f));
+                        phi_832_ = ((_e528.far * _e159) >= (1f - 0.00001f));
                     }
-                    let _e606 = phi_829_;
+                    let _e606 = phi_832_;
                     if _e606 {
-                        phi_833_ = false;
+                        phi_836_ = false;
                     } else {
-                        phi_833_ = true;
+                        phi_836_ = true;
                     }
-                    let _e608 = phi_833_;
-                    phi_834_ = _e608;
+                    let _e608 = phi_836_;
+                    phi_837_ = _e608;
                 } else {
-                    phi_834_ = true;
+                    phi_837_ = true;
                 }
-                let _e610 = phi_834_;
+                let _e610 = phi_837_;
                 if _e610 {
                     let _e612 = (-(_e158) < 0.0001f);
                     if _e612 {
-                        phi_844_ = bool();
+                        phi_847_ = bool();
                     } else {
-                        phi_844_ = (_e159 < 0.0001f);
+                        phi_847_ = (_e159 < 0.0001f);
                     }
-                    let _e615 = phi_844_;
-                    phi_845_ = _e615;
-                    phi_846_ = _e612;
+                    let _e615 = phi_847_;
+                    phi_848_ = _e615;
+                    phi_849_ = _e612;
                 } else {
-                    phi_845_ = bool();
-                    phi_846_ = true;
+                    phi_848_ = bool();
+                    phi_849_ = true;
                 }
-                let _e617 = phi_845_;
-                let _e619 = phi_846_;
+                let _e617 = phi_848_;
+                let _e619 = phi_849_;
                 if _e619 {
-                    phi_850_ = true;
+                    phi_853_ = true;
                 } else {
-                    phi_850_ = _e617;
+                    phi_853_ = _e617;
                 }
-                let _e621 = phi_850_;
+                let _e621 = phi_853_;
                 if !(_e621) {
                     let _e627 = ((_e151 * _e75) * _e161);
                     let _e628 = ((_e153 * _e87) * _e163);
@@ -650,97 +659,97 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     let _e648 = ((((_e627 * (_e112 * _e112)) + (_e628 * (_e113 * _e113))) + (_e629 * (_e114 * _e114))) + (_e630 * (_e115 * _e115)));
                     if (_e648 < 0.0000000000000000000000000000000001f) {
                         if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                            phi_903_ = _e112;
+                            phi_906_ = _e112;
                         } else {
                             if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                                phi_902_ = 0f;
+                                phi_905_ = 0f;
                             } else {
                                 if (_e112 < 0f) {
-                                    phi_901_ = 0f;
+                                    phi_904_ = 0f;
                                 } else {
-                                    phi_901_ = 1f;
+                                    phi_904_ = 1f;
                                 }
-                                let _e658 = phi_901_;
-                                phi_902_ = _e658;
+                                let _e658 = phi_904_;
+                                phi_905_ = _e658;
                             }
-                            let _e660 = phi_902_;
-                            phi_903_ = _e660;
+                            let _e660 = phi_905_;
+                            phi_906_ = _e660;
                         }
-                        let _e662 = phi_903_;
+                        let _e662 = phi_906_;
                         if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                            phi_922_ = _e113;
+                            phi_925_ = _e113;
                         } else {
                             if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                                phi_921_ = 0f;
+                                phi_924_ = 0f;
                             } else {
                                 if (_e113 < 0f) {
-                                    phi_920_ = 0f;
+                                    phi_923_ = 0f;
                                 } else {
-                                    phi_920_ = 1f;
+                                    phi_923_ = 1f;
                                 }
-                                let _e671 = phi_920_;
-                                phi_921_ = _e671;
+                                let _e671 = phi_923_;
+                                phi_924_ = _e671;
                             }
-                            let _e673 = phi_921_;
-                            phi_922_ = _e673;
+                            let _e673 = phi_924_;
+                            phi_925_ = _e673;
                         }
-                        let _e675 = phi_922_;
+                        let _e675 = phi_925_;
                         if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-                            phi_941_ = _e114;
+                            phi_944_ = _e114;
                         } else {
                             if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                                phi_940_ = 0f;
+                                phi_943_ = 0f;
                             } else {
                                 if (_e114 < 0f) {
-                                    phi_939_ = 0f;
+                                    phi_942_ = 0f;
                                 } else {
-                                    phi_939_ = 1f;
+                                    phi_942_ = 1f;
                                 }
-                                let _e684 = phi_939_;
-                                phi_940_ = _e684;
+                                let _e684 = phi_942_;
+                                phi_943_ = _e684;
                             }
-                            let _e686 = phi_940_;
-                            phi_941_ = _e686;
+                            let _e686 = phi_943_;
+                            phi_944_ = _e686;
                         }
-                        let _e688 = phi_941_;
+                        let _e688 = phi_944_;
                         if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-                            phi_960_ = _e115;
+                            phi_963_ = _e115;
                         } else {
                             if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                                phi_959_ = 0f;
+                                phi_962_ = 0f;
                             } else {
                                 if (_e115 < 0f) {
-                                    phi_958_ = 0f;
+                                    phi_961_ = 0f;
                                 } else {
-                                    phi_958_ = 1f;
+                                    phi_961_ = 1f;
                                 }
-                                let _e697 = phi_958_;
-                                phi_959_ = _e697;
+                                let _e697 = phi_961_;
+                                phi_962_ = _e697;
                             }
-                            let _e699 = phi_959_;
-                            phi_960_ = _e699;
+                            let _e699 = phi_962_;
+                            phi_963_ = _e699;
                         }
-                        let _e701 = phi_960_;
+                        let _e701 = phi_963_;
                         let _e709 = (((((_e662 * _e151) + (_e675 * _e153)) + (_e688 * _e155)) + (_e701 * _e157)) + _e148);
                         if ((bitcast<u32>(_e709) & 2147483647u) > 2139095040u) {
-                            phi_985_ = _e709;
+                            phi_988_ = _e709;
                         } else {
                             if (_e709 < 0f) {
-                                phi_984_ = 0f;
+                                phi_987_ = 0f;
                             } else {
                                 if (_e709 > 1f) {
-                                    phi_983_ = 1f;
+                                    phi_986_ = 1f;
                                 } else {
-                                    phi_983_ = _e709;
+                                    phi_986_ = _e709;
                                 }
-                                let _e716 = phi_983_;
-                                phi_984_ = _e716;
+                                let _e716 = phi_986_;
+                                phi_987_ = _e716;
                             }
-                            let _e718 = phi_984_;
-                            phi_985_ = _e718;
+                            let _e718 = phi_987_;
+                            phi_988_ = _e718;
                         }
-                        let _e720 = phi_985_;
-                        phi_1073_ = _e720;
+                        let _e720 = phi_988_;
+                        phi_1076_ = _e720;
                     } else {
                         let _e721 = (((((_e627 * _e112) + (_e628 * _e113)) + (_e629 * _e114)) + (_e630 * _e115)) / _e648);
                         let _e738 = ((_e151 * _e112) * (vec4<f32>(1f, 1f, 1f, 1f).x - (_e721 * _e112)));
@@ -748,163 +757,169 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                         let _e740 = ((_e155 * _e114) * (vec4<f32>(1f, 1f, 1f, 1f).z - (_e721 * _e114)));
                         let _e741 = ((_e157 * _e115) * (vec4<f32>(1f, 1f, 1f, 1f).w - (_e721 * _e115)));
                         if (_e721 > 0f) {
-                            phi_1072_ = ((1f - _e148) - (((((_e738 * _e161) + (_e739 * _e163)) + (_e740 * _e165)) + (_e741 * _e167)) / (_e158 * (1f - (_e158 * _e721)))));
+                            phi_1075_ = ((1f - _e148) - (((((_e738 * _e161) + (_e739 * _e163)) + (_e740 * _e165)) + (_e741 * _e167)) / (_e158 * (1f - (_e158 * _e721)))));
                         } else {
-                            phi_1072_ = ((((((((_e627 * ((_e628 * _e172) + ((0.5f * _e629) * _e180))) * vec4<f32>(1f, 1f, 1f, 1f).x) + ((_e628 * ((_e629 * _e173) + ((0.5f * _e630) * _e181))) * vec4<f32>(1f, 1f, 1f, 1f).y)) + ((_e629 * ((_e630 * _e174) + ((0.5f * _e627) * _e182))) * vec4<f32>(1f, 1f, 1f, 1f).z)) + ((_e630 * ((_e627 * _e175) + ((0.5f * _e628) * _e183))) * vec4<f32>(1f, 1f, 1f, 1f).w)) / (_e648 * (-(_e158) * _e159))) + _e148) + (((((_e738 * _e75) + (_e739 * _e87)) + (_e740 * _e99)) + (_e741 * _e111)) / (_e159 * (1f - (_e721 * _e159)))));
+                            phi_1075_ = ((((((((_e627 * ((_e628 * _e172) + ((0.5f * _e629) * _e180))) * vec4<f32>(1f, 1f, 1f, 1f).x) + ((_e628 * ((_e629 * _e173) + ((0.5f * _e630) * _e181))) * vec4<f32>(1f, 1f, 1f, 1f).y)) + ((_e629 * ((_e630 * _e174) + ((0.5f * _e627) * _e182))) * vec4<f32>(1f, 1f, 1f, 1f).z)) + ((_e630 * ((_e627 * _e175) + ((0.5f * _e628) * _e183))) * vec4<f32>(1f, 1f, 1f, 1f).w)) / (_e648 * (-(_e158) * _e159))) + _e148) + (((((_e738 * _e75) + (_e739 * _e87)) + (_e740 * _e99)) + (_e741 * _e111)) / (_e159 * (1f - (_e721 * _e159)))));
                         }
-                        let _e805 = phi_1072_;
-                        phi_1073_ = _e805;
+                        let _e805 = phi_1075_;
+                        phi_1076_ = _e805;
                     }
-                    let _e807 = phi_1073_;
+                    let _e807 = phi_1076_;
                     if ((bitcast<u32>(_e590) & 2147483647u) > 2139095040u) {
-                        phi_1084_ = true;
+                        phi_1087_ = true;
                     } else {
                         let _e811 = (_e590 < _e807);
                         if _e811 {
                         }
-                        phi_1084_ = _e811;
+                        phi_1087_ = _e811;
                     }
-                    let _e813 = phi_1084_;
+                    let _e813 = phi_1087_;
                     if _e813 {
-                        phi_1088_ = _e590;
+                        phi_1091_ = _e590;
                     } else {
-                        phi_1088_ = _e807;
+                        phi_1091_ = _e807;
                     }
-                    let _e815 = phi_1088_;
-                    phi_1089_ = _e815;
+                    let _e815 = phi_1091_;
+                    phi_1092_ = _e815;
                 } else {
-                    phi_1089_ = _e590;
+                    phi_1092_ = _e590;
                 }
-                let _e817 = phi_1089_;
+                let _e817 = phi_1092_;
                 if ((bitcast<u32>(_e817) & 2147483647u) > 2139095040u) {
-                    phi_1106_ = _e817;
+                    phi_1109_ = _e817;
                 } else {
                     if (_e817 < 0f) {
-                        phi_1105_ = 0f;
+                        phi_1108_ = 0f;
                     } else {
                         if (_e817 > 1f) {
-                            phi_1104_ = 1f;
+                            phi_1107_ = 1f;
                         } else {
-                            phi_1104_ = _e817;
+                            phi_1107_ = _e817;
                         }
-                        let _e824 = phi_1104_;
-                        phi_1105_ = _e824;
+                        let _e824 = phi_1107_;
+                        phi_1108_ = _e824;
                     }
-                    let _e826 = phi_1105_;
-                    phi_1106_ = _e826;
+                    let _e826 = phi_1108_;
+                    phi_1109_ = _e826;
                 }
-                let _e828 = phi_1106_;
-                phi_1107_ = f32();
-                phi_1108_ = _e828;
+                let _e828 = phi_1109_;
+                phi_1110_ = f32();
+                phi_1111_ = _e828;
             }
-            let _e830 = phi_1107_;
-            let _e832 = phi_1108_;
-            phi_1109_ = _e830;
-            phi_1110_ = _e832;
-            phi_1111_ = _e435;
+            let _e830 = phi_1110_;
+            let _e832 = phi_1111_;
+            phi_1112_ = _e830;
+            phi_1113_ = _e832;
+            phi_1114_ = _e435;
         }
-        let _e834 = phi_1109_;
-        let _e836 = phi_1110_;
-        let _e838 = phi_1111_;
-        phi_1112_ = _e834;
-        phi_1113_ = _e836;
-        phi_1114_ = _e838;
+        let _e834 = phi_1112_;
+        let _e836 = phi_1113_;
+        let _e838 = phi_1114_;
+        phi_1115_ = _e834;
+        phi_1116_ = _e836;
+        phi_1117_ = _e838;
     }
-    let _e840 = phi_1112_;
-    let _e842 = phi_1113_;
-    let _e844 = phi_1114_;
+    let _e840 = phi_1115_;
+    let _e842 = phi_1116_;
+    let _e844 = phi_1117_;
     if _e844 {
-        phi_1118_ = _e840;
+        phi_1121_ = _e840;
     } else {
-        phi_1118_ = _e842;
+        phi_1121_ = _e842;
     }
-    let _e846 = phi_1118_;
+    let _e846 = phi_1121_;
     return _e846;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
     var phi_1176_: bool;
     var phi_1177_: bool;
-    var phi_1181_: bool;
-    var phi_1225_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1229_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1249_: lt_math_LightPoint;
-    var phi_1252_: u32;
-    var phi_1254_: lt_math_LevelPoint;
-    var phi_1340_: bool;
-    var phi_1349_: bool;
-    var phi_1358_: bool;
-    var phi_1359_: bool;
-    var phi_1360_: bool;
-    var phi_1361_: bool;
-    var phi_1362_: bool;
-    var phi_1363_: bool;
-    var phi_1364_: bool;
-    var phi_1368_: bool;
-    var phi_1395_: bool;
-    var phi_1396_: bool;
-    var phi_1397_: bool;
-    var phi_1398_: bool;
+    var phi_1178_: bool;
+    var phi_1179_: bool;
+    var phi_1183_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
+    var phi_1265_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1266_: bool;
+    var phi_1267_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1268_: bool;
+    var phi_1275_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1279_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1299_: lt_math_LightPoint;
+    var phi_1302_: u32;
+    var phi_1304_: lt_math_LevelPoint;
+    var phi_1390_: bool;
     var phi_1399_: bool;
-    var phi_1400_: bool;
-    var phi_1401_: bool;
-    var phi_1402_: bool;
-    var phi_1406_: bool;
-    var phi_1415_: lt_math_LightPoint;
-    var phi_1416_: u32;
-    var phi_1417_: lt_math_LevelPoint;
+    var phi_1408_: bool;
+    var phi_1409_: bool;
+    var phi_1410_: bool;
+    var phi_1411_: bool;
+    var phi_1412_: bool;
+    var phi_1413_: bool;
+    var phi_1414_: bool;
     var phi_1418_: bool;
-    var phi_1250_: lt_math_LightPoint;
-    var phi_1253_: u32;
-    var phi_1255_: lt_math_LevelPoint;
-    var phi_1419_: bool;
+    var phi_1445_: bool;
+    var phi_1446_: bool;
+    var phi_1447_: bool;
+    var phi_1448_: bool;
+    var phi_1449_: bool;
+    var phi_1450_: bool;
+    var phi_1451_: bool;
+    var phi_1452_: bool;
+    var phi_1456_: bool;
+    var phi_1465_: lt_math_LightPoint;
+    var phi_1466_: u32;
+    var phi_1467_: lt_math_LevelPoint;
+    var phi_1468_: bool;
+    var phi_1300_: lt_math_LightPoint;
+    var phi_1303_: u32;
+    var phi_1305_: lt_math_LevelPoint;
+    var phi_1469_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1459_: bool;
-    var phi_1460_: bool;
-    var phi_1461_: bool;
-    var phi_1462_: bool;
-    var phi_1466_: bool;
-    var phi_1548_: f32;
-    var phi_1664_: f32;
-    var phi_1665_: f32;
-    var phi_1668_: f32;
-    var phi_1697_: f32;
-    var phi_1702_: f32;
-    var phi_1703_: bool;
-    var phi_1704_: f32;
-    var phi_1705_: bool;
-    var phi_1709_: f32;
-    var phi_1729_: f32;
-    var phi_1734_: f32;
-    var phi_1735_: bool;
-    var phi_1736_: f32;
-    var phi_1737_: bool;
-    var phi_1741_: f32;
+    var phi_1509_: bool;
+    var phi_1510_: bool;
+    var phi_1511_: bool;
+    var phi_1512_: bool;
+    var phi_1516_: bool;
+    var phi_1598_: f32;
+    var phi_1714_: f32;
+    var phi_1715_: f32;
+    var phi_1718_: f32;
+    var phi_1747_: f32;
+    var phi_1752_: f32;
+    var phi_1753_: bool;
+    var phi_1754_: f32;
+    var phi_1755_: bool;
+    var phi_1759_: f32;
+    var phi_1779_: f32;
+    var phi_1784_: f32;
+    var phi_1785_: bool;
+    var phi_1786_: f32;
+    var phi_1787_: bool;
+    var phi_1791_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1790_: i32;
-    var phi_1795_: i32;
-    var phi_1800_: i32;
-    var phi_1805_: i32;
-    var phi_1814_: i32;
-    var phi_1819_: i32;
-    var phi_1824_: i32;
-    var phi_1829_: i32;
-    var phi_1880_: bool;
-    var phi_1888_: bool;
-    var phi_1900_: bool;
-    var phi_1901_: bool;
-    var phi_1905_: f32;
-    var phi_1911_: f32;
-    var phi_1913_: evaluate_Verdict;
-    var phi_1918_: evaluate_Verdict;
-    var phi_1919_: evaluate_Verdict;
-    var phi_1923_: bool;
-    var phi_1924_: u32;
-    var phi_1935_: u32;
+    var phi_1840_: i32;
+    var phi_1845_: i32;
+    var phi_1850_: i32;
+    var phi_1855_: i32;
+    var phi_1864_: i32;
+    var phi_1869_: i32;
+    var phi_1874_: i32;
+    var phi_1879_: i32;
+    var phi_1930_: bool;
+    var phi_1938_: bool;
+    var phi_1950_: bool;
+    var phi_1951_: bool;
+    var phi_1955_: f32;
+    var phi_1961_: f32;
+    var phi_1963_: evaluate_Verdict;
+    var phi_1968_: evaluate_Verdict;
+    var phi_1969_: evaluate_Verdict;
+    var phi_1973_: bool;
+    var phi_1974_: u32;
+    var phi_1985_: u32;
 
     let _e48 = id_1;
     let _e49 = local_5;
@@ -915,541 +930,580 @@ fn function_() {
     let _e65 = lt_shaders_entry_pixel_index(_e48, _e62, _e64);
     if (bitcast<i32>(_e65.root) != 0i) {
         let _e72 = p.member.level_count;
-        let _e74 = p.member.light;
-        let _e77 = samples.member[_e65.first_primitive].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[_e65.first_primitive].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[_e65.first_primitive].normal[2u];
-                let _e89 = global[2u];
-                phi_1174_ = (_e87 == _e89);
-                phi_1175_ = false;
+        let _e76 = samples.member[_e65.first_primitive].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[_e65.first_primitive].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[_e65.first_primitive].normal[2u];
+                let _e88 = global[2u];
+                phi_1176_ = (_e86 == _e88);
+                phi_1177_ = false;
             } else {
-                phi_1174_ = bool();
-                phi_1175_ = true;
+                phi_1176_ = bool();
+                phi_1177_ = true;
             }
-            let _e92 = phi_1174_;
-            let _e94 = phi_1175_;
-            phi_1176_ = _e92;
-            phi_1177_ = _e94;
+            let _e91 = phi_1176_;
+            let _e93 = phi_1177_;
+            phi_1178_ = _e91;
+            phi_1179_ = _e93;
         } else {
-            phi_1176_ = bool();
-            phi_1177_ = true;
+            phi_1178_ = bool();
+            phi_1179_ = true;
         }
-        let _e96 = phi_1176_;
-        let _e98 = phi_1177_;
-        if _e98 {
-            phi_1181_ = false;
+        let _e95 = phi_1178_;
+        let _e97 = phi_1179_;
+        if _e97 {
+            phi_1183_ = false;
         } else {
-            phi_1181_ = _e96;
+            phi_1183_ = _e95;
         }
-        let _e100 = phi_1181_;
-        if !(_e100) {
-            let _e103 = samples.member[_e65.first_primitive].normal;
-            let _e105 = samples.member[_e65.first_primitive].position;
-            if ((((_e103.x * (_e74.x - (_e105.x * _e74.w))) + (_e103.y * (_e74.y - (_e105.y * _e74.w)))) + (_e103.z * (_e74.z - (_e105.z * _e74.w)))) > 0f) {
-                let _e129 = samples.member[_e65.first_primitive].flags;
-                let _e137 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e143 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e137.unnamed.visibility, false), _e137.unnamed_1);
-                phi_1225_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e143.unnamed, ((_e129 & 1u) == 0u));
-            } else {
-                let _e152 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e158 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e152.unnamed.visibility, false), _e152.unnamed_1);
-                phi_1225_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e158.unnamed, true);
-            }
-            let _e163 = phi_1225_;
-            phi_1229_ = _e163;
-        } else {
-            let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-            phi_1229_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, true);
-        }
-        let _e180 = phi_1229_;
-        if _e180.unnamed_1 {
-            phi_1919_ = evaluate_Verdict(_e180.unnamed.visibility, _e180.unnamed.is_doubted);
-        } else {
-            let _e188 = samples.member[_e65.first_primitive].position;
-            let _e190 = p.member.map_size;
-            let _e192 = (0.5f / f32(_e190));
-            let _e199 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e206 = lt_math_LightPoint(vec2<f32>(_e199.uv.x, 0f), _e199.depth, _e199.is_inside);
-            let _e210 = lt_math_LightPoint(_e206.uv, 0f, _e206.is_inside);
-            phi_1249_ = lt_math_LightPoint();
-            phi_1252_ = 0u;
-            phi_1254_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e210.uv, _e210.depth, false));
-            loop {
-                let _e217 = phi_1249_;
-                let _e219 = phi_1252_;
-                let _e221 = phi_1254_;
-                local_2 = _e221;
-                local_3 = _e221;
-                local_4 = _e221;
-                if (_e219 < _e72) {
-                    if _e221.point.is_inside {
-                        phi_1415_ = lt_math_LightPoint();
-                        phi_1416_ = u32();
-                        phi_1417_ = lt_math_LevelPoint();
-                        phi_1418_ = false;
+        let _e99 = phi_1183_;
+        if !(_e99) {
+            let _e102 = samples.member[_e65.first_primitive].position;
+            let _e104 = p.member.light.place;
+            let _e110 = p.member.light.place[3u];
+            let _e117 = (_e104.x - (_e102.x * _e110));
+            let _e118 = (_e104.y - (_e102.y * _e110));
+            let _e119 = (_e104.z - (_e102.z * _e110));
+            let _e121 = samples.member[_e65.first_primitive].normal;
+            if ((((_e121.x * _e117) + (_e121.y * _e118)) + (_e121.z * _e119)) > 0f) {
+                let _e135 = (((_e117 * _e117) + (_e118 * _e118)) + (_e119 * _e119));
+                let _e137 = p.member.light.axis;
+                let _e149 = p.member.light.place[3u];
+                if (_e149 == 0f) {
+                    phi_1254_ = true;
+                } else {
+                    let _e152 = p.member.light.range_squared;
+                    if (_e135 <= _e152) {
+                        let _e155 = p.member.light.cos_outer;
+                        phi_1253_ = (-((((_e117 * _e137.x) + (_e118 * _e137.y)) + (_e119 * _e137.z))) >= (_e155 * sqrt(_e135)));
                     } else {
-                        if (_e219 < _e59) {
+                        phi_1253_ = false;
+                    }
+                    let _e160 = phi_1253_;
+                    phi_1254_ = _e160;
+                }
+                let _e162 = phi_1254_;
+                if _e162 {
+                    let _e164 = samples.member[_e65.first_primitive].flags;
+                    let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e172.unnamed.visibility, false), _e172.unnamed_1);
+                    phi_1265_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e178.unnamed, ((_e164 & 1u) == 0u));
+                    phi_1266_ = false;
+                } else {
+                    phi_1265_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1266_ = true;
+                }
+                let _e183 = phi_1265_;
+                let _e185 = phi_1266_;
+                phi_1267_ = _e183;
+                phi_1268_ = _e185;
+            } else {
+                phi_1267_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1268_ = true;
+            }
+            let _e187 = phi_1267_;
+            let _e189 = phi_1268_;
+            if _e189 {
+                let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
+                phi_1275_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, true);
+            } else {
+                phi_1275_ = _e187;
+            }
+            let _e206 = phi_1275_;
+            phi_1279_ = _e206;
+        } else {
+            let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e212.unnamed.visibility, false), _e212.unnamed_1);
+            phi_1279_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e218.unnamed, true);
+        }
+        let _e223 = phi_1279_;
+        if _e223.unnamed_1 {
+            phi_1969_ = evaluate_Verdict(_e223.unnamed.visibility, _e223.unnamed.is_doubted);
+        } else {
+            let _e231 = samples.member[_e65.first_primitive].position;
+            let _e233 = p.member.map_size;
+            let _e235 = (0.5f / f32(_e233));
+            let _e242 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e249 = lt_math_LightPoint(vec2<f32>(_e242.uv.x, 0f), _e242.depth, _e242.is_inside);
+            let _e253 = lt_math_LightPoint(_e249.uv, 0f, _e249.is_inside);
+            phi_1299_ = lt_math_LightPoint();
+            phi_1302_ = 0u;
+            phi_1304_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e253.uv, _e253.depth, false));
+            loop {
+                let _e260 = phi_1299_;
+                let _e262 = phi_1302_;
+                let _e264 = phi_1304_;
+                local_2 = _e264;
+                local_3 = _e264;
+                local_4 = _e264;
+                if (_e262 < _e72) {
+                    if _e264.point.is_inside {
+                        phi_1465_ = lt_math_LightPoint();
+                        phi_1466_ = u32();
+                        phi_1467_ = lt_math_LevelPoint();
+                        phi_1468_ = false;
+                    } else {
+                        if (_e262 < _e59) {
                         } else {
                             return;
                         }
-                        let _e232 = levels.member[(0u + _e219)].row_w;
-                        let _e243 = ((((_e232.x * _e188.x) + (_e232.y * _e188.y)) + (_e232.z * _e188.z)) + (_e232.w * 1f));
-                        let _e245 = levels.member[(0u + _e219)].row_x;
-                        let _e257 = (((((_e245.x * _e188.x) + (_e245.y * _e188.y)) + (_e245.z * _e188.z)) + (_e245.w * 1f)) / _e243);
-                        let _e259 = levels.member[(0u + _e219)].row_y;
-                        let _e271 = (((((_e259.x * _e188.x) + (_e259.y * _e188.y)) + (_e259.z * _e188.z)) + (_e259.w * 1f)) / _e243);
-                        let _e273 = levels.member[(0u + _e219)].row_z;
-                        let _e284 = ((((_e273.x * _e188.x) + (_e273.y * _e188.y)) + (_e273.z * _e188.z)) + (_e273.w * 1f));
-                        if (_e243 > 0f) {
-                            if (_e257 >= 0f) {
-                                phi_1340_ = (_e257 <= 1f);
+                        let _e275 = levels.member[(0u + _e262)].row_w;
+                        let _e286 = ((((_e275.x * _e231.x) + (_e275.y * _e231.y)) + (_e275.z * _e231.z)) + (_e275.w * 1f));
+                        let _e288 = levels.member[(0u + _e262)].row_x;
+                        let _e300 = (((((_e288.x * _e231.x) + (_e288.y * _e231.y)) + (_e288.z * _e231.z)) + (_e288.w * 1f)) / _e286);
+                        let _e302 = levels.member[(0u + _e262)].row_y;
+                        let _e314 = (((((_e302.x * _e231.x) + (_e302.y * _e231.y)) + (_e302.z * _e231.z)) + (_e302.w * 1f)) / _e286);
+                        let _e316 = levels.member[(0u + _e262)].row_z;
+                        let _e327 = ((((_e316.x * _e231.x) + (_e316.y * _e231.y)) + (_e316.z * _e231.z)) + (_e316.w * 1f));
+                        if (_e286 > 0f) {
+                            if (_e300 >= 0f) {
+                                phi_1390_ = (_e300 <= 1f);
                             } else {
-                                phi_1340_ = false;
+                                phi_1390_ = false;
                             }
-                            let _e289 = phi_1340_;
-                            if _e289 {
-                                if (_e271 >= 0f) {
-                                    phi_1349_ = (_e271 <= 1f);
+                            let _e332 = phi_1390_;
+                            if _e332 {
+                                if (_e314 >= 0f) {
+                                    phi_1399_ = (_e314 <= 1f);
                                 } else {
-                                    phi_1349_ = false;
+                                    phi_1399_ = false;
                                 }
-                                let _e293 = phi_1349_;
-                                if _e293 {
-                                    if (_e284 >= 0f) {
-                                        phi_1358_ = (_e284 <= 1f);
+                                let _e336 = phi_1399_;
+                                if _e336 {
+                                    if (_e327 >= 0f) {
+                                        phi_1408_ = (_e327 <= 1f);
                                     } else {
-                                        phi_1358_ = false;
+                                        phi_1408_ = false;
                                     }
-                                    let _e297 = phi_1358_;
-                                    phi_1359_ = _e297;
-                                    phi_1360_ = false;
+                                    let _e340 = phi_1408_;
+                                    phi_1409_ = _e340;
+                                    phi_1410_ = false;
                                 } else {
-                                    phi_1359_ = bool();
-                                    phi_1360_ = true;
+                                    phi_1409_ = bool();
+                                    phi_1410_ = true;
                                 }
-                                let _e299 = phi_1359_;
-                                let _e301 = phi_1360_;
-                                phi_1361_ = _e299;
-                                phi_1362_ = _e301;
+                                let _e342 = phi_1409_;
+                                let _e344 = phi_1410_;
+                                phi_1411_ = _e342;
+                                phi_1412_ = _e344;
                             } else {
-                                phi_1361_ = bool();
-                                phi_1362_ = true;
+                                phi_1411_ = bool();
+                                phi_1412_ = true;
                             }
-                            let _e303 = phi_1361_;
-                            let _e305 = phi_1362_;
-                            phi_1363_ = _e303;
-                            phi_1364_ = _e305;
+                            let _e346 = phi_1411_;
+                            let _e348 = phi_1412_;
+                            phi_1413_ = _e346;
+                            phi_1414_ = _e348;
                         } else {
-                            phi_1363_ = bool();
-                            phi_1364_ = true;
+                            phi_1413_ = bool();
+                            phi_1414_ = true;
                         }
-                        let _e307 = phi_1363_;
-                        let _e309 = phi_1364_;
-                        if _e309 {
-                            phi_1368_ = false;
+                        let _e350 = phi_1413_;
+                        let _e352 = phi_1414_;
+                        if _e352 {
+                            phi_1418_ = false;
                         } else {
-                            phi_1368_ = _e307;
+                            phi_1418_ = _e350;
                         }
-                        let _e311 = phi_1368_;
-                        if _e311 {
-                            if (_e257 >= _e192) {
-                                if (_e257 <= (1f - _e192)) {
-                                    if (_e271 >= _e192) {
-                                        phi_1395_ = (_e271 <= (1f - _e192));
-                                        phi_1396_ = false;
+                        let _e354 = phi_1418_;
+                        if _e354 {
+                            if (_e300 >= _e235) {
+                                if (_e300 <= (1f - _e235)) {
+                                    if (_e314 >= _e235) {
+                                        phi_1445_ = (_e314 <= (1f - _e235));
+                                        phi_1446_ = false;
                                     } else {
-                                        phi_1395_ = bool();
-                                        phi_1396_ = true;
+                                        phi_1445_ = bool();
+                                        phi_1446_ = true;
                                     }
-                                    let _e319 = phi_1395_;
-                                    let _e321 = phi_1396_;
-                                    phi_1397_ = _e319;
-                                    phi_1398_ = _e321;
+                                    let _e362 = phi_1445_;
+                                    let _e364 = phi_1446_;
+                                    phi_1447_ = _e362;
+                                    phi_1448_ = _e364;
                                 } else {
-                                    phi_1397_ = bool();
-                                    phi_1398_ = true;
+                                    phi_1447_ = bool();
+                                    phi_1448_ = true;
                                 }
-                                let _e323 = phi_1397_;
-                                let _e325 = phi_1398_;
-                                phi_1399_ = _e323;
-                                phi_1400_ = _e325;
+                                let _e366 = phi_1447_;
+                                let _e368 = phi_1448_;
+                                phi_1449_ = _e366;
+                                phi_1450_ = _e368;
                             } else {
-                                phi_1399_ = bool();
-                                phi_1400_ = true;
+                                phi_1449_ = bool();
+                                phi_1450_ = true;
                             }
-                            let _e327 = phi_1399_;
-                            let _e329 = phi_1400_;
-                            phi_1401_ = _e327;
-                            phi_1402_ = _e329;
+                            let _e370 = phi_1449_;
+                            let _e372 = phi_1450_;
+                            phi_1451_ = _e370;
+                            phi_1452_ = _e372;
                         } else {
-                            phi_1401_ = bool();
-                            phi_1402_ = true;
+                            phi_1451_ = bool();
+                            phi_1452_ = true;
                         }
-                        let _e331 = phi_1401_;
-                        let _e333 = phi_1402_;
-                        if _e333 {
-                            phi_1406_ = false;
+                        let _e374 = phi_1451_;
+                        let _e376 = phi_1452_;
+                        if _e376 {
+                            phi_1456_ = false;
                         } else {
-                            phi_1406_ = _e331;
+                            phi_1456_ = _e374;
                         }
-                        let _e335 = phi_1406_;
-                        let _e342 = lt_math_LightPoint(vec2<f32>(_e257, _e217.uv.y), _e217.depth, _e217.is_inside);
-                        let _e349 = lt_math_LightPoint(vec2<f32>(_e342.uv.x, _e271), _e342.depth, _e342.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e284, _e349.is_inside);
-                        let _e357 = lt_math_LightPoint(_e353.uv, _e353.depth, _e335);
-                        phi_1415_ = _e357;
-                        phi_1416_ = (_e219 + 1u);
-                        phi_1417_ = lt_math_LevelPoint(_e219, _e357);
-                        phi_1418_ = true;
+                        let _e378 = phi_1456_;
+                        let _e385 = lt_math_LightPoint(vec2<f32>(_e300, _e260.uv.y), _e260.depth, _e260.is_inside);
+                        let _e392 = lt_math_LightPoint(vec2<f32>(_e385.uv.x, _e314), _e385.depth, _e385.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e327, _e392.is_inside);
+                        let _e400 = lt_math_LightPoint(_e396.uv, _e396.depth, _e378);
+                        phi_1465_ = _e400;
+                        phi_1466_ = (_e262 + 1u);
+                        phi_1467_ = lt_math_LevelPoint(_e262, _e400);
+                        phi_1468_ = true;
                     }
-                    let _e361 = phi_1415_;
-                    let _e363 = phi_1416_;
-                    let _e365 = phi_1417_;
-                    let _e367 = phi_1418_;
-                    phi_1250_ = _e361;
-                    phi_1253_ = _e363;
-                    phi_1255_ = _e365;
-                    phi_1419_ = _e367;
+                    let _e404 = phi_1465_;
+                    let _e406 = phi_1466_;
+                    let _e408 = phi_1467_;
+                    let _e410 = phi_1468_;
+                    phi_1300_ = _e404;
+                    phi_1303_ = _e406;
+                    phi_1305_ = _e408;
+                    phi_1469_ = _e410;
                 } else {
-                    phi_1250_ = lt_math_LightPoint();
-                    phi_1253_ = u32();
-                    phi_1255_ = lt_math_LevelPoint();
-                    phi_1419_ = false;
+                    phi_1300_ = lt_math_LightPoint();
+                    phi_1303_ = u32();
+                    phi_1305_ = lt_math_LevelPoint();
+                    phi_1469_ = false;
                 }
-                let _e369 = phi_1250_;
-                let _e371 = phi_1253_;
-                let _e373 = phi_1255_;
-                let _e375 = phi_1419_;
+                let _e412 = phi_1300_;
+                let _e414 = phi_1303_;
+                let _e416 = phi_1305_;
+                let _e418 = phi_1469_;
                 continue;
                 continuing {
-                    phi_1249_ = _e369;
-                    phi_1252_ = _e371;
-                    phi_1254_ = _e373;
-                    break if !(_e375);
+                    phi_1299_ = _e412;
+                    phi_1302_ = _e414;
+                    phi_1304_ = _e416;
+                    break if !(_e418);
                 }
             }
-            let _e378 = local_2;
-            if _e378.point.is_inside {
+            let _e421 = local_2;
+            if _e421.point.is_inside {
                 if (0f > 0f) {
-                    let _e384 = local_3;
-                    if (_e384.level < _e59) {
+                    let _e427 = local_3;
+                    if (_e427.level < _e59) {
                     } else {
                         return;
                     }
-                    let _e389 = levels.member[(0u + _e384.level)];
-                    let _e395 = global[0u];
-                    if (_e389.row_w.x == _e395) {
-                        let _e398 = global[1u];
-                        if (_e389.row_w.y == _e398) {
-                            let _e401 = global[2u];
-                            phi_1459_ = (_e389.row_w.z == _e401);
-                            phi_1460_ = false;
+                    let _e432 = levels.member[(0u + _e427.level)];
+                    let _e438 = global[0u];
+                    if (_e432.row_w.x == _e438) {
+                        let _e441 = global[1u];
+                        if (_e432.row_w.y == _e441) {
+                            let _e444 = global[2u];
+                            phi_1509_ = (_e432.row_w.z == _e444);
+                            phi_1510_ = false;
                         } else {
-                            phi_1459_ = bool();
-                            phi_1460_ = true;
+                            phi_1509_ = bool();
+                            phi_1510_ = true;
                         }
-                        let _e404 = phi_1459_;
-                        let _e406 = phi_1460_;
-                        phi_1461_ = _e404;
-                        phi_1462_ = _e406;
+                        let _e447 = phi_1509_;
+                        let _e449 = phi_1510_;
+                        phi_1511_ = _e447;
+                        phi_1512_ = _e449;
                     } else {
-                        phi_1461_ = bool();
-                        phi_1462_ = true;
+                        phi_1511_ = bool();
+                        phi_1512_ = true;
                     }
-                    let _e408 = phi_1461_;
-                    let _e410 = phi_1462_;
-                    if _e410 {
-                        phi_1466_ = false;
+                    let _e451 = phi_1511_;
+                    let _e453 = phi_1512_;
+                    if _e453 {
+                        phi_1516_ = false;
                     } else {
-                        phi_1466_ = _e408;
+                        phi_1516_ = _e451;
                     }
-                    let _e412 = phi_1466_;
-                    if _e412 {
-                        let _e414 = samples.member[_e65.first_primitive].normal;
-                        let _e416 = p.member.map_size;
-                        let _e486 = ((abs(((((_e389.row_x.x * _e414.x) + (_e389.row_x.y * _e414.y)) + (_e389.row_x.z * _e414.z)) / (((_e389.row_x.x * _e389.row_x.x) + (_e389.row_x.y * _e389.row_x.y)) + (_e389.row_x.z * _e389.row_x.z)))) + abs(((((_e389.row_y.x * _e414.x) + (_e389.row_y.y * _e414.y)) + (_e389.row_y.z * _e414.z)) / (((_e389.row_y.x * _e389.row_y.x) + (_e389.row_y.y * _e389.row_y.y)) + (_e389.row_y.z * _e389.row_y.z))))) / (abs(((((_e389.row_z.x * _e414.x) + (_e389.row_z.y * _e414.y)) + (_e389.row_z.z * _e414.z)) / (((_e389.row_z.x * _e389.row_z.x) + (_e389.row_z.y * _e389.row_z.y)) + (_e389.row_z.z * _e389.row_z.z)))) * f32(_e416)));
-                        if (_e486 < 0.002f) {
-                            phi_1548_ = _e486;
+                    let _e455 = phi_1516_;
+                    if _e455 {
+                        let _e457 = samples.member[_e65.first_primitive].normal;
+                        let _e459 = p.member.map_size;
+                        let _e529 = ((abs(((((_e432.row_x.x * _e457.x) + (_e432.row_x.y * _e457.y)) + (_e432.row_x.z * _e457.z)) / (((_e432.row_x.x * _e432.row_x.x) + (_e432.row_x.y * _e432.row_x.y)) + (_e432.row_x.z * _e432.row_x.z)))) + abs(((((_e432.row_y.x * _e457.x) + (_e432.row_y.y * _e457.y)) + (_e432.row_y.z * _e457.z)) / (((_e432.row_y.x * _e432.row_y.x) + (_e432.row_y.y * _e432.row_y.y)) + (_e432.row_y.z * _e432.row_y.z))))) / (abs(((((_e432.row_z.x * _e457.x) + (_e432.row_z.y * _e457.y)) + (_e432.row_z.z * _e457.z)) / (((_e432.row_z.x * _e432.row_z.x) + (_e432.row_z.y * _e432.row_z.y)) + (_e432.row_z.z * _e432.row_z.z)))) * f32(_e459)));
+                        if (_e529 < 0.002f) {
+                            phi_1598_ = _e529;
                         } else {
-                            phi_1548_ = 0.002f;
+                            phi_1598_ = 0.002f;
                         }
-                        let _e489 = phi_1548_;
-                        phi_1665_ = _e489;
+                        let _e532 = phi_1598_;
+                        phi_1715_ = _e532;
                     } else {
-                        let _e491 = p.member.map_size;
-                        let _e497 = samples.member[_e65.first_primitive].position;
-                        let _e508 = ((((_e389.row_w.x * _e497.x) + (_e389.row_w.y * _e497.y)) + (_e389.row_w.z * _e497.z)) + _e389.row_w.w);
-                        let _e521 = ((_e389.row_x.x - (_e389.row_w.x * _e378.point.uv.x)) / _e508);
-                        let _e522 = ((_e389.row_x.y - (_e389.row_w.y * _e378.point.uv.x)) / _e508);
-                        let _e523 = ((_e389.row_x.z - (_e389.row_w.z * _e378.point.uv.x)) / _e508);
-                        let _e536 = ((_e389.row_y.x - (_e389.row_w.x * _e378.point.uv.y)) / _e508);
-                        let _e537 = ((_e389.row_y.y - (_e389.row_w.y * _e378.point.uv.y)) / _e508);
-                        let _e538 = ((_e389.row_y.z - (_e389.row_w.z * _e378.point.uv.y)) / _e508);
-                        let _e544 = samples.member[_e65.first_primitive].normal;
-                        let _e549 = ((_e537 * _e544.z) - (_e544.y * _e538));
-                        let _e554 = ((_e538 * _e544.x) - (_e544.z * _e536));
-                        let _e559 = ((_e536 * _e544.y) - (_e544.x * _e537));
-                        let _e561 = samples.member[_e65.first_primitive].normal;
-                        let _e566 = ((_e522 * _e561.z) - (_e561.y * _e523));
-                        let _e571 = ((_e523 * _e561.x) - (_e561.z * _e521));
-                        let _e576 = ((_e521 * _e561.y) - (_e561.x * _e522));
-                        let _e603 = ((abs(((((_e389.row_z.x * _e549) + (_e389.row_z.y * _e554)) + (_e389.row_z.z * _e559)) / (((_e521 * _e549) + (_e522 * _e554)) + (_e523 * _e559)))) + abs(((((_e389.row_z.x * _e566) + (_e389.row_z.y * _e571)) + (_e389.row_z.z * _e576)) / (((_e536 * _e566) + (_e537 * _e571)) + (_e538 * _e576))))) / f32(_e491));
-                        if (_e603 < 0.002f) {
-                            phi_1664_ = _e603;
+                        let _e534 = p.member.map_size;
+                        let _e540 = samples.member[_e65.first_primitive].position;
+                        let _e551 = ((((_e432.row_w.x * _e540.x) + (_e432.row_w.y * _e540.y)) + (_e432.row_w.z * _e540.z)) + _e432.row_w.w);
+                        let _e564 = ((_e432.row_x.x - (_e432.row_w.x * _e421.point.uv.x)) / _e551);
+                        let _e565 = ((_e432.row_x.y - (_e432.row_w.y * _e421.point.uv.x)) / _e551);
+                        let _e566 = ((_e432.row_x.z - (_e432.row_w.z * _e421.point.uv.x)) / _e551);
+                        let _e579 = ((_e432.row_y.x - (_e432.row_w.x * _e421.point.uv.y)) / _e551);
+                        let _e580 = ((_e432.row_y.y - (_e432.row_w.y * _e421.point.uv.y)) / _e551);
+                        let _e581 = ((_e432.row_y.z - (_e432.row_w.z * _e421.point.uv.y)) / _e551);
+                        let _e587 = samples.member[_e65.first_primitive].normal;
+                        let _e592 = ((_e580 * _e587.z) - (_e587.y * _e581));
+                        let _e597 = ((_e581 * _e587.x) - (_e587.z * _e579));
+                        let _e602 = ((_e579 * _e587.y) - (_e587.x * _e580));
+                        let _e604 = samples.member[_e65.first_primitive].normal;
+                        let _e609 = ((_e565 * _e604.z) - (_e604.y * _e566));
+                        let _e614 = ((_e566 * _e604.x) - (_e604.z * _e564));
+                        let _e619 = ((_e564 * _e604.y) - (_e604.x * _e565));
+                        let _e646 = ((abs(((((_e432.row_z.x * _e592) + (_e432.row_z.y * _e597)) + (_e432.row_z.z * _e602)) / (((_e564 * _e592) + (_e565 * _e597)) + (_e566 * _e602)))) + abs(((((_e432.row_z.x * _e609) + (_e432.row_z.y * _e614)) + (_e432.row_z.z * _e619)) / (((_e579 * _e609) + (_e580 * _e614)) + (_e581 * _e619))))) / f32(_e534));
+                        if (_e646 < 0.002f) {
+                            phi_1714_ = _e646;
                         } else {
-                            phi_1664_ = 0.002f;
+                            phi_1714_ = 0.002f;
                         }
-                        let _e606 = phi_1664_;
-                        phi_1665_ = _e606;
+                        let _e649 = phi_1714_;
+                        phi_1715_ = _e649;
                     }
-                    let _e608 = phi_1665_;
-                    phi_1668_ = (_e378.point.depth - (0f * _e608));
+                    let _e651 = phi_1715_;
+                    phi_1718_ = (_e421.point.depth - (0f * _e651));
                 } else {
-                    phi_1668_ = _e378.point.depth;
+                    phi_1718_ = _e421.point.depth;
                 }
-                let _e612 = phi_1668_;
-                let _e618 = p.member.map_size;
-                let _e619 = f32(_e618);
-                let _e622 = ((_e378.point.uv.x * _e619) - 0.5f);
-                let _e623 = ((_e378.point.uv.y * _e619) - 0.5f);
-                if (_e622 > -8388608f) {
-                    let _e635 = f32(select(0i, select(select(i32(_e622), i32(-2147483648), (_e622 < bitcast<f32>(3472883712u))), 2147483647i, (_e622 > bitcast<f32>(1325400063u))), (_e622 == _e622)));
-                    if (_e635 > _e622) {
-                        phi_1697_ = 1f;
+                let _e655 = phi_1718_;
+                let _e661 = p.member.map_size;
+                let _e662 = f32(_e661);
+                let _e665 = ((_e421.point.uv.x * _e662) - 0.5f);
+                let _e666 = ((_e421.point.uv.y * _e662) - 0.5f);
+                if (_e665 > -8388608f) {
+                    let _e678 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
+                    if (_e678 > _e665) {
+                        phi_1747_ = 1f;
                     } else {
-                        phi_1697_ = 0f;
+                        phi_1747_ = 0f;
                     }
-                    let _e638 = phi_1697_;
-                    if (_e622 < 8388608f) {
-                        phi_1702_ = (_e635 - _e638);
-                        phi_1703_ = false;
+                    let _e681 = phi_1747_;
+                    if (_e665 < 8388608f) {
+                        phi_1752_ = (_e678 - _e681);
+                        phi_1753_ = false;
                     } else {
-                        phi_1702_ = f32();
-                        phi_1703_ = true;
+                        phi_1752_ = f32();
+                        phi_1753_ = true;
                     }
-                    let _e641 = phi_1702_;
-                    let _e643 = phi_1703_;
-                    phi_1704_ = _e641;
-                    phi_1705_ = _e643;
+                    let _e684 = phi_1752_;
+                    let _e686 = phi_1753_;
+                    phi_1754_ = _e684;
+                    phi_1755_ = _e686;
                 } else {
-                    phi_1704_ = f32();
-                    phi_1705_ = true;
+                    phi_1754_ = f32();
+                    phi_1755_ = true;
                 }
-                let _e645 = phi_1704_;
-                let _e647 = phi_1705_;
-                if _e647 {
-                    phi_1709_ = _e622;
+                let _e688 = phi_1754_;
+                let _e690 = phi_1755_;
+                if _e690 {
+                    phi_1759_ = _e665;
                 } else {
-                    phi_1709_ = _e645;
+                    phi_1759_ = _e688;
                 }
-                let _e649 = phi_1709_;
-                if (_e623 > -8388608f) {
-                    let _e661 = f32(select(0i, select(select(i32(_e623), i32(-2147483648), (_e623 < bitcast<f32>(3472883712u))), 2147483647i, (_e623 > bitcast<f32>(1325400063u))), (_e623 == _e623)));
-                    if (_e661 > _e623) {
-                        phi_1729_ = 1f;
+                let _e692 = phi_1759_;
+                if (_e666 > -8388608f) {
+                    let _e704 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
+                    if (_e704 > _e666) {
+                        phi_1779_ = 1f;
                     } else {
-                        phi_1729_ = 0f;
+                        phi_1779_ = 0f;
                     }
-                    let _e664 = phi_1729_;
-                    if (_e623 < 8388608f) {
-                        phi_1734_ = (_e661 - _e664);
-                        phi_1735_ = false;
+                    let _e707 = phi_1779_;
+                    if (_e666 < 8388608f) {
+                        phi_1784_ = (_e704 - _e707);
+                        phi_1785_ = false;
                     } else {
-                        phi_1734_ = f32();
-                        phi_1735_ = true;
+                        phi_1784_ = f32();
+                        phi_1785_ = true;
                     }
-                    let _e667 = phi_1734_;
-                    let _e669 = phi_1735_;
-                    phi_1736_ = _e667;
-                    phi_1737_ = _e669;
+                    let _e710 = phi_1784_;
+                    let _e712 = phi_1785_;
+                    phi_1786_ = _e710;
+                    phi_1787_ = _e712;
                 } else {
-                    phi_1736_ = f32();
-                    phi_1737_ = true;
+                    phi_1786_ = f32();
+                    phi_1787_ = true;
                 }
-                let _e671 = phi_1736_;
-                let _e673 = phi_1737_;
-                if _e673 {
-                    phi_1741_ = _e623;
+                let _e714 = phi_1786_;
+                let _e716 = phi_1787_;
+                if _e716 {
+                    phi_1791_ = _e666;
                 } else {
-                    phi_1741_ = _e671;
+                    phi_1791_ = _e714;
                 }
-                let _e675 = phi_1741_;
-                let _e676 = (_e622 - _e649);
-                let _e677 = (_e623 - _e675);
-                let _e686 = select(0i, select(select(i32(_e649), i32(-2147483648), (_e649 < bitcast<f32>(3472883712u))), 2147483647i, (_e649 > bitcast<f32>(1325400063u))), (_e649 == _e649));
-                let _e695 = select(0i, select(select(i32(_e675), i32(-2147483648), (_e675 < bitcast<f32>(3472883712u))), 2147483647i, (_e675 > bitcast<f32>(1325400063u))), (_e675 == _e675));
-                let _e706 = p.member.test;
-                let _e707 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e706);
-                let _e709 = p.member.map_size;
-                let _e711 = local_4;
-                local_1 = _e707;
-                let _e714 = ((_e711.level * _e709) * _e709);
-                let _e716 = (bitcast<i32>(_e709) - 1i);
-                if (_e686 > 0i) {
-                    phi_1790_ = _e686;
+                let _e718 = phi_1791_;
+                let _e719 = (_e665 - _e692);
+                let _e720 = (_e666 - _e718);
+                let _e729 = select(0i, select(select(i32(_e692), i32(-2147483648), (_e692 < bitcast<f32>(3472883712u))), 2147483647i, (_e692 > bitcast<f32>(1325400063u))), (_e692 == _e692));
+                let _e738 = select(0i, select(select(i32(_e718), i32(-2147483648), (_e718 < bitcast<f32>(3472883712u))), 2147483647i, (_e718 > bitcast<f32>(1325400063u))), (_e718 == _e718));
+                let _e749 = p.member.test;
+                let _e750 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e749);
+                let _e752 = p.member.map_size;
+                let _e754 = local_4;
+                local_1 = _e750;
+                let _e757 = ((_e754.level * _e752) * _e752);
+                let _e759 = (bitcast<i32>(_e752) - 1i);
+                if (_e729 > 0i) {
+                    phi_1840_ = _e729;
                 } else {
-                    phi_1790_ = 0i;
+                    phi_1840_ = 0i;
                 }
-                let _e719 = phi_1790_;
-                if (_e695 > 0i) {
-                    phi_1795_ = _e695;
+                let _e762 = phi_1840_;
+                if (_e738 > 0i) {
+                    phi_1845_ = _e738;
                 } else {
-                    phi_1795_ = 0i;
+                    phi_1845_ = 0i;
                 }
-                let _e722 = phi_1795_;
-                if (_e719 < _e716) {
-                    phi_1800_ = _e719;
+                let _e765 = phi_1845_;
+                if (_e762 < _e759) {
+                    phi_1850_ = _e762;
                 } else {
-                    phi_1800_ = _e716;
+                    phi_1850_ = _e759;
                 }
-                let _e725 = phi_1800_;
-                if (_e722 < _e716) {
-                    phi_1805_ = _e722;
+                let _e768 = phi_1850_;
+                if (_e765 < _e759) {
+                    phi_1855_ = _e765;
                 } else {
-                    phi_1805_ = _e716;
+                    phi_1855_ = _e759;
                 }
-                let _e728 = phi_1805_;
-                let _e729 = bitcast<u32>(_e725);
-                let _e731 = (_e686 + 1i);
-                let _e732 = (_e695 + 1i);
-                if (_e731 > 0i) {
-                    phi_1814_ = _e731;
+                let _e771 = phi_1855_;
+                let _e772 = bitcast<u32>(_e768);
+                let _e774 = (_e729 + 1i);
+                let _e775 = (_e738 + 1i);
+                if (_e774 > 0i) {
+                    phi_1864_ = _e774;
                 } else {
-                    phi_1814_ = 0i;
+                    phi_1864_ = 0i;
                 }
-                let _e735 = phi_1814_;
-                if (_e732 > 0i) {
-                    phi_1819_ = _e732;
+                let _e778 = phi_1864_;
+                if (_e775 > 0i) {
+                    phi_1869_ = _e775;
                 } else {
-                    phi_1819_ = 0i;
+                    phi_1869_ = 0i;
                 }
-                let _e738 = phi_1819_;
-                if (_e735 < _e716) {
-                    phi_1824_ = _e735;
+                let _e781 = phi_1869_;
+                if (_e778 < _e759) {
+                    phi_1874_ = _e778;
                 } else {
-                    phi_1824_ = _e716;
+                    phi_1874_ = _e759;
                 }
-                let _e741 = phi_1824_;
-                if (_e738 < _e716) {
-                    phi_1829_ = _e738;
+                let _e784 = phi_1874_;
+                if (_e781 < _e759) {
+                    phi_1879_ = _e781;
                 } else {
-                    phi_1829_ = _e716;
+                    phi_1879_ = _e759;
                 }
-                let _e744 = phi_1829_;
-                let _e745 = bitcast<u32>(_e741);
-                let _e747 = (bitcast<u32>(_e728) * _e709);
-                let _e748 = (bitcast<u32>(_e744) * _e709);
-                let _e753 = ((_e747 + _e729) + _e714);
-                let _e754 = ((_e747 + _e745) + _e714);
-                let _e755 = ((_e748 + _e729) + _e714);
-                let _e756 = ((_e748 + _e745) + _e714);
-                if (_e753 < _e54) {
+                let _e787 = phi_1879_;
+                let _e788 = bitcast<u32>(_e784);
+                let _e790 = (bitcast<u32>(_e771) * _e752);
+                let _e791 = (bitcast<u32>(_e787) * _e752);
+                let _e796 = ((_e790 + _e772) + _e757);
+                let _e797 = ((_e790 + _e788) + _e757);
+                let _e798 = ((_e791 + _e772) + _e757);
+                let _e799 = ((_e791 + _e788) + _e757);
+                if (_e796 < _e54) {
                 } else {
                     return;
                 }
-                let _e760 = map.member[(0u + _e753)];
-                if (_e754 < _e54) {
+                let _e803 = map.member[(0u + _e796)];
+                if (_e797 < _e54) {
                 } else {
                     return;
                 }
-                let _e764 = map.member[(0u + _e754)];
-                if (_e755 < _e54) {
+                let _e807 = map.member[(0u + _e797)];
+                if (_e798 < _e54) {
                 } else {
                     return;
                 }
-                let _e768 = map.member[(0u + _e755)];
-                if (_e756 < _e54) {
+                let _e811 = map.member[(0u + _e798)];
+                if (_e799 < _e54) {
                 } else {
                     return;
                 }
-                let _e772 = map.member[(0u + _e756)];
-                let _e774 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e760, _e764, _e768, _e772), vec4<f32>(((1f - _e676) * (1f - _e677)), (_e676 * (1f - _e677)), ((1f - _e676) * _e677), (_e676 * _e677)), _e612);
-                let _e776 = p.member.epsilon;
-                if (_e774 <= _e776) {
-                    phi_1880_ = true;
+                let _e815 = map.member[(0u + _e799)];
+                let _e817 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e803, _e807, _e811, _e815), vec4<f32>(((1f - _e719) * (1f - _e720)), (_e719 * (1f - _e720)), ((1f - _e719) * _e720), (_e719 * _e720)), _e655);
+                let _e819 = p.member.epsilon;
+                if (_e817 <= _e819) {
+                    phi_1930_ = true;
                 } else {
-                    phi_1880_ = (_e774 >= (1f - _e776));
+                    phi_1930_ = (_e817 >= (1f - _e819));
                 }
-                let _e781 = phi_1880_;
-                if ((bitcast<u32>(_e774) & 2147483647u) > 2139095040u) {
-                    phi_1888_ = true;
+                let _e824 = phi_1930_;
+                if ((bitcast<u32>(_e817) & 2147483647u) > 2139095040u) {
+                    phi_1938_ = true;
                 } else {
-                    phi_1888_ = !(_e781);
+                    phi_1938_ = !(_e824);
                 }
-                let _e787 = phi_1888_;
-                if _e787 {
-                    if (_e774 > 0f) {
-                        if (_e774 < 1f) {
-                            phi_1900_ = false;
+                let _e830 = phi_1938_;
+                if _e830 {
+                    if (_e817 > 0f) {
+                        if (_e817 < 1f) {
+                            phi_1950_ = false;
                         } else {
-                            phi_1900_ = true;
+                            phi_1950_ = true;
                         }
-                        let _e791 = phi_1900_;
-                        phi_1901_ = _e791;
+                        let _e834 = phi_1950_;
+                        phi_1951_ = _e834;
                     } else {
-                        phi_1901_ = true;
+                        phi_1951_ = true;
                     }
-                    let _e793 = phi_1901_;
-                    if _e793 {
-                        phi_1905_ = 0.5f;
+                    let _e836 = phi_1951_;
+                    if _e836 {
+                        phi_1955_ = 0.5f;
                     } else {
-                        phi_1905_ = _e774;
+                        phi_1955_ = _e817;
                     }
-                    let _e795 = phi_1905_;
-                    phi_1913_ = evaluate_Verdict(_e795, true);
+                    let _e838 = phi_1955_;
+                    phi_1963_ = evaluate_Verdict(_e838, true);
                 } else {
-                    if (_e774 > 0.5f) {
-                        phi_1911_ = 1f;
+                    if (_e817 > 0.5f) {
+                        phi_1961_ = 1f;
                     } else {
-                        phi_1911_ = 0f;
+                        phi_1961_ = 0f;
                     }
-                    let _e799 = phi_1911_;
-                    phi_1913_ = evaluate_Verdict(_e799, false);
+                    let _e842 = phi_1961_;
+                    phi_1963_ = evaluate_Verdict(_e842, false);
                 }
-                let _e802 = phi_1913_;
-                phi_1918_ = evaluate_Verdict(_e802.visibility, _e802.is_doubted);
+                let _e845 = phi_1963_;
+                phi_1968_ = evaluate_Verdict(_e845.visibility, _e845.is_doubted);
             } else {
-                phi_1918_ = evaluate_Verdict(0.5f, true);
+                phi_1968_ = evaluate_Verdict(0.5f, true);
             }
-            let _e808 = phi_1918_;
-            phi_1919_ = _e808;
+            let _e851 = phi_1968_;
+            phi_1969_ = _e851;
         }
-        let _e810 = phi_1919_;
-        visibility.member[_e65.first_primitive] = _e810.visibility;
-        phi_1923_ = _e810.is_doubted;
-        phi_1924_ = _e65.first_primitive;
+        let _e853 = phi_1969_;
+        visibility.member[_e65.first_primitive] = _e853.visibility;
+        phi_1973_ = _e853.is_doubted;
+        phi_1974_ = _e65.first_primitive;
     } else {
-        phi_1923_ = false;
-        phi_1924_ = 0u;
+        phi_1973_ = false;
+        phi_1974_ = 0u;
     }
-    let _e815 = phi_1923_;
-    let _e817 = phi_1924_;
+    let _e858 = phi_1973_;
+    let _e860 = phi_1974_;
     if (_e49 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e815 {
-        let _e821 = atomicAdd((&shared_[0u]), 1u);
-        phi_1935_ = _e821;
+    if _e858 {
+        let _e864 = atomicAdd((&shared_[0u]), 1u);
+        phi_1985_ = _e864;
     } else {
-        phi_1935_ = 0u;
+        phi_1985_ = 0u;
     }
-    let _e823 = phi_1935_;
+    let _e866 = phi_1985_;
     workgroupBarrier();
     if (_e49 == 0u) {
-        let _e827 = atomicLoad((&shared_[0u]));
-        let _e828 = atomicAdd((&list.member[3u]), _e827);
-        atomicStore((&shared_[1u]), _e828);
+        let _e870 = atomicLoad((&shared_[0u]));
+        let _e871 = atomicAdd((&list.member[3u]), _e870);
+        atomicStore((&shared_[1u]), _e871);
     }
     workgroupBarrier();
-    if _e815 {
-        let _e831 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e831) + _e823)]), _e817);
+    if _e858 {
+        let _e874 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e874) + _e866)]), _e860);
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: abi_ShadowParams,
 }
 
@@ -69,7 +78,7 @@ struct lt_bvh_slab_Span {
     far: f32,
 }
 
-struct type_43 {
+struct type_45 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -78,7 +87,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<atomic<u32>>,
 }
 
@@ -89,47 +98,47 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_38;
+var<uniform> p: type_40;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_49;
+var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_43;
+var<storage> levels: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_171_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_164_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_163_ = lt_bvh_traverse_Tree();
+            phi_164_ = true;
         }
-        let _e58 = phi_160_;
-        let _e60 = phi_161_;
-        phi_162_ = _e58;
-        phi_163_ = _e60;
+        let _e58 = phi_163_;
+        let _e60 = phi_164_;
+        phi_165_ = _e58;
+        phi_166_ = _e60;
     } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
+        phi_165_ = lt_bvh_traverse_Tree();
+        phi_166_ = true;
     }
-    let _e62 = phi_162_;
-    let _e64 = phi_163_;
+    let _e62 = phi_165_;
+    let _e64 = phi_166_;
     if _e64 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_168_ = _e62;
+        phi_171_ = _e62;
     }
-    let _e69 = phi_168_;
+    let _e69 = phi_171_;
     return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
 }
 
@@ -138,205 +147,205 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_195_: f32;
-    var phi_196_: f32;
-    var phi_197_: f32;
-    var phi_214_: f32;
-    var phi_215_: f32;
-    var phi_216_: f32;
-    var phi_232_: f32;
-    var phi_233_: f32;
-    var phi_234_: f32;
-    var phi_250_: f32;
-    var phi_251_: f32;
-    var phi_252_: f32;
-    var phi_268_: f32;
-    var phi_269_: f32;
-    var phi_270_: f32;
-    var phi_305_: bool;
-    var phi_306_: bool;
-    var phi_307_: bool;
+    var phi_198_: f32;
+    var phi_199_: f32;
+    var phi_200_: f32;
+    var phi_217_: f32;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_235_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_253_: f32;
+    var phi_254_: f32;
+    var phi_255_: f32;
+    var phi_271_: f32;
+    var phi_272_: f32;
+    var phi_273_: f32;
     var phi_308_: bool;
     var phi_309_: bool;
     var phi_310_: bool;
-    var phi_314_: bool;
-    var phi_625_: f32;
-    var phi_626_: f32;
-    var phi_627_: f32;
-    var phi_644_: f32;
-    var phi_645_: f32;
-    var phi_646_: f32;
-    var phi_663_: f32;
-    var phi_664_: f32;
-    var phi_665_: f32;
-    var phi_682_: f32;
-    var phi_683_: f32;
-    var phi_684_: f32;
-    var phi_707_: f32;
-    var phi_708_: f32;
-    var phi_709_: f32;
-    var phi_720_: f32;
-    var phi_735_: f32;
-    var phi_737_: lt_bvh_slab_Span;
-    var phi_795_: f32;
-    var phi_796_: f32;
-    var phi_797_: f32;
+    var phi_311_: bool;
+    var phi_312_: bool;
+    var phi_313_: bool;
+    var phi_317_: bool;
+    var phi_628_: f32;
+    var phi_629_: f32;
+    var phi_630_: f32;
+    var phi_647_: f32;
+    var phi_648_: f32;
+    var phi_649_: f32;
+    var phi_666_: f32;
+    var phi_667_: f32;
+    var phi_668_: f32;
+    var phi_685_: f32;
+    var phi_686_: f32;
+    var phi_687_: f32;
+    var phi_710_: f32;
+    var phi_711_: f32;
+    var phi_712_: f32;
+    var phi_723_: f32;
+    var phi_738_: f32;
+    var phi_740_: lt_bvh_slab_Span;
     var phi_798_: f32;
     var phi_799_: f32;
-    var phi_800_: bool;
-    var phi_804_: f32;
-    var phi_819_: f32;
-    var phi_820_: f32;
-    var phi_821_: f32;
+    var phi_800_: f32;
+    var phi_801_: f32;
+    var phi_802_: f32;
+    var phi_803_: bool;
+    var phi_807_: f32;
     var phi_822_: f32;
     var phi_823_: f32;
     var phi_824_: f32;
     var phi_825_: f32;
-    var phi_826_: bool;
+    var phi_826_: f32;
     var phi_827_: f32;
     var phi_828_: f32;
     var phi_829_: bool;
-    var phi_833_: f32;
+    var phi_830_: f32;
+    var phi_831_: f32;
+    var phi_832_: bool;
+    var phi_836_: f32;
 
     let _e49 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_197_ = param_7;
+        phi_200_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_196_ = 0f;
+            phi_199_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_195_ = 1f;
+                phi_198_ = 1f;
             } else {
-                phi_195_ = param_7;
+                phi_198_ = param_7;
             }
-            let _e56 = phi_195_;
-            phi_196_ = _e56;
+            let _e56 = phi_198_;
+            phi_199_ = _e56;
         }
-        let _e58 = phi_196_;
-        phi_197_ = _e58;
+        let _e58 = phi_199_;
+        phi_200_ = _e58;
     }
-    let _e60 = phi_197_;
+    let _e60 = phi_200_;
     let _e61 = (_e60 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_216_ = param_5.x;
+        phi_219_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_215_ = 0f;
+            phi_218_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_214_ = 1f;
+                phi_217_ = 1f;
             } else {
-                phi_214_ = param_5.x;
+                phi_217_ = param_5.x;
             }
-            let _e69 = phi_214_;
-            phi_215_ = _e69;
+            let _e69 = phi_217_;
+            phi_218_ = _e69;
         }
-        let _e71 = phi_215_;
-        phi_216_ = _e71;
+        let _e71 = phi_218_;
+        phi_219_ = _e71;
     }
-    let _e73 = phi_216_;
+    let _e73 = phi_219_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_234_ = param_5.y;
+        phi_237_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_233_ = 0f;
+            phi_236_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_232_ = 1f;
+                phi_235_ = 1f;
             } else {
-                phi_232_ = param_5.y;
+                phi_235_ = param_5.y;
             }
-            let _e81 = phi_232_;
-            phi_233_ = _e81;
+            let _e81 = phi_235_;
+            phi_236_ = _e81;
         }
-        let _e83 = phi_233_;
-        phi_234_ = _e83;
+        let _e83 = phi_236_;
+        phi_237_ = _e83;
     }
-    let _e85 = phi_234_;
+    let _e85 = phi_237_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_252_ = param_5.z;
+        phi_255_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_251_ = 0f;
+            phi_254_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_250_ = 1f;
+                phi_253_ = 1f;
             } else {
-                phi_250_ = param_5.z;
+                phi_253_ = param_5.z;
             }
-            let _e93 = phi_250_;
-            phi_251_ = _e93;
+            let _e93 = phi_253_;
+            phi_254_ = _e93;
         }
-        let _e95 = phi_251_;
-        phi_252_ = _e95;
+        let _e95 = phi_254_;
+        phi_255_ = _e95;
     }
-    let _e97 = phi_252_;
+    let _e97 = phi_255_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_270_ = param_5.w;
+        phi_273_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_269_ = 0f;
+            phi_272_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_268_ = 1f;
+                phi_271_ = 1f;
             } else {
-                phi_268_ = param_5.w;
+                phi_271_ = param_5.w;
             }
-            let _e105 = phi_268_;
-            phi_269_ = _e105;
+            let _e105 = phi_271_;
+            phi_272_ = _e105;
         }
-        let _e107 = phi_269_;
-        phi_270_ = _e107;
+        let _e107 = phi_272_;
+        phi_273_ = _e107;
     }
-    let _e109 = phi_270_;
+    let _e109 = phi_273_;
     let _e110 = (_e73 - _e61);
     let _e111 = (_e85 - _e61);
     let _e112 = (_e97 - _e61);
     let _e113 = (_e109 - _e61);
     let _e124 = ((((_e110 * param_6.x) + (_e111 * param_6.y)) + (_e112 * param_6.z)) + (_e113 * param_6.w));
     if ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u) {
-        phi_827_ = _e124;
-        phi_828_ = f32();
-        phi_829_ = true;
+        phi_830_ = _e124;
+        phi_831_ = f32();
+        phi_832_ = true;
     } else {
         if (_e110 >= 0f) {
             if (_e111 >= 0f) {
                 if (_e112 >= 0f) {
-                    phi_305_ = (_e113 >= 0f);
-                    phi_306_ = false;
+                    phi_308_ = (_e113 >= 0f);
+                    phi_309_ = false;
                 } else {
-                    phi_305_ = bool();
-                    phi_306_ = true;
+                    phi_308_ = bool();
+                    phi_309_ = true;
                 }
-                let _e133 = phi_305_;
-                let _e135 = phi_306_;
-                phi_307_ = _e133;
-                phi_308_ = _e135;
+                let _e133 = phi_308_;
+                let _e135 = phi_309_;
+                phi_310_ = _e133;
+                phi_311_ = _e135;
             } else {
-                phi_307_ = bool();
-                phi_308_ = true;
+                phi_310_ = bool();
+                phi_311_ = true;
             }
-            let _e137 = phi_307_;
-            let _e139 = phi_308_;
-            phi_309_ = _e137;
-            phi_310_ = _e139;
+            let _e137 = phi_310_;
+            let _e139 = phi_311_;
+            phi_312_ = _e137;
+            phi_313_ = _e139;
         } else {
-            phi_309_ = bool();
-            phi_310_ = true;
+            phi_312_ = bool();
+            phi_313_ = true;
         }
-        let _e141 = phi_309_;
-        let _e143 = phi_310_;
+        let _e141 = phi_312_;
+        let _e143 = phi_313_;
         if _e143 {
-            phi_314_ = false;
+            phi_317_ = false;
         } else {
-            phi_314_ = _e141;
+            phi_317_ = _e141;
         }
-        let _e145 = phi_314_;
+        let _e145 = phi_317_;
         if _e145 {
-            phi_824_ = 1f;
-            phi_825_ = f32();
-            phi_826_ = true;
+            phi_827_ = 1f;
+            phi_828_ = f32();
+            phi_829_ = true;
         } else {
             let _e146 = (0.5f * _e49);
             let _e147 = (1f - _e49);
@@ -416,287 +425,293 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e433 = (_e427 < 0.0000000000000000000000000000000001f);
             if _e433 {
                 if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                    phi_627_ = _e110;
+                    phi_630_ = _e110;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_626_ = 0f;
+                        phi_629_ = 0f;
                     } else {
                         if (_e110 < 0f) {
-                            phi_625_ = 0f;
+                            phi_628_ = 0f;
                         } else {
-                            phi_625_ = 1f;
+                            phi_628_ = 1f;
                         }
-                        let _e442 = phi_625_;
-                        phi_626_ = _e442;
+                        let _e442 = phi_628_;
+                        phi_629_ = _e442;
                     }
-                    let _e444 = phi_626_;
-                    phi_627_ = _e444;
+                    let _e444 = phi_629_;
+                    phi_630_ = _e444;
                 }
-                let _e446 = phi_627_;
+                let _e446 = phi_630_;
                 if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                    phi_646_ = _e111;
+                    phi_649_ = _e111;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_645_ = 0f;
+                        phi_648_ = 0f;
                     } else {
                         if (_e111 < 0f) {
-                            phi_644_ = 0f;
+                            phi_647_ = 0f;
                         } else {
-                            phi_644_ = 1f;
+                            phi_647_ = 1f;
                         }
-                        let _e455 = phi_644_;
-                        phi_645_ = _e455;
+                        let _e455 = phi_647_;
+                        phi_648_ = _e455;
                     }
-                    let _e457 = phi_645_;
-                    phi_646_ = _e457;
+                    let _e457 = phi_648_;
+                    phi_649_ = _e457;
                 }
-                let _e459 = phi_646_;
+                let _e459 = phi_649_;
                 if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                    phi_665_ = _e112;
+                    phi_668_ = _e112;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_664_ = 0f;
+                        phi_667_ = 0f;
                     } else {
                         if (_e112 < 0f) {
-                            phi_663_ = 0f;
+                            phi_666_ = 0f;
                         } else {
-                            phi_663_ = 1f;
+                            phi_666_ = 1f;
                         }
-                        let _e468 = phi_663_;
-                        phi_664_ = _e468;
+                        let _e468 = phi_666_;
+                        phi_667_ = _e468;
                     }
-                    let _e470 = phi_664_;
-                    phi_665_ = _e470;
+                    let _e470 = phi_667_;
+                    phi_668_ = _e470;
                 }
-                let _e472 = phi_665_;
+                let _e472 = phi_668_;
                 if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                    phi_684_ = _e113;
+                    phi_687_ = _e113;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_683_ = 0f;
+                        phi_686_ = 0f;
                     } else {
                         if (_e113 < 0f) {
-                            phi_682_ = 0f;
+                            phi_685_ = 0f;
                         } else {
-                            phi_682_ = 1f;
+                            phi_685_ = 1f;
                         }
-                        let _e481 = phi_682_;
-                        phi_683_ = _e481;
+                        let _e481 = phi_685_;
+                        phi_686_ = _e481;
                     }
-                    let _e483 = phi_683_;
-                    phi_684_ = _e483;
+                    let _e483 = phi_686_;
+                    phi_687_ = _e483;
                 }
-                let _e485 = phi_684_;
+                let _e485 = phi_687_;
                 let _e493 = (((((_e446 * _e149) + (_e459 * _e151)) + (_e472 * _e153)) + (_e485 * _e155)) + _e146);
                 if ((bitcast<u32>(_e493) & 2147483647u) > 2139095040u) {
-                    phi_709_ = _e493;
+                    phi_712_ = _e493;
                 } else {
                     if (_e493 < 0f) {
-                        phi_708_ = 0f;
+                        phi_711_ = 0f;
                     } else {
                         if (_e493 > 1f) {
-                            phi_707_ = 1f;
+                            phi_710_ = 1f;
                         } else {
-                            phi_707_ = _e493;
+                            phi_710_ = _e493;
                         }
-                        let _e500 = phi_707_;
-                        phi_708_ = _e500;
+                        let _e500 = phi_710_;
+                        phi_711_ = _e500;
                     }
-                    let _e502 = phi_708_;
-                    phi_709_ = _e502;
+                    let _e502 = phi_711_;
+                    phi_712_ = _e502;
                 }
-                let _e504 = phi_709_;
-                phi_822_ = _e504;
-                phi_823_ = f32();
+                let _e504 = phi_712_;
+                phi_825_ = _e504;
+                phi_826_ = f32();
             } else {
                 let _e506 = ((0.5f * -(((((((((_e210 * (_e110 + _e111)) + (_e214 * (_e110 + _e112))) + (_e238 * (_e110 + _e156))) + (_e250 * (_e110 + _e157))) + ((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e156))) + (_e251 * (_e111 + _e157)))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e110))) + (_e240 * (_e112 + _e156))) + (_e252 * (_e112 + _e157)))) + ((((_e213 * (_e113 + _e110)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e156))) + (_e253 * (_e113 + _e157)))) + (_e424 * (_e156 + _e157))))) / _e427);
                 let _e507 = ((((((((_e210 + _e214) + _e238) + _e250) + (((_e211 + _e215) + _e239) + _e251)) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + _e424) / _e427);
                 let _e509 = ((_e506 * _e506) - _e507);
                 if (_e509 > 0f) {
-                    phi_720_ = sqrt(_e509);
+                    phi_723_ = sqrt(_e509);
                 } else {
-                    phi_720_ = 0f;
+                    phi_723_ = 0f;
                 }
-                let _e513 = phi_720_;
+                let _e513 = phi_723_;
                 if (_e506 > 0f) {
                     let _e516 = (-(_e506) - _e513);
-                    phi_737_ = lt_bvh_slab_Span(_e516, (_e507 / _e516));
+                    phi_740_ = lt_bvh_slab_Span(_e516, (_e507 / _e516));
                 } else {
                     let _e519 = (_e513 - _e506);
                     if (_e519 > 0f) {
-                        phi_735_ = (_e507 / _e519);
+                        phi_738_ = (_e507 / _e519);
                     } else {
-                        phi_735_ = 0f;
+                        phi_738_ = 0f;
                     }
-                    let _e523 = phi_735_;
-                    phi_737_ = lt_bvh_slab_Span(_e523, _e519);
+                    let _e523 = phi_738_;
+                    phi_740_ = lt_bvh_slab_Span(_e523, _e519);
                 }
-                let _e526 = phi_737_;
+                let _e526 = phi_740_;
                 if (_e526.near >= 0f) {
-                    phi_798_ = 1f;
-                    phi_799_ = f32();
-                    phi_800_ = true;
+                    phi_801_ = 1f;
+                    phi_802_ = f32();
+                    phi_803_ = true;
                 } else {
                     let _e530 = (_e526.far <= 0f);
                     if _e530 {
-                        phi_796_ = (_e421 / _e427);
-                        phi_797_ = f32();
+                        phi_799_ = (_e421 / _e427);
+                        phi_800_ = f32();
                     } else {
                         let _e541 = (((((_e149 * _e110) + (_e151 * _e111)) + (_e153 * _e112)) + (_e155 * _e113)) + (_e146 * (_e156 + _e157)));
                         let _e557 = (((((_e149 * (_e110 * _e110)) + (_e151 * (_e111 * _e111))) + (_e153 * (_e112 * _e112))) + (_e155 * (_e113 * _e113))) + (_e146 * ((_e156 * _e156) + (_e157 * _e157))));
                         if (-(_e526.near) <= _e526.far) {
-                            phi_795_ = (1f - (((_e526.near * _e526.near) * ((_e526.far * _e557) - _e541)) / (_e526.far - _e526.near)));
+                            phi_798_ = (1f - (((_e526.near * _e526.near) * ((_e526.far * _e557) - _e541)) / (_e526.far - _e526.near)));
                         } else {
-                            phi_795_ = ((_e421 / _e427) + (((_e526.far * _e526.far) * (_e541 - (_e526.near * _e557))) / (_e526.far - _e526.near)));
+                            phi_798_ = ((_e421 / _e427) + (((_e526.far * _e526.far) * (_e541 - (_e526.near * _e557))) / (_e526.far - _e526.near)));
                         }
-                        let _e576 = phi_795_;
-                        phi_796_ = f32();
-                        phi_797_ = _e576;
+                        let _e576 = phi_798_;
+                        phi_799_ = f32();
+                        phi_800_ = _e576;
                     }
-                    let _e578 = phi_796_;
-                    let _e580 = phi_797_;
-                    phi_798_ = _e578;
-                    phi_799_ = _e580;
-                    phi_800_ = _e530;
+                    let _e578 = phi_799_;
+                    let _e580 = phi_800_;
+                    phi_801_ = _e578;
+                    phi_802_ = _e580;
+                    phi_803_ = _e530;
                 }
-                let _e582 = phi_798_;
-                let _e584 = phi_799_;
-                let _e586 = phi_800_;
+                let _e582 = phi_801_;
+                let _e584 = phi_802_;
+                let _e586 = phi_803_;
                 if _e586 {
-                    phi_804_ = _e582;
+                    phi_807_ = _e582;
                 } else {
-                    phi_804_ = _e584;
+                    phi_807_ = _e584;
                 }
-                let _e588 = phi_804_;
+                let _e588 = phi_807_;
                 if ((bitcast<u32>(_e588) & 2147483647u) > 2139095040u) {
-                    phi_821_ = _e588;
+                    phi_824_ = _e588;
                 } else {
                     if (_e588 < 0f) {
-                        phi_820_ = 0f;
+                        phi_823_ = 0f;
                     } else {
                         if (_e588 > 1f) {
-                            phi_819_ = 1f;
+                            phi_822_ = 1f;
                         } else {
-                            phi_819_ = _e588;
+                            phi_822_ = _e588;
                         }
-                        let _e595 = phi_819_;
-                        phi_820_ = _e595;
+                        let _e595 = phi_822_;
+                        phi_823_ = _e595;
                     }
-                    let _e597 = phi_820_;
-                    phi_821_ = _e597;
+                    let _e597 = phi_823_;
+                    phi_824_ = _e597;
                 }
-                let _e599 = phi_821_;
-                phi_822_ = f32();
-                phi_823_ = _e599;
+                let _e599 = phi_824_;
+                phi_825_ = f32();
+                phi_826_ = _e599;
             }
-            let _e601 = phi_822_;
-            let _e603 = phi_823_;
-            phi_824_ = _e601;
-            phi_825_ = _e603;
-            phi_826_ = _e433;
+            let _e601 = phi_825_;
+            let _e603 = phi_826_;
+            phi_827_ = _e601;
+            phi_828_ = _e603;
+            phi_829_ = _e433;
         }
-        let _e605 = phi_824_;
-        let _e607 = phi_825_;
-        let _e609 = phi_826_;
-        phi_827_ = _e605;
-        phi_828_ = _e607;
-        phi_829_ = _e609;
+        let _e605 = phi_827_;
+        let _e607 = phi_828_;
+        let _e609 = phi_829_;
+        phi_830_ = _e605;
+        phi_831_ = _e607;
+        phi_832_ = _e609;
     }
-    let _e611 = phi_827_;
-    let _e613 = phi_828_;
-    let _e615 = phi_829_;
+    let _e611 = phi_830_;
+    let _e613 = phi_831_;
+    let _e615 = phi_832_;
     if _e615 {
-        phi_833_ = _e611;
+        phi_836_ = _e611;
     } else {
-        phi_833_ = _e613;
+        phi_836_ = _e613;
     }
-    let _e617 = phi_833_;
+    let _e617 = phi_836_;
     return _e617;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_889_: bool;
-    var phi_890_: bool;
     var phi_891_: bool;
     var phi_892_: bool;
-    var phi_896_: bool;
-    var phi_940_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_944_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_964_: lt_math_LightPoint;
-    var phi_967_: u32;
-    var phi_969_: lt_math_LevelPoint;
-    var phi_1055_: bool;
-    var phi_1064_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1076_: bool;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1083_: bool;
-    var phi_1110_: bool;
-    var phi_1111_: bool;
-    var phi_1112_: bool;
-    var phi_1113_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_898_: bool;
+    var phi_968_: bool;
+    var phi_969_: bool;
+    var phi_980_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_981_: bool;
+    var phi_982_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_983_: bool;
+    var phi_990_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_994_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1014_: lt_math_LightPoint;
+    var phi_1017_: u32;
+    var phi_1019_: lt_math_LevelPoint;
+    var phi_1105_: bool;
     var phi_1114_: bool;
-    var phi_1115_: bool;
-    var phi_1116_: bool;
-    var phi_1117_: bool;
-    var phi_1121_: bool;
-    var phi_1130_: lt_math_LightPoint;
-    var phi_1131_: u32;
-    var phi_1132_: lt_math_LevelPoint;
+    var phi_1123_: bool;
+    var phi_1124_: bool;
+    var phi_1125_: bool;
+    var phi_1126_: bool;
+    var phi_1127_: bool;
+    var phi_1128_: bool;
+    var phi_1129_: bool;
     var phi_1133_: bool;
-    var phi_965_: lt_math_LightPoint;
-    var phi_968_: u32;
-    var phi_970_: lt_math_LevelPoint;
-    var phi_1134_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
+    var phi_1163_: bool;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
+    var phi_1171_: bool;
+    var phi_1180_: lt_math_LightPoint;
+    var phi_1181_: u32;
+    var phi_1182_: lt_math_LevelPoint;
+    var phi_1183_: bool;
+    var phi_1015_: lt_math_LightPoint;
+    var phi_1018_: u32;
+    var phi_1020_: lt_math_LevelPoint;
+    var phi_1184_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1176_: bool;
-    var phi_1177_: bool;
-    var phi_1181_: bool;
-    var phi_1263_: f32;
-    var phi_1379_: f32;
-    var phi_1380_: f32;
-    var phi_1383_: f32;
-    var phi_1412_: f32;
-    var phi_1417_: f32;
-    var phi_1418_: bool;
-    var phi_1419_: f32;
-    var phi_1420_: bool;
-    var phi_1424_: f32;
-    var phi_1444_: f32;
-    var phi_1449_: f32;
-    var phi_1450_: bool;
-    var phi_1451_: f32;
-    var phi_1452_: bool;
-    var phi_1456_: f32;
+    var phi_1224_: bool;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
+    var phi_1227_: bool;
+    var phi_1231_: bool;
+    var phi_1313_: f32;
+    var phi_1429_: f32;
+    var phi_1430_: f32;
+    var phi_1433_: f32;
+    var phi_1462_: f32;
+    var phi_1467_: f32;
+    var phi_1468_: bool;
+    var phi_1469_: f32;
+    var phi_1470_: bool;
+    var phi_1474_: f32;
+    var phi_1494_: f32;
+    var phi_1499_: f32;
+    var phi_1500_: bool;
+    var phi_1501_: f32;
+    var phi_1502_: bool;
+    var phi_1506_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1505_: i32;
-    var phi_1510_: i32;
-    var phi_1515_: i32;
-    var phi_1520_: i32;
-    var phi_1529_: i32;
-    var phi_1534_: i32;
-    var phi_1539_: i32;
-    var phi_1544_: i32;
-    var phi_1595_: bool;
-    var phi_1603_: bool;
-    var phi_1615_: bool;
-    var phi_1616_: bool;
-    var phi_1620_: f32;
-    var phi_1626_: f32;
-    var phi_1628_: evaluate_Verdict;
-    var phi_1633_: evaluate_Verdict;
-    var phi_1634_: evaluate_Verdict;
-    var phi_1638_: bool;
-    var phi_1639_: u32;
-    var phi_1650_: u32;
+    var phi_1555_: i32;
+    var phi_1560_: i32;
+    var phi_1565_: i32;
+    var phi_1570_: i32;
+    var phi_1579_: i32;
+    var phi_1584_: i32;
+    var phi_1589_: i32;
+    var phi_1594_: i32;
+    var phi_1645_: bool;
+    var phi_1653_: bool;
+    var phi_1665_: bool;
+    var phi_1666_: bool;
+    var phi_1670_: f32;
+    var phi_1676_: f32;
+    var phi_1678_: evaluate_Verdict;
+    var phi_1683_: evaluate_Verdict;
+    var phi_1684_: evaluate_Verdict;
+    var phi_1688_: bool;
+    var phi_1689_: u32;
+    var phi_1700_: u32;
 
     let _e46 = id_1;
     let _e47 = local_5;
@@ -707,541 +722,580 @@ fn function_() {
     let _e63 = lt_shaders_entry_pixel_index(_e46, _e60, _e62);
     if (bitcast<i32>(_e63.root) != 0i) {
         let _e70 = p.member.level_count;
-        let _e72 = p.member.light;
-        let _e75 = samples.member[_e63.first_primitive].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[_e63.first_primitive].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[_e63.first_primitive].normal[2u];
-                let _e87 = global[2u];
-                phi_889_ = (_e85 == _e87);
-                phi_890_ = false;
+        let _e74 = samples.member[_e63.first_primitive].normal[0u];
+        let _e76 = global[0u];
+        if (_e74 == _e76) {
+            let _e79 = samples.member[_e63.first_primitive].normal[1u];
+            let _e81 = global[1u];
+            if (_e79 == _e81) {
+                let _e84 = samples.member[_e63.first_primitive].normal[2u];
+                let _e86 = global[2u];
+                phi_891_ = (_e84 == _e86);
+                phi_892_ = false;
             } else {
-                phi_889_ = bool();
-                phi_890_ = true;
+                phi_891_ = bool();
+                phi_892_ = true;
             }
-            let _e90 = phi_889_;
-            let _e92 = phi_890_;
-            phi_891_ = _e90;
-            phi_892_ = _e92;
+            let _e89 = phi_891_;
+            let _e91 = phi_892_;
+            phi_893_ = _e89;
+            phi_894_ = _e91;
         } else {
-            phi_891_ = bool();
-            phi_892_ = true;
+            phi_893_ = bool();
+            phi_894_ = true;
         }
-        let _e94 = phi_891_;
-        let _e96 = phi_892_;
-        if _e96 {
-            phi_896_ = false;
+        let _e93 = phi_893_;
+        let _e95 = phi_894_;
+        if _e95 {
+            phi_898_ = false;
         } else {
-            phi_896_ = _e94;
+            phi_898_ = _e93;
         }
-        let _e98 = phi_896_;
-        if !(_e98) {
-            let _e101 = samples.member[_e63.first_primitive].normal;
-            let _e103 = samples.member[_e63.first_primitive].position;
-            if ((((_e101.x * (_e72.x - (_e103.x * _e72.w))) + (_e101.y * (_e72.y - (_e103.y * _e72.w)))) + (_e101.z * (_e72.z - (_e103.z * _e72.w)))) > 0f) {
-                let _e127 = samples.member[_e63.first_primitive].flags;
-                let _e135 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e141 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e135.unnamed.visibility, false), _e135.unnamed_1);
-                phi_940_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e141.unnamed, ((_e127 & 1u) == 0u));
-            } else {
-                let _e150 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e156 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e150.unnamed.visibility, false), _e150.unnamed_1);
-                phi_940_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e156.unnamed, true);
-            }
-            let _e161 = phi_940_;
-            phi_944_ = _e161;
-        } else {
-            let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
-            phi_944_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, true);
-        }
-        let _e178 = phi_944_;
-        if _e178.unnamed_1 {
-            phi_1634_ = evaluate_Verdict(_e178.unnamed.visibility, _e178.unnamed.is_doubted);
-        } else {
-            let _e186 = samples.member[_e63.first_primitive].position;
-            let _e188 = p.member.map_size;
-            let _e190 = (0.5f / f32(_e188));
-            let _e197 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e204 = lt_math_LightPoint(vec2<f32>(_e197.uv.x, 0f), _e197.depth, _e197.is_inside);
-            let _e208 = lt_math_LightPoint(_e204.uv, 0f, _e204.is_inside);
-            phi_964_ = lt_math_LightPoint();
-            phi_967_ = 0u;
-            phi_969_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e208.uv, _e208.depth, false));
-            loop {
-                let _e215 = phi_964_;
-                let _e217 = phi_967_;
-                let _e219 = phi_969_;
-                local_2 = _e219;
-                local_3 = _e219;
-                local_4 = _e219;
-                if (_e217 < _e70) {
-                    if _e219.point.is_inside {
-                        phi_1130_ = lt_math_LightPoint();
-                        phi_1131_ = u32();
-                        phi_1132_ = lt_math_LevelPoint();
-                        phi_1133_ = false;
+        let _e97 = phi_898_;
+        if !(_e97) {
+            let _e100 = samples.member[_e63.first_primitive].position;
+            let _e102 = p.member.light.place;
+            let _e108 = p.member.light.place[3u];
+            let _e115 = (_e102.x - (_e100.x * _e108));
+            let _e116 = (_e102.y - (_e100.y * _e108));
+            let _e117 = (_e102.z - (_e100.z * _e108));
+            let _e119 = samples.member[_e63.first_primitive].normal;
+            if ((((_e119.x * _e115) + (_e119.y * _e116)) + (_e119.z * _e117)) > 0f) {
+                let _e133 = (((_e115 * _e115) + (_e116 * _e116)) + (_e117 * _e117));
+                let _e135 = p.member.light.axis;
+                let _e147 = p.member.light.place[3u];
+                if (_e147 == 0f) {
+                    phi_969_ = true;
+                } else {
+                    let _e150 = p.member.light.range_squared;
+                    if (_e133 <= _e150) {
+                        let _e153 = p.member.light.cos_outer;
+                        phi_968_ = (-((((_e115 * _e135.x) + (_e116 * _e135.y)) + (_e117 * _e135.z))) >= (_e153 * sqrt(_e133)));
                     } else {
-                        if (_e217 < _e57) {
+                        phi_968_ = false;
+                    }
+                    let _e158 = phi_968_;
+                    phi_969_ = _e158;
+                }
+                let _e160 = phi_969_;
+                if _e160 {
+                    let _e162 = samples.member[_e63.first_primitive].flags;
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e170.unnamed.visibility, false), _e170.unnamed_1);
+                    phi_980_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e176.unnamed, ((_e162 & 1u) == 0u));
+                    phi_981_ = false;
+                } else {
+                    phi_980_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_981_ = true;
+                }
+                let _e181 = phi_980_;
+                let _e183 = phi_981_;
+                phi_982_ = _e181;
+                phi_983_ = _e183;
+            } else {
+                phi_982_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_983_ = true;
+            }
+            let _e185 = phi_982_;
+            let _e187 = phi_983_;
+            if _e187 {
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
+                phi_990_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, true);
+            } else {
+                phi_990_ = _e185;
+            }
+            let _e204 = phi_990_;
+            phi_994_ = _e204;
+        } else {
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+            phi_994_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+        }
+        let _e221 = phi_994_;
+        if _e221.unnamed_1 {
+            phi_1684_ = evaluate_Verdict(_e221.unnamed.visibility, _e221.unnamed.is_doubted);
+        } else {
+            let _e229 = samples.member[_e63.first_primitive].position;
+            let _e231 = p.member.map_size;
+            let _e233 = (0.5f / f32(_e231));
+            let _e240 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e247 = lt_math_LightPoint(vec2<f32>(_e240.uv.x, 0f), _e240.depth, _e240.is_inside);
+            let _e251 = lt_math_LightPoint(_e247.uv, 0f, _e247.is_inside);
+            phi_1014_ = lt_math_LightPoint();
+            phi_1017_ = 0u;
+            phi_1019_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e251.uv, _e251.depth, false));
+            loop {
+                let _e258 = phi_1014_;
+                let _e260 = phi_1017_;
+                let _e262 = phi_1019_;
+                local_2 = _e262;
+                local_3 = _e262;
+                local_4 = _e262;
+                if (_e260 < _e70) {
+                    if _e262.point.is_inside {
+                        phi_1180_ = lt_math_LightPoint();
+                        phi_1181_ = u32();
+                        phi_1182_ = lt_math_LevelPoint();
+                        phi_1183_ = false;
+                    } else {
+                        if (_e260 < _e57) {
                         } else {
                             return;
                         }
-                        let _e230 = levels.member[(0u + _e217)].row_w;
-                        let _e241 = ((((_e230.x * _e186.x) + (_e230.y * _e186.y)) + (_e230.z * _e186.z)) + (_e230.w * 1f));
-                        let _e243 = levels.member[(0u + _e217)].row_x;
-                        let _e255 = (((((_e243.x * _e186.x) + (_e243.y * _e186.y)) + (_e243.z * _e186.z)) + (_e243.w * 1f)) / _e241);
-                        let _e257 = levels.member[(0u + _e217)].row_y;
-                        let _e269 = (((((_e257.x * _e186.x) + (_e257.y * _e186.y)) + (_e257.z * _e186.z)) + (_e257.w * 1f)) / _e241);
-                        let _e271 = levels.member[(0u + _e217)].row_z;
-                        let _e282 = ((((_e271.x * _e186.x) + (_e271.y * _e186.y)) + (_e271.z * _e186.z)) + (_e271.w * 1f));
-                        if (_e241 > 0f) {
-                            if (_e255 >= 0f) {
-                                phi_1055_ = (_e255 <= 1f);
+                        let _e273 = levels.member[(0u + _e260)].row_w;
+                        let _e284 = ((((_e273.x * _e229.x) + (_e273.y * _e229.y)) + (_e273.z * _e229.z)) + (_e273.w * 1f));
+                        let _e286 = levels.member[(0u + _e260)].row_x;
+                        let _e298 = (((((_e286.x * _e229.x) + (_e286.y * _e229.y)) + (_e286.z * _e229.z)) + (_e286.w * 1f)) / _e284);
+                        let _e300 = levels.member[(0u + _e260)].row_y;
+                        let _e312 = (((((_e300.x * _e229.x) + (_e300.y * _e229.y)) + (_e300.z * _e229.z)) + (_e300.w * 1f)) / _e284);
+                        let _e314 = levels.member[(0u + _e260)].row_z;
+                        let _e325 = ((((_e314.x * _e229.x) + (_e314.y * _e229.y)) + (_e314.z * _e229.z)) + (_e314.w * 1f));
+                        if (_e284 > 0f) {
+                            if (_e298 >= 0f) {
+                                phi_1105_ = (_e298 <= 1f);
                             } else {
-                                phi_1055_ = false;
+                                phi_1105_ = false;
                             }
-                            let _e287 = phi_1055_;
-                            if _e287 {
-                                if (_e269 >= 0f) {
-                                    phi_1064_ = (_e269 <= 1f);
+                            let _e330 = phi_1105_;
+                            if _e330 {
+                                if (_e312 >= 0f) {
+                                    phi_1114_ = (_e312 <= 1f);
                                 } else {
-                                    phi_1064_ = false;
+                                    phi_1114_ = false;
                                 }
-                                let _e291 = phi_1064_;
-                                if _e291 {
-                                    if (_e282 >= 0f) {
-                                        phi_1073_ = (_e282 <= 1f);
+                                let _e334 = phi_1114_;
+                                if _e334 {
+                                    if (_e325 >= 0f) {
+                                        phi_1123_ = (_e325 <= 1f);
                                     } else {
-                                        phi_1073_ = false;
+                                        phi_1123_ = false;
                                     }
-                                    let _e295 = phi_1073_;
-                                    phi_1074_ = _e295;
-                                    phi_1075_ = false;
+                                    let _e338 = phi_1123_;
+                                    phi_1124_ = _e338;
+                                    phi_1125_ = false;
                                 } else {
-                                    phi_1074_ = bool();
-                                    phi_1075_ = true;
+                                    phi_1124_ = bool();
+                                    phi_1125_ = true;
                                 }
-                                let _e297 = phi_1074_;
-                                let _e299 = phi_1075_;
-                                phi_1076_ = _e297;
-                                phi_1077_ = _e299;
+                                let _e340 = phi_1124_;
+                                let _e342 = phi_1125_;
+                                phi_1126_ = _e340;
+                                phi_1127_ = _e342;
                             } else {
-                                phi_1076_ = bool();
-                                phi_1077_ = true;
+                                phi_1126_ = bool();
+                                phi_1127_ = true;
                             }
-                            let _e301 = phi_1076_;
-                            let _e303 = phi_1077_;
-                            phi_1078_ = _e301;
-                            phi_1079_ = _e303;
+                            let _e344 = phi_1126_;
+                            let _e346 = phi_1127_;
+                            phi_1128_ = _e344;
+                            phi_1129_ = _e346;
                         } else {
-                            phi_1078_ = bool();
-                            phi_1079_ = true;
+                            phi_1128_ = bool();
+                            phi_1129_ = true;
                         }
-                        let _e305 = phi_1078_;
-                        let _e307 = phi_1079_;
-                        if _e307 {
-                            phi_1083_ = false;
+                        let _e348 = phi_1128_;
+                        let _e350 = phi_1129_;
+                        if _e350 {
+                            phi_1133_ = false;
                         } else {
-                            phi_1083_ = _e305;
+                            phi_1133_ = _e348;
                         }
-                        let _e309 = phi_1083_;
-                        if _e309 {
-                            if (_e255 >= _e190) {
-                                if (_e255 <= (1f - _e190)) {
-                                    if (_e269 >= _e190) {
-                                        phi_1110_ = (_e269 <= (1f - _e190));
-                                        phi_1111_ = false;
+                        let _e352 = phi_1133_;
+                        if _e352 {
+                            if (_e298 >= _e233) {
+                                if (_e298 <= (1f - _e233)) {
+                                    if (_e312 >= _e233) {
+                                        phi_1160_ = (_e312 <= (1f - _e233));
+                                        phi_1161_ = false;
                                     } else {
-                                        phi_1110_ = bool();
-                                        phi_1111_ = true;
+                                        phi_1160_ = bool();
+                                        phi_1161_ = true;
                                     }
-                                    let _e317 = phi_1110_;
-                                    let _e319 = phi_1111_;
-                                    phi_1112_ = _e317;
-                                    phi_1113_ = _e319;
+                                    let _e360 = phi_1160_;
+                                    let _e362 = phi_1161_;
+                                    phi_1162_ = _e360;
+                                    phi_1163_ = _e362;
                                 } else {
-                                    phi_1112_ = bool();
-                                    phi_1113_ = true;
+                                    phi_1162_ = bool();
+                                    phi_1163_ = true;
                                 }
-                                let _e321 = phi_1112_;
-                                let _e323 = phi_1113_;
-                                phi_1114_ = _e321;
-                                phi_1115_ = _e323;
+                                let _e364 = phi_1162_;
+                                let _e366 = phi_1163_;
+                                phi_1164_ = _e364;
+                                phi_1165_ = _e366;
                             } else {
-                                phi_1114_ = bool();
-                                phi_1115_ = true;
+                                phi_1164_ = bool();
+                                phi_1165_ = true;
                             }
-                            let _e325 = phi_1114_;
-                            let _e327 = phi_1115_;
-                            phi_1116_ = _e325;
-                            phi_1117_ = _e327;
+                            let _e368 = phi_1164_;
+                            let _e370 = phi_1165_;
+                            phi_1166_ = _e368;
+                            phi_1167_ = _e370;
                         } else {
-                            phi_1116_ = bool();
-                            phi_1117_ = true;
+                            phi_1166_ = bool();
+                            phi_1167_ = true;
                         }
-                        let _e329 = phi_1116_;
-                        let _e331 = phi_1117_;
-                        if _e331 {
-                            phi_1121_ = false;
+                        let _e372 = phi_1166_;
+                        let _e374 = phi_1167_;
+                        if _e374 {
+                            phi_1171_ = false;
                         } else {
-                            phi_1121_ = _e329;
+                            phi_1171_ = _e372;
                         }
-                        let _e333 = phi_1121_;
-                        let _e340 = lt_math_LightPoint(vec2<f32>(_e255, _e215.uv.y), _e215.depth, _e215.is_inside);
-                        let _e347 = lt_math_LightPoint(vec2<f32>(_e340.uv.x, _e269), _e340.depth, _e340.is_inside);
-                        let _e351 = lt_math_LightPoint(_e347.uv, _e282, _e347.is_inside);
-                        let _e355 = lt_math_LightPoint(_e351.uv, _e351.depth, _e333);
-                        phi_1130_ = _e355;
-                        phi_1131_ = (_e217 + 1u);
-                        phi_1132_ = lt_math_LevelPoint(_e217, _e355);
-                        phi_1133_ = true;
+                        let _e376 = phi_1171_;
+                        let _e383 = lt_math_LightPoint(vec2<f32>(_e298, _e258.uv.y), _e258.depth, _e258.is_inside);
+                        let _e390 = lt_math_LightPoint(vec2<f32>(_e383.uv.x, _e312), _e383.depth, _e383.is_inside);
+                        let _e394 = lt_math_LightPoint(_e390.uv, _e325, _e390.is_inside);
+                        let _e398 = lt_math_LightPoint(_e394.uv, _e394.depth, _e376);
+                        phi_1180_ = _e398;
+                        phi_1181_ = (_e260 + 1u);
+                        phi_1182_ = lt_math_LevelPoint(_e260, _e398);
+                        phi_1183_ = true;
                     }
-                    let _e359 = phi_1130_;
-                    let _e361 = phi_1131_;
-                    let _e363 = phi_1132_;
-                    let _e365 = phi_1133_;
-                    phi_965_ = _e359;
-                    phi_968_ = _e361;
-                    phi_970_ = _e363;
-                    phi_1134_ = _e365;
+                    let _e402 = phi_1180_;
+                    let _e404 = phi_1181_;
+                    let _e406 = phi_1182_;
+                    let _e408 = phi_1183_;
+                    phi_1015_ = _e402;
+                    phi_1018_ = _e404;
+                    phi_1020_ = _e406;
+                    phi_1184_ = _e408;
                 } else {
-                    phi_965_ = lt_math_LightPoint();
-                    phi_968_ = u32();
-                    phi_970_ = lt_math_LevelPoint();
-                    phi_1134_ = false;
+                    phi_1015_ = lt_math_LightPoint();
+                    phi_1018_ = u32();
+                    phi_1020_ = lt_math_LevelPoint();
+                    phi_1184_ = false;
                 }
-                let _e367 = phi_965_;
-                let _e369 = phi_968_;
-                let _e371 = phi_970_;
-                let _e373 = phi_1134_;
+                let _e410 = phi_1015_;
+                let _e412 = phi_1018_;
+                let _e414 = phi_1020_;
+                let _e416 = phi_1184_;
                 continue;
                 continuing {
-                    phi_964_ = _e367;
-                    phi_967_ = _e369;
-                    phi_969_ = _e371;
-                    break if !(_e373);
+                    phi_1014_ = _e410;
+                    phi_1017_ = _e412;
+                    phi_1019_ = _e414;
+                    break if !(_e416);
                 }
             }
-            let _e376 = local_2;
-            if _e376.point.is_inside {
+            let _e419 = local_2;
+            if _e419.point.is_inside {
                 if (0f > 0f) {
-                    let _e382 = local_3;
-                    if (_e382.level < _e57) {
+                    let _e425 = local_3;
+                    if (_e425.level < _e57) {
                     } else {
                         return;
                     }
-                    let _e387 = levels.member[(0u + _e382.level)];
-                    let _e393 = global[0u];
-                    if (_e387.row_w.x == _e393) {
-                        let _e396 = global[1u];
-                        if (_e387.row_w.y == _e396) {
-                            let _e399 = global[2u];
-                            phi_1174_ = (_e387.row_w.z == _e399);
-                            phi_1175_ = false;
+                    let _e430 = levels.member[(0u + _e425.level)];
+                    let _e436 = global[0u];
+                    if (_e430.row_w.x == _e436) {
+                        let _e439 = global[1u];
+                        if (_e430.row_w.y == _e439) {
+                            let _e442 = global[2u];
+                            phi_1224_ = (_e430.row_w.z == _e442);
+                            phi_1225_ = false;
                         } else {
-                            phi_1174_ = bool();
-                            phi_1175_ = true;
+                            phi_1224_ = bool();
+                            phi_1225_ = true;
                         }
-                        let _e402 = phi_1174_;
-                        let _e404 = phi_1175_;
-                        phi_1176_ = _e402;
-                        phi_1177_ = _e404;
+                        let _e445 = phi_1224_;
+                        let _e447 = phi_1225_;
+                        phi_1226_ = _e445;
+                        phi_1227_ = _e447;
                     } else {
-                        phi_1176_ = bool();
-                        phi_1177_ = true;
+                        phi_1226_ = bool();
+                        phi_1227_ = true;
                     }
-                    let _e406 = phi_1176_;
-                    let _e408 = phi_1177_;
-                    if _e408 {
-                        phi_1181_ = false;
+                    let _e449 = phi_1226_;
+                    let _e451 = phi_1227_;
+                    if _e451 {
+                        phi_1231_ = false;
                     } else {
-                        phi_1181_ = _e406;
+                        phi_1231_ = _e449;
                     }
-                    let _e410 = phi_1181_;
-                    if _e410 {
-                        let _e412 = samples.member[_e63.first_primitive].normal;
-                        let _e414 = p.member.map_size;
-                        let _e484 = ((abs(((((_e387.row_x.x * _e412.x) + (_e387.row_x.y * _e412.y)) + (_e387.row_x.z * _e412.z)) / (((_e387.row_x.x * _e387.row_x.x) + (_e387.row_x.y * _e387.row_x.y)) + (_e387.row_x.z * _e387.row_x.z)))) + abs(((((_e387.row_y.x * _e412.x) + (_e387.row_y.y * _e412.y)) + (_e387.row_y.z * _e412.z)) / (((_e387.row_y.x * _e387.row_y.x) + (_e387.row_y.y * _e387.row_y.y)) + (_e387.row_y.z * _e387.row_y.z))))) / (abs(((((_e387.row_z.x * _e412.x) + (_e387.row_z.y * _e412.y)) + (_e387.row_z.z * _e412.z)) / (((_e387.row_z.x * _e387.row_z.x) + (_e387.row_z.y * _e387.row_z.y)) + (_e387.row_z.z * _e387.row_z.z)))) * f32(_e414)));
-                        if (_e484 < 0.002f) {
-                            phi_1263_ = _e484;
+                    let _e453 = phi_1231_;
+                    if _e453 {
+                        let _e455 = samples.member[_e63.first_primitive].normal;
+                        let _e457 = p.member.map_size;
+                        let _e527 = ((abs(((((_e430.row_x.x * _e455.x) + (_e430.row_x.y * _e455.y)) + (_e430.row_x.z * _e455.z)) / (((_e430.row_x.x * _e430.row_x.x) + (_e430.row_x.y * _e430.row_x.y)) + (_e430.row_x.z * _e430.row_x.z)))) + abs(((((_e430.row_y.x * _e455.x) + (_e430.row_y.y * _e455.y)) + (_e430.row_y.z * _e455.z)) / (((_e430.row_y.x * _e430.row_y.x) + (_e430.row_y.y * _e430.row_y.y)) + (_e430.row_y.z * _e430.row_y.z))))) / (abs(((((_e430.row_z.x * _e455.x) + (_e430.row_z.y * _e455.y)) + (_e430.row_z.z * _e455.z)) / (((_e430.row_z.x * _e430.row_z.x) + (_e430.row_z.y * _e430.row_z.y)) + (_e430.row_z.z * _e430.row_z.z)))) * f32(_e457)));
+                        if (_e527 < 0.002f) {
+                            phi_1313_ = _e527;
                         } else {
-                            phi_1263_ = 0.002f;
+                            phi_1313_ = 0.002f;
                         }
-                        let _e487 = phi_1263_;
-                        phi_1380_ = _e487;
+                        let _e530 = phi_1313_;
+                        phi_1430_ = _e530;
                     } else {
-                        let _e489 = p.member.map_size;
-                        let _e495 = samples.member[_e63.first_primitive].position;
-                        let _e506 = ((((_e387.row_w.x * _e495.x) + (_e387.row_w.y * _e495.y)) + (_e387.row_w.z * _e495.z)) + _e387.row_w.w);
-                        let _e519 = ((_e387.row_x.x - (_e387.row_w.x * _e376.point.uv.x)) / _e506);
-                        let _e520 = ((_e387.row_x.y - (_e387.row_w.y * _e376.point.uv.x)) / _e506);
-                        let _e521 = ((_e387.row_x.z - (_e387.row_w.z * _e376.point.uv.x)) / _e506);
-                        let _e534 = ((_e387.row_y.x - (_e387.row_w.x * _e376.point.uv.y)) / _e506);
-                        let _e535 = ((_e387.row_y.y - (_e387.row_w.y * _e376.point.uv.y)) / _e506);
-                        let _e536 = ((_e387.row_y.z - (_e387.row_w.z * _e376.point.uv.y)) / _e506);
-                        let _e542 = samples.member[_e63.first_primitive].normal;
-                        let _e547 = ((_e535 * _e542.z) - (_e542.y * _e536));
-                        let _e552 = ((_e536 * _e542.x) - (_e542.z * _e534));
-                        let _e557 = ((_e534 * _e542.y) - (_e542.x * _e535));
-                        let _e559 = samples.member[_e63.first_primitive].normal;
-                        let _e564 = ((_e520 * _e559.z) - (_e559.y * _e521));
-                        let _e569 = ((_e521 * _e559.x) - (_e559.z * _e519));
-                        let _e574 = ((_e519 * _e559.y) - (_e559.x * _e520));
-                        let _e601 = ((abs(((((_e387.row_z.x * _e547) + (_e387.row_z.y * _e552)) + (_e387.row_z.z * _e557)) / (((_e519 * _e547) + (_e520 * _e552)) + (_e521 * _e557)))) + abs(((((_e387.row_z.x * _e564) + (_e387.row_z.y * _e569)) + (_e387.row_z.z * _e574)) / (((_e534 * _e564) + (_e535 * _e569)) + (_e536 * _e574))))) / f32(_e489));
-                        if (_e601 < 0.002f) {
-                            phi_1379_ = _e601;
+                        let _e532 = p.member.map_size;
+                        let _e538 = samples.member[_e63.first_primitive].position;
+                        let _e549 = ((((_e430.row_w.x * _e538.x) + (_e430.row_w.y * _e538.y)) + (_e430.row_w.z * _e538.z)) + _e430.row_w.w);
+                        let _e562 = ((_e430.row_x.x - (_e430.row_w.x * _e419.point.uv.x)) / _e549);
+                        let _e563 = ((_e430.row_x.y - (_e430.row_w.y * _e419.point.uv.x)) / _e549);
+                        let _e564 = ((_e430.row_x.z - (_e430.row_w.z * _e419.point.uv.x)) / _e549);
+                        let _e577 = ((_e430.row_y.x - (_e430.row_w.x * _e419.point.uv.y)) / _e549);
+                        let _e578 = ((_e430.row_y.y - (_e430.row_w.y * _e419.point.uv.y)) / _e549);
+                        let _e579 = ((_e430.row_y.z - (_e430.row_w.z * _e419.point.uv.y)) / _e549);
+                        let _e585 = samples.member[_e63.first_primitive].normal;
+                        let _e590 = ((_e578 * _e585.z) - (_e585.y * _e579));
+                        let _e595 = ((_e579 * _e585.x) - (_e585.z * _e577));
+                        let _e600 = ((_e577 * _e585.y) - (_e585.x * _e578));
+                        let _e602 = samples.member[_e63.first_primitive].normal;
+                        let _e607 = ((_e563 * _e602.z) - (_e602.y * _e564));
+                        let _e612 = ((_e564 * _e602.x) - (_e602.z * _e562));
+                        let _e617 = ((_e562 * _e602.y) - (_e602.x * _e563));
+                        let _e644 = ((abs(((((_e430.row_z.x * _e590) + (_e430.row_z.y * _e595)) + (_e430.row_z.z * _e600)) / (((_e562 * _e590) + (_e563 * _e595)) + (_e564 * _e600)))) + abs(((((_e430.row_z.x * _e607) + (_e430.row_z.y * _e612)) + (_e430.row_z.z * _e617)) / (((_e577 * _e607) + (_e578 * _e612)) + (_e579 * _e617))))) / f32(_e532));
+                        if (_e644 < 0.002f) {
+                            phi_1429_ = _e644;
                         } else {
-                            phi_1379_ = 0.002f;
+                            phi_1429_ = 0.002f;
                         }
-                        let _e604 = phi_1379_;
-                        phi_1380_ = _e604;
+                        let _e647 = phi_1429_;
+                        phi_1430_ = _e647;
                     }
-                    let _e606 = phi_1380_;
-                    phi_1383_ = (_e376.point.depth - (0f * _e606));
+                    let _e649 = phi_1430_;
+                    phi_1433_ = (_e419.point.depth - (0f * _e649));
                 } else {
-                    phi_1383_ = _e376.point.depth;
+                    phi_1433_ = _e419.point.depth;
                 }
-                let _e610 = phi_1383_;
-                let _e616 = p.member.map_size;
-                let _e617 = f32(_e616);
-                let _e620 = ((_e376.point.uv.x * _e617) - 0.5f);
-                let _e621 = ((_e376.point.uv.y * _e617) - 0.5f);
-                if (_e620 > -8388608f) {
-                    let _e633 = f32(select(0i, select(select(i32(_e620), i32(-2147483648), (_e620 < bitcast<f32>(3472883712u))), 2147483647i, (_e620 > bitcast<f32>(1325400063u))), (_e620 == _e620)));
-                    if (_e633 > _e620) {
-                        phi_1412_ = 1f;
+                let _e653 = phi_1433_;
+                let _e659 = p.member.map_size;
+                let _e660 = f32(_e659);
+                let _e663 = ((_e419.point.uv.x * _e660) - 0.5f);
+                let _e664 = ((_e419.point.uv.y * _e660) - 0.5f);
+                if (_e663 > -8388608f) {
+                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
+                    if (_e676 > _e663) {
+                        phi_1462_ = 1f;
                     } else {
-                        phi_1412_ = 0f;
+                        phi_1462_ = 0f;
                     }
-                    let _e636 = phi_1412_;
-                    if (_e620 < 8388608f) {
-                        phi_1417_ = (_e633 - _e636);
-                        phi_1418_ = false;
+                    let _e679 = phi_1462_;
+                    if (_e663 < 8388608f) {
+                        phi_1467_ = (_e676 - _e679);
+                        phi_1468_ = false;
                     } else {
-                        phi_1417_ = f32();
-                        phi_1418_ = true;
+                        phi_1467_ = f32();
+                        phi_1468_ = true;
                     }
-                    let _e639 = phi_1417_;
-                    let _e641 = phi_1418_;
-                    phi_1419_ = _e639;
-                    phi_1420_ = _e641;
+                    let _e682 = phi_1467_;
+                    let _e684 = phi_1468_;
+                    phi_1469_ = _e682;
+                    phi_1470_ = _e684;
                 } else {
-                    phi_1419_ = f32();
-                    phi_1420_ = true;
+                    phi_1469_ = f32();
+                    phi_1470_ = true;
                 }
-                let _e643 = phi_1419_;
-                let _e645 = phi_1420_;
-                if _e645 {
-                    phi_1424_ = _e620;
+                let _e686 = phi_1469_;
+                let _e688 = phi_1470_;
+                if _e688 {
+                    phi_1474_ = _e663;
                 } else {
-                    phi_1424_ = _e643;
+                    phi_1474_ = _e686;
                 }
-                let _e647 = phi_1424_;
-                if (_e621 > -8388608f) {
-                    let _e659 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e659 > _e621) {
-                        phi_1444_ = 1f;
+                let _e690 = phi_1474_;
+                if (_e664 > -8388608f) {
+                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e702 > _e664) {
+                        phi_1494_ = 1f;
                     } else {
-                        phi_1444_ = 0f;
+                        phi_1494_ = 0f;
                     }
-                    let _e662 = phi_1444_;
-                    if (_e621 < 8388608f) {
-                        phi_1449_ = (_e659 - _e662);
-                        phi_1450_ = false;
+                    let _e705 = phi_1494_;
+                    if (_e664 < 8388608f) {
+                        phi_1499_ = (_e702 - _e705);
+                        phi_1500_ = false;
                     } else {
-                        phi_1449_ = f32();
-                        phi_1450_ = true;
+                        phi_1499_ = f32();
+                        phi_1500_ = true;
                     }
-                    let _e665 = phi_1449_;
-                    let _e667 = phi_1450_;
-                    phi_1451_ = _e665;
-                    phi_1452_ = _e667;
+                    let _e708 = phi_1499_;
+                    let _e710 = phi_1500_;
+                    phi_1501_ = _e708;
+                    phi_1502_ = _e710;
                 } else {
-                    phi_1451_ = f32();
-                    phi_1452_ = true;
+                    phi_1501_ = f32();
+                    phi_1502_ = true;
                 }
-                let _e669 = phi_1451_;
-                let _e671 = phi_1452_;
-                if _e671 {
-                    phi_1456_ = _e621;
+                let _e712 = phi_1501_;
+                let _e714 = phi_1502_;
+                if _e714 {
+                    phi_1506_ = _e664;
                 } else {
-                    phi_1456_ = _e669;
+                    phi_1506_ = _e712;
                 }
-                let _e673 = phi_1456_;
-                let _e674 = (_e620 - _e647);
-                let _e675 = (_e621 - _e673);
-                let _e684 = select(0i, select(select(i32(_e647), i32(-2147483648), (_e647 < bitcast<f32>(3472883712u))), 2147483647i, (_e647 > bitcast<f32>(1325400063u))), (_e647 == _e647));
-                let _e693 = select(0i, select(select(i32(_e673), i32(-2147483648), (_e673 < bitcast<f32>(3472883712u))), 2147483647i, (_e673 > bitcast<f32>(1325400063u))), (_e673 == _e673));
-                let _e704 = p.member.test;
-                let _e705 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e704);
-                let _e707 = p.member.map_size;
-                let _e709 = local_4;
-                local_1 = _e705;
-                let _e712 = ((_e709.level * _e707) * _e707);
-                let _e714 = (bitcast<i32>(_e707) - 1i);
-                if (_e684 > 0i) {
-                    phi_1505_ = _e684;
+                let _e716 = phi_1506_;
+                let _e717 = (_e663 - _e690);
+                let _e718 = (_e664 - _e716);
+                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
+                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_4;
+                local_1 = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e727 > 0i) {
+                    phi_1555_ = _e727;
                 } else {
-                    phi_1505_ = 0i;
+                    phi_1555_ = 0i;
                 }
-                let _e717 = phi_1505_;
-                if (_e693 > 0i) {
-                    phi_1510_ = _e693;
+                let _e760 = phi_1555_;
+                if (_e736 > 0i) {
+                    phi_1560_ = _e736;
                 } else {
-                    phi_1510_ = 0i;
+                    phi_1560_ = 0i;
                 }
-                let _e720 = phi_1510_;
-                if (_e717 < _e714) {
-                    phi_1515_ = _e717;
+                let _e763 = phi_1560_;
+                if (_e760 < _e757) {
+                    phi_1565_ = _e760;
                 } else {
-                    phi_1515_ = _e714;
+                    phi_1565_ = _e757;
                 }
-                let _e723 = phi_1515_;
-                if (_e720 < _e714) {
-                    phi_1520_ = _e720;
+                let _e766 = phi_1565_;
+                if (_e763 < _e757) {
+                    phi_1570_ = _e763;
                 } else {
-                    phi_1520_ = _e714;
+                    phi_1570_ = _e757;
                 }
-                let _e726 = phi_1520_;
-                let _e727 = bitcast<u32>(_e723);
-                let _e729 = (_e684 + 1i);
-                let _e730 = (_e693 + 1i);
-                if (_e729 > 0i) {
-                    phi_1529_ = _e729;
+                let _e769 = phi_1570_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e727 + 1i);
+                let _e773 = (_e736 + 1i);
+                if (_e772 > 0i) {
+                    phi_1579_ = _e772;
                 } else {
-                    phi_1529_ = 0i;
+                    phi_1579_ = 0i;
                 }
-                let _e733 = phi_1529_;
-                if (_e730 > 0i) {
-                    phi_1534_ = _e730;
+                let _e776 = phi_1579_;
+                if (_e773 > 0i) {
+                    phi_1584_ = _e773;
                 } else {
-                    phi_1534_ = 0i;
+                    phi_1584_ = 0i;
                 }
-                let _e736 = phi_1534_;
-                if (_e733 < _e714) {
-                    phi_1539_ = _e733;
+                let _e779 = phi_1584_;
+                if (_e776 < _e757) {
+                    phi_1589_ = _e776;
                 } else {
-                    phi_1539_ = _e714;
+                    phi_1589_ = _e757;
                 }
-                let _e739 = phi_1539_;
-                if (_e736 < _e714) {
-                    phi_1544_ = _e736;
+                let _e782 = phi_1589_;
+                if (_e779 < _e757) {
+                    phi_1594_ = _e779;
                 } else {
-                    phi_1544_ = _e714;
+                    phi_1594_ = _e757;
                 }
-                let _e742 = phi_1544_;
-                let _e743 = bitcast<u32>(_e739);
-                let _e745 = (bitcast<u32>(_e726) * _e707);
-                let _e746 = (bitcast<u32>(_e742) * _e707);
-                let _e751 = ((_e745 + _e727) + _e712);
-                let _e752 = ((_e745 + _e743) + _e712);
-                let _e753 = ((_e746 + _e727) + _e712);
-                let _e754 = ((_e746 + _e743) + _e712);
-                if (_e751 < _e52) {
+                let _e785 = phi_1594_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e52) {
                 } else {
                     return;
                 }
-                let _e758 = map.member[(0u + _e751)];
-                if (_e752 < _e52) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e52) {
                 } else {
                     return;
                 }
-                let _e762 = map.member[(0u + _e752)];
-                if (_e753 < _e52) {
+                let _e805 = map.member[(0u + _e795)];
+                if (_e796 < _e52) {
                 } else {
                     return;
                 }
-                let _e766 = map.member[(0u + _e753)];
-                if (_e754 < _e52) {
+                let _e809 = map.member[(0u + _e796)];
+                if (_e797 < _e52) {
                 } else {
                     return;
                 }
-                let _e770 = map.member[(0u + _e754)];
-                let _e772 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e758, _e762, _e766, _e770), vec4<f32>(((1f - _e674) * (1f - _e675)), (_e674 * (1f - _e675)), ((1f - _e674) * _e675), (_e674 * _e675)), _e610);
-                let _e774 = p.member.epsilon;
-                if (_e772 <= _e774) {
-                    phi_1595_ = true;
+                let _e813 = map.member[(0u + _e797)];
+                let _e815 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
+                let _e817 = p.member.epsilon;
+                if (_e815 <= _e817) {
+                    phi_1645_ = true;
                 } else {
-                    phi_1595_ = (_e772 >= (1f - _e774));
+                    phi_1645_ = (_e815 >= (1f - _e817));
                 }
-                let _e779 = phi_1595_;
-                if ((bitcast<u32>(_e772) & 2147483647u) > 2139095040u) {
-                    phi_1603_ = true;
+                let _e822 = phi_1645_;
+                if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
+                    phi_1653_ = true;
                 } else {
-                    phi_1603_ = !(_e779);
+                    phi_1653_ = !(_e822);
                 }
-                let _e785 = phi_1603_;
-                if _e785 {
-                    if (_e772 > 0f) {
-                        if (_e772 < 1f) {
-                            phi_1615_ = false;
+                let _e828 = phi_1653_;
+                if _e828 {
+                    if (_e815 > 0f) {
+                        if (_e815 < 1f) {
+                            phi_1665_ = false;
                         } else {
-                            phi_1615_ = true;
+                            phi_1665_ = true;
                         }
-                        let _e789 = phi_1615_;
-                        phi_1616_ = _e789;
+                        let _e832 = phi_1665_;
+                        phi_1666_ = _e832;
                     } else {
-                        phi_1616_ = true;
+                        phi_1666_ = true;
                     }
-                    let _e791 = phi_1616_;
-                    if _e791 {
-                        phi_1620_ = 0.5f;
+                    let _e834 = phi_1666_;
+                    if _e834 {
+                        phi_1670_ = 0.5f;
                     } else {
-                        phi_1620_ = _e772;
+                        phi_1670_ = _e815;
                     }
-                    let _e793 = phi_1620_;
-                    phi_1628_ = evaluate_Verdict(_e793, true);
+                    let _e836 = phi_1670_;
+                    phi_1678_ = evaluate_Verdict(_e836, true);
                 } else {
-                    if (_e772 > 0.5f) {
-                        phi_1626_ = 1f;
+                    if (_e815 > 0.5f) {
+                        phi_1676_ = 1f;
                     } else {
-                        phi_1626_ = 0f;
+                        phi_1676_ = 0f;
                     }
-                    let _e797 = phi_1626_;
-                    phi_1628_ = evaluate_Verdict(_e797, false);
+                    let _e840 = phi_1676_;
+                    phi_1678_ = evaluate_Verdict(_e840, false);
                 }
-                let _e800 = phi_1628_;
-                phi_1633_ = evaluate_Verdict(_e800.visibility, _e800.is_doubted);
+                let _e843 = phi_1678_;
+                phi_1683_ = evaluate_Verdict(_e843.visibility, _e843.is_doubted);
             } else {
-                phi_1633_ = evaluate_Verdict(0.5f, true);
+                phi_1683_ = evaluate_Verdict(0.5f, true);
             }
-            let _e806 = phi_1633_;
-            phi_1634_ = _e806;
+            let _e849 = phi_1683_;
+            phi_1684_ = _e849;
         }
-        let _e808 = phi_1634_;
-        visibility.member[_e63.first_primitive] = _e808.visibility;
-        phi_1638_ = _e808.is_doubted;
-        phi_1639_ = _e63.first_primitive;
+        let _e851 = phi_1684_;
+        visibility.member[_e63.first_primitive] = _e851.visibility;
+        phi_1688_ = _e851.is_doubted;
+        phi_1689_ = _e63.first_primitive;
     } else {
-        phi_1638_ = false;
-        phi_1639_ = 0u;
+        phi_1688_ = false;
+        phi_1689_ = 0u;
     }
-    let _e813 = phi_1638_;
-    let _e815 = phi_1639_;
+    let _e856 = phi_1688_;
+    let _e858 = phi_1689_;
     if (_e47 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e813 {
-        let _e819 = atomicAdd((&shared_[0u]), 1u);
-        phi_1650_ = _e819;
+    if _e856 {
+        let _e862 = atomicAdd((&shared_[0u]), 1u);
+        phi_1700_ = _e862;
     } else {
-        phi_1650_ = 0u;
+        phi_1700_ = 0u;
     }
-    let _e821 = phi_1650_;
+    let _e864 = phi_1700_;
     workgroupBarrier();
     if (_e47 == 0u) {
-        let _e825 = atomicLoad((&shared_[0u]));
-        let _e826 = atomicAdd((&list.member[3u]), _e825);
-        atomicStore((&shared_[1u]), _e826);
+        let _e868 = atomicLoad((&shared_[0u]));
+        let _e869 = atomicAdd((&list.member[3u]), _e868);
+        atomicStore((&shared_[1u]), _e869);
     }
     workgroupBarrier();
-    if _e813 {
-        let _e829 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e829) + _e821)]), _e815);
+    if _e856 {
+        let _e872 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e872) + _e864)]), _e858);
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_43 {
+struct type_45 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -73,7 +82,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<atomic<u32>>,
 }
 
@@ -84,47 +93,47 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_38;
+var<uniform> p: type_40;
 @group(0) @binding(2) 
 var<storage> map: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_49;
+var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_43;
+var<storage> levels: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_155_: lt_bvh_traverse_Tree;
-    var phi_156_: bool;
-    var phi_157_: lt_bvh_traverse_Tree;
-    var phi_158_: bool;
-    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_160_: bool;
+    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_162_: bool;
+    var phi_167_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_155_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_156_ = false;
+            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_160_ = false;
         } else {
-            phi_155_ = lt_bvh_traverse_Tree();
-            phi_156_ = true;
+            phi_159_ = lt_bvh_traverse_Tree();
+            phi_160_ = true;
         }
-        let _e55 = phi_155_;
-        let _e57 = phi_156_;
-        phi_157_ = _e55;
-        phi_158_ = _e57;
+        let _e55 = phi_159_;
+        let _e57 = phi_160_;
+        phi_161_ = _e55;
+        phi_162_ = _e57;
     } else {
-        phi_157_ = lt_bvh_traverse_Tree();
-        phi_158_ = true;
+        phi_161_ = lt_bvh_traverse_Tree();
+        phi_162_ = true;
     }
-    let _e59 = phi_157_;
-    let _e61 = phi_158_;
+    let _e59 = phi_161_;
+    let _e61 = phi_162_;
     if _e61 {
-        phi_163_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_163_ = _e59;
+        phi_167_ = _e59;
     }
-    let _e66 = phi_163_;
+    let _e66 = phi_167_;
     return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
@@ -133,119 +142,119 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_189_: f32;
-    var phi_190_: f32;
-    var phi_191_: f32;
-    var phi_207_: f32;
-    var phi_208_: f32;
-    var phi_209_: f32;
-    var phi_225_: f32;
-    var phi_226_: f32;
-    var phi_227_: f32;
-    var phi_243_: f32;
-    var phi_244_: f32;
-    var phi_245_: f32;
-    var phi_261_: f32;
-    var phi_262_: f32;
-    var phi_263_: f32;
-    var phi_309_: bool;
-    var phi_313_: f32;
-    var phi_325_: bool;
-    var phi_332_: f32;
-    var phi_347_: f32;
-    var phi_348_: f32;
-    var phi_349_: f32;
+    var phi_193_: f32;
+    var phi_194_: f32;
+    var phi_195_: f32;
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_213_: f32;
+    var phi_229_: f32;
+    var phi_230_: f32;
+    var phi_231_: f32;
+    var phi_247_: f32;
+    var phi_248_: f32;
+    var phi_249_: f32;
+    var phi_265_: f32;
+    var phi_266_: f32;
+    var phi_267_: f32;
+    var phi_313_: bool;
+    var phi_317_: f32;
+    var phi_329_: bool;
+    var phi_336_: f32;
+    var phi_351_: f32;
+    var phi_352_: f32;
+    var phi_353_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_191_ = param_7;
+        phi_195_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_190_ = 0f;
+            phi_194_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_189_ = 1f;
+                phi_193_ = 1f;
             } else {
-                phi_189_ = param_7;
+                phi_193_ = param_7;
             }
-            let _e52 = phi_189_;
-            phi_190_ = _e52;
+            let _e52 = phi_193_;
+            phi_194_ = _e52;
         }
-        let _e54 = phi_190_;
-        phi_191_ = _e54;
+        let _e54 = phi_194_;
+        phi_195_ = _e54;
     }
-    let _e56 = phi_191_;
+    let _e56 = phi_195_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_209_ = param_5.x;
+        phi_213_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_208_ = 0f;
+            phi_212_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_207_ = 1f;
+                phi_211_ = 1f;
             } else {
-                phi_207_ = param_5.x;
+                phi_211_ = param_5.x;
             }
-            let _e64 = phi_207_;
-            phi_208_ = _e64;
+            let _e64 = phi_211_;
+            phi_212_ = _e64;
         }
-        let _e66 = phi_208_;
-        phi_209_ = _e66;
+        let _e66 = phi_212_;
+        phi_213_ = _e66;
     }
-    let _e68 = phi_209_;
+    let _e68 = phi_213_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_227_ = param_5.y;
+        phi_231_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_226_ = 0f;
+            phi_230_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_225_ = 1f;
+                phi_229_ = 1f;
             } else {
-                phi_225_ = param_5.y;
+                phi_229_ = param_5.y;
             }
-            let _e76 = phi_225_;
-            phi_226_ = _e76;
+            let _e76 = phi_229_;
+            phi_230_ = _e76;
         }
-        let _e78 = phi_226_;
-        phi_227_ = _e78;
+        let _e78 = phi_230_;
+        phi_231_ = _e78;
     }
-    let _e80 = phi_227_;
+    let _e80 = phi_231_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_245_ = param_5.z;
+        phi_249_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_244_ = 0f;
+            phi_248_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_243_ = 1f;
+                phi_247_ = 1f;
             } else {
-                phi_243_ = param_5.z;
+                phi_247_ = param_5.z;
             }
-            let _e88 = phi_243_;
-            phi_244_ = _e88;
+            let _e88 = phi_247_;
+            phi_248_ = _e88;
         }
-        let _e90 = phi_244_;
-        phi_245_ = _e90;
+        let _e90 = phi_248_;
+        phi_249_ = _e90;
     }
-    let _e92 = phi_245_;
+    let _e92 = phi_249_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_263_ = param_5.w;
+        phi_267_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_262_ = 0f;
+            phi_266_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_261_ = 1f;
+                phi_265_ = 1f;
             } else {
-                phi_261_ = param_5.w;
+                phi_265_ = param_5.w;
             }
-            let _e100 = phi_261_;
-            phi_262_ = _e100;
+            let _e100 = phi_265_;
+            phi_266_ = _e100;
         }
-        let _e102 = phi_262_;
-        phi_263_ = _e102;
+        let _e102 = phi_266_;
+        phi_267_ = _e102;
     }
-    let _e104 = phi_263_;
+    let _e104 = phi_267_;
     let _e105 = (_e68 - _e56);
     let _e106 = (_e80 - _e56);
     let _e107 = (_e92 - _e56);
@@ -258,140 +267,146 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_
     let _e124 = (_e108 - _e120);
     let _e139 = (((((_e121 * _e121) * param_6.x) + ((_e122 * _e122) * param_6.y)) + ((_e123 * _e123) * param_6.z)) + ((_e124 * _e124) * param_6.w));
     if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-        phi_309_ = true;
+        phi_313_ = true;
     } else {
         let _e143 = (_e109 > _e139);
         if _e143 {
         }
-        phi_309_ = _e143;
+        phi_313_ = _e143;
     }
-    let _e145 = phi_309_;
+    let _e145 = phi_313_;
     if _e145 {
-        phi_313_ = _e109;
+        phi_317_ = _e109;
     } else {
-        phi_313_ = _e139;
+        phi_317_ = _e139;
     }
-    let _e147 = phi_313_;
+    let _e147 = phi_317_;
     let _e148 = -(_e120);
     if (_e148 <= 0f) {
         let _e152 = ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u);
         if _e152 {
         }
-        phi_325_ = _e152;
+        phi_329_ = _e152;
     } else {
-        phi_325_ = true;
+        phi_329_ = true;
     }
-    let _e154 = phi_325_;
+    let _e154 = phi_329_;
     if _e154 {
-        phi_332_ = (_e147 / (_e147 + (_e148 * _e148)));
+        phi_336_ = (_e147 / (_e147 + (_e148 * _e148)));
     } else {
-        phi_332_ = 1f;
+        phi_336_ = 1f;
     }
-    let _e159 = phi_332_;
+    let _e159 = phi_336_;
     if ((bitcast<u32>(_e159) & 2147483647u) > 2139095040u) {
-        phi_349_ = _e159;
+        phi_353_ = _e159;
     } else {
         if (_e159 < 0f) {
-            phi_348_ = 0f;
+            phi_352_ = 0f;
         } else {
             if (_e159 > 1f) {
-                phi_347_ = 1f;
+                phi_351_ = 1f;
             } else {
-                phi_347_ = _e159;
+                phi_351_ = _e159;
             }
-            let _e166 = phi_347_;
-            phi_348_ = _e166;
+            let _e166 = phi_351_;
+            phi_352_ = _e166;
         }
-        let _e168 = phi_348_;
-        phi_349_ = _e168;
+        let _e168 = phi_352_;
+        phi_353_ = _e168;
     }
-    let _e170 = phi_349_;
+    let _e170 = phi_353_;
     return _e170;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_405_: bool;
-    var phi_406_: bool;
-    var phi_407_: bool;
     var phi_408_: bool;
-    var phi_412_: bool;
-    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_460_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_480_: lt_math_LightPoint;
-    var phi_483_: u32;
-    var phi_485_: lt_math_LevelPoint;
-    var phi_571_: bool;
-    var phi_580_: bool;
-    var phi_589_: bool;
-    var phi_590_: bool;
-    var phi_591_: bool;
-    var phi_592_: bool;
-    var phi_593_: bool;
-    var phi_594_: bool;
-    var phi_595_: bool;
-    var phi_599_: bool;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_630_: bool;
+    var phi_409_: bool;
+    var phi_410_: bool;
+    var phi_411_: bool;
+    var phi_415_: bool;
+    var phi_485_: bool;
+    var phi_486_: bool;
+    var phi_497_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_498_: bool;
+    var phi_499_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_500_: bool;
+    var phi_507_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_511_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_531_: lt_math_LightPoint;
+    var phi_534_: u32;
+    var phi_536_: lt_math_LevelPoint;
+    var phi_622_: bool;
     var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_633_: bool;
-    var phi_637_: bool;
-    var phi_646_: lt_math_LightPoint;
-    var phi_647_: u32;
-    var phi_648_: lt_math_LevelPoint;
-    var phi_649_: bool;
-    var phi_481_: lt_math_LightPoint;
-    var phi_484_: u32;
-    var phi_486_: lt_math_LevelPoint;
+    var phi_640_: bool;
+    var phi_641_: bool;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_646_: bool;
     var phi_650_: bool;
+    var phi_677_: bool;
+    var phi_678_: bool;
+    var phi_679_: bool;
+    var phi_680_: bool;
+    var phi_681_: bool;
+    var phi_682_: bool;
+    var phi_683_: bool;
+    var phi_684_: bool;
+    var phi_688_: bool;
+    var phi_697_: lt_math_LightPoint;
+    var phi_698_: u32;
+    var phi_699_: lt_math_LevelPoint;
+    var phi_700_: bool;
+    var phi_532_: lt_math_LightPoint;
+    var phi_535_: u32;
+    var phi_537_: lt_math_LevelPoint;
+    var phi_701_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_690_: bool;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_693_: bool;
-    var phi_697_: bool;
-    var phi_779_: f32;
-    var phi_895_: f32;
-    var phi_896_: f32;
-    var phi_899_: f32;
-    var phi_928_: f32;
-    var phi_933_: f32;
-    var phi_934_: bool;
-    var phi_935_: f32;
-    var phi_936_: bool;
-    var phi_940_: f32;
-    var phi_960_: f32;
-    var phi_965_: f32;
-    var phi_966_: bool;
-    var phi_967_: f32;
-    var phi_968_: bool;
-    var phi_972_: f32;
+    var phi_741_: bool;
+    var phi_742_: bool;
+    var phi_743_: bool;
+    var phi_744_: bool;
+    var phi_748_: bool;
+    var phi_830_: f32;
+    var phi_946_: f32;
+    var phi_947_: f32;
+    var phi_950_: f32;
+    var phi_979_: f32;
+    var phi_984_: f32;
+    var phi_985_: bool;
+    var phi_986_: f32;
+    var phi_987_: bool;
+    var phi_991_: f32;
+    var phi_1011_: f32;
+    var phi_1016_: f32;
+    var phi_1017_: bool;
+    var phi_1018_: f32;
+    var phi_1019_: bool;
+    var phi_1023_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1021_: i32;
-    var phi_1026_: i32;
-    var phi_1031_: i32;
-    var phi_1036_: i32;
-    var phi_1045_: i32;
-    var phi_1050_: i32;
-    var phi_1055_: i32;
-    var phi_1060_: i32;
-    var phi_1111_: bool;
-    var phi_1119_: bool;
-    var phi_1131_: bool;
-    var phi_1132_: bool;
-    var phi_1136_: f32;
-    var phi_1142_: f32;
-    var phi_1144_: evaluate_Verdict;
-    var phi_1149_: evaluate_Verdict;
-    var phi_1150_: evaluate_Verdict;
-    var phi_1154_: bool;
-    var phi_1155_: u32;
-    var phi_1166_: u32;
+    var phi_1072_: i32;
+    var phi_1077_: i32;
+    var phi_1082_: i32;
+    var phi_1087_: i32;
+    var phi_1096_: i32;
+    var phi_1101_: i32;
+    var phi_1106_: i32;
+    var phi_1111_: i32;
+    var phi_1162_: bool;
+    var phi_1170_: bool;
+    var phi_1182_: bool;
+    var phi_1183_: bool;
+    var phi_1187_: f32;
+    var phi_1193_: f32;
+    var phi_1195_: evaluate_Verdict;
+    var phi_1200_: evaluate_Verdict;
+    var phi_1201_: evaluate_Verdict;
+    var phi_1205_: bool;
+    var phi_1206_: u32;
+    var phi_1217_: u32;
 
     let _e43 = id_1;
     let _e44 = local_5;
@@ -402,541 +417,580 @@ fn function_() {
     let _e60 = lt_shaders_entry_pixel_index(_e43, _e57, _e59);
     if (bitcast<i32>(_e60.root) != 0i) {
         let _e67 = p.member.level_count;
-        let _e69 = p.member.light;
-        let _e72 = samples.member[_e60.first_primitive].normal[0u];
-        let _e74 = global[0u];
-        if (_e72 == _e74) {
-            let _e77 = samples.member[_e60.first_primitive].normal[1u];
-            let _e79 = global[1u];
-            if (_e77 == _e79) {
-                let _e82 = samples.member[_e60.first_primitive].normal[2u];
-                let _e84 = global[2u];
-                phi_405_ = (_e82 == _e84);
-                phi_406_ = false;
+        let _e71 = samples.member[_e60.first_primitive].normal[0u];
+        let _e73 = global[0u];
+        if (_e71 == _e73) {
+            let _e76 = samples.member[_e60.first_primitive].normal[1u];
+            let _e78 = global[1u];
+            if (_e76 == _e78) {
+                let _e81 = samples.member[_e60.first_primitive].normal[2u];
+                let _e83 = global[2u];
+                phi_408_ = (_e81 == _e83);
+                phi_409_ = false;
             } else {
-                phi_405_ = bool();
-                phi_406_ = true;
+                phi_408_ = bool();
+                phi_409_ = true;
             }
-            let _e87 = phi_405_;
-            let _e89 = phi_406_;
-            phi_407_ = _e87;
-            phi_408_ = _e89;
+            let _e86 = phi_408_;
+            let _e88 = phi_409_;
+            phi_410_ = _e86;
+            phi_411_ = _e88;
         } else {
-            phi_407_ = bool();
-            phi_408_ = true;
+            phi_410_ = bool();
+            phi_411_ = true;
         }
-        let _e91 = phi_407_;
-        let _e93 = phi_408_;
-        if _e93 {
-            phi_412_ = false;
+        let _e90 = phi_410_;
+        let _e92 = phi_411_;
+        if _e92 {
+            phi_415_ = false;
         } else {
-            phi_412_ = _e91;
+            phi_415_ = _e90;
         }
-        let _e95 = phi_412_;
-        if !(_e95) {
-            let _e98 = samples.member[_e60.first_primitive].normal;
-            let _e100 = samples.member[_e60.first_primitive].position;
-            if ((((_e98.x * (_e69.x - (_e100.x * _e69.w))) + (_e98.y * (_e69.y - (_e100.y * _e69.w)))) + (_e98.z * (_e69.z - (_e100.z * _e69.w)))) > 0f) {
-                let _e124 = samples.member[_e60.first_primitive].flags;
-                let _e132 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e138 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e132.unnamed.visibility, false), _e132.unnamed_1);
-                phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e138.unnamed, ((_e124 & 1u) == 0u));
-            } else {
-                let _e147 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e153 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e147.unnamed.visibility, false), _e147.unnamed_1);
-                phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e153.unnamed, true);
-            }
-            let _e158 = phi_456_;
-            phi_460_ = _e158;
-        } else {
-            let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e164.unnamed.visibility, false), _e164.unnamed_1);
-            phi_460_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e170.unnamed, true);
-        }
-        let _e175 = phi_460_;
-        if _e175.unnamed_1 {
-            phi_1150_ = evaluate_Verdict(_e175.unnamed.visibility, _e175.unnamed.is_doubted);
-        } else {
-            let _e183 = samples.member[_e60.first_primitive].position;
-            let _e185 = p.member.map_size;
-            let _e187 = (0.5f / f32(_e185));
-            let _e194 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e201 = lt_math_LightPoint(vec2<f32>(_e194.uv.x, 0f), _e194.depth, _e194.is_inside);
-            let _e205 = lt_math_LightPoint(_e201.uv, 0f, _e201.is_inside);
-            phi_480_ = lt_math_LightPoint();
-            phi_483_ = 0u;
-            phi_485_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e205.uv, _e205.depth, false));
-            loop {
-                let _e212 = phi_480_;
-                let _e214 = phi_483_;
-                let _e216 = phi_485_;
-                local_2 = _e216;
-                local_3 = _e216;
-                local_4 = _e216;
-                if (_e214 < _e67) {
-                    if _e216.point.is_inside {
-                        phi_646_ = lt_math_LightPoint();
-                        phi_647_ = u32();
-                        phi_648_ = lt_math_LevelPoint();
-                        phi_649_ = false;
+        let _e94 = phi_415_;
+        if !(_e94) {
+            let _e97 = samples.member[_e60.first_primitive].position;
+            let _e99 = p.member.light.place;
+            let _e105 = p.member.light.place[3u];
+            let _e112 = (_e99.x - (_e97.x * _e105));
+            let _e113 = (_e99.y - (_e97.y * _e105));
+            let _e114 = (_e99.z - (_e97.z * _e105));
+            let _e116 = samples.member[_e60.first_primitive].normal;
+            if ((((_e116.x * _e112) + (_e116.y * _e113)) + (_e116.z * _e114)) > 0f) {
+                let _e130 = (((_e112 * _e112) + (_e113 * _e113)) + (_e114 * _e114));
+                let _e132 = p.member.light.axis;
+                let _e144 = p.member.light.place[3u];
+                if (_e144 == 0f) {
+                    phi_486_ = true;
+                } else {
+                    let _e147 = p.member.light.range_squared;
+                    if (_e130 <= _e147) {
+                        let _e150 = p.member.light.cos_outer;
+                        phi_485_ = (-((((_e112 * _e132.x) + (_e113 * _e132.y)) + (_e114 * _e132.z))) >= (_e150 * sqrt(_e130)));
                     } else {
-                        if (_e214 < _e54) {
+                        phi_485_ = false;
+                    }
+                    let _e155 = phi_485_;
+                    phi_486_ = _e155;
+                }
+                let _e157 = phi_486_;
+                if _e157 {
+                    let _e159 = samples.member[_e60.first_primitive].flags;
+                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+                    phi_497_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, ((_e159 & 1u) == 0u));
+                    phi_498_ = false;
+                } else {
+                    phi_497_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_498_ = true;
+                }
+                let _e178 = phi_497_;
+                let _e180 = phi_498_;
+                phi_499_ = _e178;
+                phi_500_ = _e180;
+            } else {
+                phi_499_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_500_ = true;
+            }
+            let _e182 = phi_499_;
+            let _e184 = phi_500_;
+            if _e184 {
+                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
+                phi_507_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, true);
+            } else {
+                phi_507_ = _e182;
+            }
+            let _e201 = phi_507_;
+            phi_511_ = _e201;
+        } else {
+            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e207.unnamed.visibility, false), _e207.unnamed_1);
+            phi_511_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e213.unnamed, true);
+        }
+        let _e218 = phi_511_;
+        if _e218.unnamed_1 {
+            phi_1201_ = evaluate_Verdict(_e218.unnamed.visibility, _e218.unnamed.is_doubted);
+        } else {
+            let _e226 = samples.member[_e60.first_primitive].position;
+            let _e228 = p.member.map_size;
+            let _e230 = (0.5f / f32(_e228));
+            let _e237 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e244 = lt_math_LightPoint(vec2<f32>(_e237.uv.x, 0f), _e237.depth, _e237.is_inside);
+            let _e248 = lt_math_LightPoint(_e244.uv, 0f, _e244.is_inside);
+            phi_531_ = lt_math_LightPoint();
+            phi_534_ = 0u;
+            phi_536_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e248.uv, _e248.depth, false));
+            loop {
+                let _e255 = phi_531_;
+                let _e257 = phi_534_;
+                let _e259 = phi_536_;
+                local_2 = _e259;
+                local_3 = _e259;
+                local_4 = _e259;
+                if (_e257 < _e67) {
+                    if _e259.point.is_inside {
+                        phi_697_ = lt_math_LightPoint();
+                        phi_698_ = u32();
+                        phi_699_ = lt_math_LevelPoint();
+                        phi_700_ = false;
+                    } else {
+                        if (_e257 < _e54) {
                         } else {
                             return;
                         }
-                        let _e227 = levels.member[(0u + _e214)].row_w;
-                        let _e238 = ((((_e227.x * _e183.x) + (_e227.y * _e183.y)) + (_e227.z * _e183.z)) + (_e227.w * 1f));
-                        let _e240 = levels.member[(0u + _e214)].row_x;
-                        let _e252 = (((((_e240.x * _e183.x) + (_e240.y * _e183.y)) + (_e240.z * _e183.z)) + (_e240.w * 1f)) / _e238);
-                        let _e254 = levels.member[(0u + _e214)].row_y;
-                        let _e266 = (((((_e254.x * _e183.x) + (_e254.y * _e183.y)) + (_e254.z * _e183.z)) + (_e254.w * 1f)) / _e238);
-                        let _e268 = levels.member[(0u + _e214)].row_z;
-                        let _e279 = ((((_e268.x * _e183.x) + (_e268.y * _e183.y)) + (_e268.z * _e183.z)) + (_e268.w * 1f));
-                        if (_e238 > 0f) {
-                            if (_e252 >= 0f) {
-                                phi_571_ = (_e252 <= 1f);
+                        let _e270 = levels.member[(0u + _e257)].row_w;
+                        let _e281 = ((((_e270.x * _e226.x) + (_e270.y * _e226.y)) + (_e270.z * _e226.z)) + (_e270.w * 1f));
+                        let _e283 = levels.member[(0u + _e257)].row_x;
+                        let _e295 = (((((_e283.x * _e226.x) + (_e283.y * _e226.y)) + (_e283.z * _e226.z)) + (_e283.w * 1f)) / _e281);
+                        let _e297 = levels.member[(0u + _e257)].row_y;
+                        let _e309 = (((((_e297.x * _e226.x) + (_e297.y * _e226.y)) + (_e297.z * _e226.z)) + (_e297.w * 1f)) / _e281);
+                        let _e311 = levels.member[(0u + _e257)].row_z;
+                        let _e322 = ((((_e311.x * _e226.x) + (_e311.y * _e226.y)) + (_e311.z * _e226.z)) + (_e311.w * 1f));
+                        if (_e281 > 0f) {
+                            if (_e295 >= 0f) {
+                                phi_622_ = (_e295 <= 1f);
                             } else {
-                                phi_571_ = false;
+                                phi_622_ = false;
                             }
-                            let _e284 = phi_571_;
-                            if _e284 {
-                                if (_e266 >= 0f) {
-                                    phi_580_ = (_e266 <= 1f);
+                            let _e327 = phi_622_;
+                            if _e327 {
+                                if (_e309 >= 0f) {
+                                    phi_631_ = (_e309 <= 1f);
                                 } else {
-                                    phi_580_ = false;
+                                    phi_631_ = false;
                                 }
-                                let _e288 = phi_580_;
-                                if _e288 {
-                                    if (_e279 >= 0f) {
-                                        phi_589_ = (_e279 <= 1f);
+                                let _e331 = phi_631_;
+                                if _e331 {
+                                    if (_e322 >= 0f) {
+                                        phi_640_ = (_e322 <= 1f);
                                     } else {
-                                        phi_589_ = false;
+                                        phi_640_ = false;
                                     }
-                                    let _e292 = phi_589_;
-                                    phi_590_ = _e292;
-                                    phi_591_ = false;
+                                    let _e335 = phi_640_;
+                                    phi_641_ = _e335;
+                                    phi_642_ = false;
                                 } else {
-                                    phi_590_ = bool();
-                                    phi_591_ = true;
+                                    phi_641_ = bool();
+                                    phi_642_ = true;
                                 }
-                                let _e294 = phi_590_;
-                                let _e296 = phi_591_;
-                                phi_592_ = _e294;
-                                phi_593_ = _e296;
+                                let _e337 = phi_641_;
+                                let _e339 = phi_642_;
+                                phi_643_ = _e337;
+                                phi_644_ = _e339;
                             } else {
-                                phi_592_ = bool();
-                                phi_593_ = true;
+                                phi_643_ = bool();
+                                phi_644_ = true;
                             }
-                            let _e298 = phi_592_;
-                            let _e300 = phi_593_;
-                            phi_594_ = _e298;
-                            phi_595_ = _e300;
+                            let _e341 = phi_643_;
+                            let _e343 = phi_644_;
+                            phi_645_ = _e341;
+                            phi_646_ = _e343;
                         } else {
-                            phi_594_ = bool();
-                            phi_595_ = true;
+                            phi_645_ = bool();
+                            phi_646_ = true;
                         }
-                        let _e302 = phi_594_;
-                        let _e304 = phi_595_;
-                        if _e304 {
-                            phi_599_ = false;
+                        let _e345 = phi_645_;
+                        let _e347 = phi_646_;
+                        if _e347 {
+                            phi_650_ = false;
                         } else {
-                            phi_599_ = _e302;
+                            phi_650_ = _e345;
                         }
-                        let _e306 = phi_599_;
-                        if _e306 {
-                            if (_e252 >= _e187) {
-                                if (_e252 <= (1f - _e187)) {
-                                    if (_e266 >= _e187) {
-                                        phi_626_ = (_e266 <= (1f - _e187));
-                                        phi_627_ = false;
+                        let _e349 = phi_650_;
+                        if _e349 {
+                            if (_e295 >= _e230) {
+                                if (_e295 <= (1f - _e230)) {
+                                    if (_e309 >= _e230) {
+                                        phi_677_ = (_e309 <= (1f - _e230));
+                                        phi_678_ = false;
                                     } else {
-                                        phi_626_ = bool();
-                                        phi_627_ = true;
+                                        phi_677_ = bool();
+                                        phi_678_ = true;
                                     }
-                                    let _e314 = phi_626_;
-                                    let _e316 = phi_627_;
-                                    phi_628_ = _e314;
-                                    phi_629_ = _e316;
+                                    let _e357 = phi_677_;
+                                    let _e359 = phi_678_;
+                                    phi_679_ = _e357;
+                                    phi_680_ = _e359;
                                 } else {
-                                    phi_628_ = bool();
-                                    phi_629_ = true;
+                                    phi_679_ = bool();
+                                    phi_680_ = true;
                                 }
-                                let _e318 = phi_628_;
-                                let _e320 = phi_629_;
-                                phi_630_ = _e318;
-                                phi_631_ = _e320;
+                                let _e361 = phi_679_;
+                                let _e363 = phi_680_;
+                                phi_681_ = _e361;
+                                phi_682_ = _e363;
                             } else {
-                                phi_630_ = bool();
-                                phi_631_ = true;
+                                phi_681_ = bool();
+                                phi_682_ = true;
                             }
-                            let _e322 = phi_630_;
-                            let _e324 = phi_631_;
-                            phi_632_ = _e322;
-                            phi_633_ = _e324;
+                            let _e365 = phi_681_;
+                            let _e367 = phi_682_;
+                            phi_683_ = _e365;
+                            phi_684_ = _e367;
                         } else {
-                            phi_632_ = bool();
-                            phi_633_ = true;
+                            phi_683_ = bool();
+                            phi_684_ = true;
                         }
-                        let _e326 = phi_632_;
-                        let _e328 = phi_633_;
-                        if _e328 {
-                            phi_637_ = false;
+                        let _e369 = phi_683_;
+                        let _e371 = phi_684_;
+                        if _e371 {
+                            phi_688_ = false;
                         } else {
-                            phi_637_ = _e326;
+                            phi_688_ = _e369;
                         }
-                        let _e330 = phi_637_;
-                        let _e337 = lt_math_LightPoint(vec2<f32>(_e252, _e212.uv.y), _e212.depth, _e212.is_inside);
-                        let _e344 = lt_math_LightPoint(vec2<f32>(_e337.uv.x, _e266), _e337.depth, _e337.is_inside);
-                        let _e348 = lt_math_LightPoint(_e344.uv, _e279, _e344.is_inside);
-                        let _e352 = lt_math_LightPoint(_e348.uv, _e348.depth, _e330);
-                        phi_646_ = _e352;
-                        phi_647_ = (_e214 + 1u);
-                        phi_648_ = lt_math_LevelPoint(_e214, _e352);
-                        phi_649_ = true;
+                        let _e373 = phi_688_;
+                        let _e380 = lt_math_LightPoint(vec2<f32>(_e295, _e255.uv.y), _e255.depth, _e255.is_inside);
+                        let _e387 = lt_math_LightPoint(vec2<f32>(_e380.uv.x, _e309), _e380.depth, _e380.is_inside);
+                        let _e391 = lt_math_LightPoint(_e387.uv, _e322, _e387.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e391.depth, _e373);
+                        phi_697_ = _e395;
+                        phi_698_ = (_e257 + 1u);
+                        phi_699_ = lt_math_LevelPoint(_e257, _e395);
+                        phi_700_ = true;
                     }
-                    let _e356 = phi_646_;
-                    let _e358 = phi_647_;
-                    let _e360 = phi_648_;
-                    let _e362 = phi_649_;
-                    phi_481_ = _e356;
-                    phi_484_ = _e358;
-                    phi_486_ = _e360;
-                    phi_650_ = _e362;
+                    let _e399 = phi_697_;
+                    let _e401 = phi_698_;
+                    let _e403 = phi_699_;
+                    let _e405 = phi_700_;
+                    phi_532_ = _e399;
+                    phi_535_ = _e401;
+                    phi_537_ = _e403;
+                    phi_701_ = _e405;
                 } else {
-                    phi_481_ = lt_math_LightPoint();
-                    phi_484_ = u32();
-                    phi_486_ = lt_math_LevelPoint();
-                    phi_650_ = false;
+                    phi_532_ = lt_math_LightPoint();
+                    phi_535_ = u32();
+                    phi_537_ = lt_math_LevelPoint();
+                    phi_701_ = false;
                 }
-                let _e364 = phi_481_;
-                let _e366 = phi_484_;
-                let _e368 = phi_486_;
-                let _e370 = phi_650_;
+                let _e407 = phi_532_;
+                let _e409 = phi_535_;
+                let _e411 = phi_537_;
+                let _e413 = phi_701_;
                 continue;
                 continuing {
-                    phi_480_ = _e364;
-                    phi_483_ = _e366;
-                    phi_485_ = _e368;
-                    break if !(_e370);
+                    phi_531_ = _e407;
+                    phi_534_ = _e409;
+                    phi_536_ = _e411;
+                    break if !(_e413);
                 }
             }
-            let _e373 = local_2;
-            if _e373.point.is_inside {
+            let _e416 = local_2;
+            if _e416.point.is_inside {
                 if (0f > 0f) {
-                    let _e379 = local_3;
-                    if (_e379.level < _e54) {
+                    let _e422 = local_3;
+                    if (_e422.level < _e54) {
                     } else {
                         return;
                     }
-                    let _e384 = levels.member[(0u + _e379.level)];
-                    let _e390 = global[0u];
-                    if (_e384.row_w.x == _e390) {
-                        let _e393 = global[1u];
-                        if (_e384.row_w.y == _e393) {
-                            let _e396 = global[2u];
-                            phi_690_ = (_e384.row_w.z == _e396);
-                            phi_691_ = false;
+                    let _e427 = levels.member[(0u + _e422.level)];
+                    let _e433 = global[0u];
+                    if (_e427.row_w.x == _e433) {
+                        let _e436 = global[1u];
+                        if (_e427.row_w.y == _e436) {
+                            let _e439 = global[2u];
+                            phi_741_ = (_e427.row_w.z == _e439);
+                            phi_742_ = false;
                         } else {
-                            phi_690_ = bool();
-                            phi_691_ = true;
+                            phi_741_ = bool();
+                            phi_742_ = true;
                         }
-                        let _e399 = phi_690_;
-                        let _e401 = phi_691_;
-                        phi_692_ = _e399;
-                        phi_693_ = _e401;
+                        let _e442 = phi_741_;
+                        let _e444 = phi_742_;
+                        phi_743_ = _e442;
+                        phi_744_ = _e444;
                     } else {
-                        phi_692_ = bool();
-                        phi_693_ = true;
+                        phi_743_ = bool();
+                        phi_744_ = true;
                     }
-                    let _e403 = phi_692_;
-                    let _e405 = phi_693_;
-                    if _e405 {
-                        phi_697_ = false;
+                    let _e446 = phi_743_;
+                    let _e448 = phi_744_;
+                    if _e448 {
+                        phi_748_ = false;
                     } else {
-                        phi_697_ = _e403;
+                        phi_748_ = _e446;
                     }
-                    let _e407 = phi_697_;
-                    if _e407 {
-                        let _e409 = samples.member[_e60.first_primitive].normal;
-                        let _e411 = p.member.map_size;
-                        let _e481 = ((abs(((((_e384.row_x.x * _e409.x) + (_e384.row_x.y * _e409.y)) + (_e384.row_x.z * _e409.z)) / (((_e384.row_x.x * _e384.row_x.x) + (_e384.row_x.y * _e384.row_x.y)) + (_e384.row_x.z * _e384.row_x.z)))) + abs(((((_e384.row_y.x * _e409.x) + (_e384.row_y.y * _e409.y)) + (_e384.row_y.z * _e409.z)) / (((_e384.row_y.x * _e384.row_y.x) + (_e384.row_y.y * _e384.row_y.y)) + (_e384.row_y.z * _e384.row_y.z))))) / (abs(((((_e384.row_z.x * _e409.x) + (_e384.row_z.y * _e409.y)) + (_e384.row_z.z * _e409.z)) / (((_e384.row_z.x * _e384.row_z.x) + (_e384.row_z.y * _e384.row_z.y)) + (_e384.row_z.z * _e384.row_z.z)))) * f32(_e411)));
-                        if (_e481 < 0.002f) {
-                            phi_779_ = _e481;
+                    let _e450 = phi_748_;
+                    if _e450 {
+                        let _e452 = samples.member[_e60.first_primitive].normal;
+                        let _e454 = p.member.map_size;
+                        let _e524 = ((abs(((((_e427.row_x.x * _e452.x) + (_e427.row_x.y * _e452.y)) + (_e427.row_x.z * _e452.z)) / (((_e427.row_x.x * _e427.row_x.x) + (_e427.row_x.y * _e427.row_x.y)) + (_e427.row_x.z * _e427.row_x.z)))) + abs(((((_e427.row_y.x * _e452.x) + (_e427.row_y.y * _e452.y)) + (_e427.row_y.z * _e452.z)) / (((_e427.row_y.x * _e427.row_y.x) + (_e427.row_y.y * _e427.row_y.y)) + (_e427.row_y.z * _e427.row_y.z))))) / (abs(((((_e427.row_z.x * _e452.x) + (_e427.row_z.y * _e452.y)) + (_e427.row_z.z * _e452.z)) / (((_e427.row_z.x * _e427.row_z.x) + (_e427.row_z.y * _e427.row_z.y)) + (_e427.row_z.z * _e427.row_z.z)))) * f32(_e454)));
+                        if (_e524 < 0.002f) {
+                            phi_830_ = _e524;
                         } else {
-                            phi_779_ = 0.002f;
+                            phi_830_ = 0.002f;
                         }
-                        let _e484 = phi_779_;
-                        phi_896_ = _e484;
+                        let _e527 = phi_830_;
+                        phi_947_ = _e527;
                     } else {
-                        let _e486 = p.member.map_size;
-                        let _e492 = samples.member[_e60.first_primitive].position;
-                        let _e503 = ((((_e384.row_w.x * _e492.x) + (_e384.row_w.y * _e492.y)) + (_e384.row_w.z * _e492.z)) + _e384.row_w.w);
-                        let _e516 = ((_e384.row_x.x - (_e384.row_w.x * _e373.point.uv.x)) / _e503);
-                        let _e517 = ((_e384.row_x.y - (_e384.row_w.y * _e373.point.uv.x)) / _e503);
-                        let _e518 = ((_e384.row_x.z - (_e384.row_w.z * _e373.point.uv.x)) / _e503);
-                        let _e531 = ((_e384.row_y.x - (_e384.row_w.x * _e373.point.uv.y)) / _e503);
-                        let _e532 = ((_e384.row_y.y - (_e384.row_w.y * _e373.point.uv.y)) / _e503);
-                        let _e533 = ((_e384.row_y.z - (_e384.row_w.z * _e373.point.uv.y)) / _e503);
-                        let _e539 = samples.member[_e60.first_primitive].normal;
-                        let _e544 = ((_e532 * _e539.z) - (_e539.y * _e533));
-                        let _e549 = ((_e533 * _e539.x) - (_e539.z * _e531));
-                        let _e554 = ((_e531 * _e539.y) - (_e539.x * _e532));
-                        let _e556 = samples.member[_e60.first_primitive].normal;
-                        let _e561 = ((_e517 * _e556.z) - (_e556.y * _e518));
-                        let _e566 = ((_e518 * _e556.x) - (_e556.z * _e516));
-                        let _e571 = ((_e516 * _e556.y) - (_e556.x * _e517));
-                        let _e598 = ((abs(((((_e384.row_z.x * _e544) + (_e384.row_z.y * _e549)) + (_e384.row_z.z * _e554)) / (((_e516 * _e544) + (_e517 * _e549)) + (_e518 * _e554)))) + abs(((((_e384.row_z.x * _e561) + (_e384.row_z.y * _e566)) + (_e384.row_z.z * _e571)) / (((_e531 * _e561) + (_e532 * _e566)) + (_e533 * _e571))))) / f32(_e486));
-                        if (_e598 < 0.002f) {
-                            phi_895_ = _e598;
+                        let _e529 = p.member.map_size;
+                        let _e535 = samples.member[_e60.first_primitive].position;
+                        let _e546 = ((((_e427.row_w.x * _e535.x) + (_e427.row_w.y * _e535.y)) + (_e427.row_w.z * _e535.z)) + _e427.row_w.w);
+                        let _e559 = ((_e427.row_x.x - (_e427.row_w.x * _e416.point.uv.x)) / _e546);
+                        let _e560 = ((_e427.row_x.y - (_e427.row_w.y * _e416.point.uv.x)) / _e546);
+                        let _e561 = ((_e427.row_x.z - (_e427.row_w.z * _e416.point.uv.x)) / _e546);
+                        let _e574 = ((_e427.row_y.x - (_e427.row_w.x * _e416.point.uv.y)) / _e546);
+                        let _e575 = ((_e427.row_y.y - (_e427.row_w.y * _e416.point.uv.y)) / _e546);
+                        let _e576 = ((_e427.row_y.z - (_e427.row_w.z * _e416.point.uv.y)) / _e546);
+                        let _e582 = samples.member[_e60.first_primitive].normal;
+                        let _e587 = ((_e575 * _e582.z) - (_e582.y * _e576));
+                        let _e592 = ((_e576 * _e582.x) - (_e582.z * _e574));
+                        let _e597 = ((_e574 * _e582.y) - (_e582.x * _e575));
+                        let _e599 = samples.member[_e60.first_primitive].normal;
+                        let _e604 = ((_e560 * _e599.z) - (_e599.y * _e561));
+                        let _e609 = ((_e561 * _e599.x) - (_e599.z * _e559));
+                        let _e614 = ((_e559 * _e599.y) - (_e599.x * _e560));
+                        let _e641 = ((abs(((((_e427.row_z.x * _e587) + (_e427.row_z.y * _e592)) + (_e427.row_z.z * _e597)) / (((_e559 * _e587) + (_e560 * _e592)) + (_e561 * _e597)))) + abs(((((_e427.row_z.x * _e604) + (_e427.row_z.y * _e609)) + (_e427.row_z.z * _e614)) / (((_e574 * _e604) + (_e575 * _e609)) + (_e576 * _e614))))) / f32(_e529));
+                        if (_e641 < 0.002f) {
+                            phi_946_ = _e641;
                         } else {
-                            phi_895_ = 0.002f;
+                            phi_946_ = 0.002f;
                         }
-                        let _e601 = phi_895_;
-                        phi_896_ = _e601;
+                        let _e644 = phi_946_;
+                        phi_947_ = _e644;
                     }
-                    let _e603 = phi_896_;
-                    phi_899_ = (_e373.point.depth - (0f * _e603));
+                    let _e646 = phi_947_;
+                    phi_950_ = (_e416.point.depth - (0f * _e646));
                 } else {
-                    phi_899_ = _e373.point.depth;
+                    phi_950_ = _e416.point.depth;
                 }
-                let _e607 = phi_899_;
-                let _e613 = p.member.map_size;
-                let _e614 = f32(_e613);
-                let _e617 = ((_e373.point.uv.x * _e614) - 0.5f);
-                let _e618 = ((_e373.point.uv.y * _e614) - 0.5f);
-                if (_e617 > -8388608f) {
-                    let _e630 = f32(select(0i, select(select(i32(_e617), i32(-2147483648), (_e617 < bitcast<f32>(3472883712u))), 2147483647i, (_e617 > bitcast<f32>(1325400063u))), (_e617 == _e617)));
-                    if (_e630 > _e617) {
-                        phi_928_ = 1f;
+                let _e650 = phi_950_;
+                let _e656 = p.member.map_size;
+                let _e657 = f32(_e656);
+                let _e660 = ((_e416.point.uv.x * _e657) - 0.5f);
+                let _e661 = ((_e416.point.uv.y * _e657) - 0.5f);
+                if (_e660 > -8388608f) {
+                    let _e673 = f32(select(0i, select(select(i32(_e660), i32(-2147483648), (_e660 < bitcast<f32>(3472883712u))), 2147483647i, (_e660 > bitcast<f32>(1325400063u))), (_e660 == _e660)));
+                    if (_e673 > _e660) {
+                        phi_979_ = 1f;
                     } else {
-                        phi_928_ = 0f;
+                        phi_979_ = 0f;
                     }
-                    let _e633 = phi_928_;
-                    if (_e617 < 8388608f) {
-                        phi_933_ = (_e630 - _e633);
-                        phi_934_ = false;
+                    let _e676 = phi_979_;
+                    if (_e660 < 8388608f) {
+                        phi_984_ = (_e673 - _e676);
+                        phi_985_ = false;
                     } else {
-                        phi_933_ = f32();
-                        phi_934_ = true;
+                        phi_984_ = f32();
+                        phi_985_ = true;
                     }
-                    let _e636 = phi_933_;
-                    let _e638 = phi_934_;
-                    phi_935_ = _e636;
-                    phi_936_ = _e638;
+                    let _e679 = phi_984_;
+                    let _e681 = phi_985_;
+                    phi_986_ = _e679;
+                    phi_987_ = _e681;
                 } else {
-                    phi_935_ = f32();
-                    phi_936_ = true;
+                    phi_986_ = f32();
+                    phi_987_ = true;
                 }
-                let _e640 = phi_935_;
-                let _e642 = phi_936_;
-                if _e642 {
-                    phi_940_ = _e617;
+                let _e683 = phi_986_;
+                let _e685 = phi_987_;
+                if _e685 {
+                    phi_991_ = _e660;
                 } else {
-                    phi_940_ = _e640;
+                    phi_991_ = _e683;
                 }
-                let _e644 = phi_940_;
-                if (_e618 > -8388608f) {
-                    let _e656 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e656 > _e618) {
-                        phi_960_ = 1f;
+                let _e687 = phi_991_;
+                if (_e661 > -8388608f) {
+                    let _e699 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
+                    if (_e699 > _e661) {
+                        phi_1011_ = 1f;
                     } else {
-                        phi_960_ = 0f;
+                        phi_1011_ = 0f;
                     }
-                    let _e659 = phi_960_;
-                    if (_e618 < 8388608f) {
-                        phi_965_ = (_e656 - _e659);
-                        phi_966_ = false;
+                    let _e702 = phi_1011_;
+                    if (_e661 < 8388608f) {
+                        phi_1016_ = (_e699 - _e702);
+                        phi_1017_ = false;
                     } else {
-                        phi_965_ = f32();
-                        phi_966_ = true;
+                        phi_1016_ = f32();
+                        phi_1017_ = true;
                     }
-                    let _e662 = phi_965_;
-                    let _e664 = phi_966_;
-                    phi_967_ = _e662;
-                    phi_968_ = _e664;
+                    let _e705 = phi_1016_;
+                    let _e707 = phi_1017_;
+                    phi_1018_ = _e705;
+                    phi_1019_ = _e707;
                 } else {
-                    phi_967_ = f32();
-                    phi_968_ = true;
+                    phi_1018_ = f32();
+                    phi_1019_ = true;
                 }
-                let _e666 = phi_967_;
-                let _e668 = phi_968_;
-                if _e668 {
-                    phi_972_ = _e618;
+                let _e709 = phi_1018_;
+                let _e711 = phi_1019_;
+                if _e711 {
+                    phi_1023_ = _e661;
                 } else {
-                    phi_972_ = _e666;
+                    phi_1023_ = _e709;
                 }
-                let _e670 = phi_972_;
-                let _e671 = (_e617 - _e644);
-                let _e672 = (_e618 - _e670);
-                let _e681 = select(0i, select(select(i32(_e644), i32(-2147483648), (_e644 < bitcast<f32>(3472883712u))), 2147483647i, (_e644 > bitcast<f32>(1325400063u))), (_e644 == _e644));
-                let _e690 = select(0i, select(select(i32(_e670), i32(-2147483648), (_e670 < bitcast<f32>(3472883712u))), 2147483647i, (_e670 > bitcast<f32>(1325400063u))), (_e670 == _e670));
-                let _e701 = p.member.test;
-                let _e702 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e701);
-                let _e704 = p.member.map_size;
-                let _e706 = local_4;
-                local_1 = _e702;
-                let _e709 = ((_e706.level * _e704) * _e704);
-                let _e711 = (bitcast<i32>(_e704) - 1i);
-                if (_e681 > 0i) {
-                    phi_1021_ = _e681;
+                let _e713 = phi_1023_;
+                let _e714 = (_e660 - _e687);
+                let _e715 = (_e661 - _e713);
+                let _e724 = select(0i, select(select(i32(_e687), i32(-2147483648), (_e687 < bitcast<f32>(3472883712u))), 2147483647i, (_e687 > bitcast<f32>(1325400063u))), (_e687 == _e687));
+                let _e733 = select(0i, select(select(i32(_e713), i32(-2147483648), (_e713 < bitcast<f32>(3472883712u))), 2147483647i, (_e713 > bitcast<f32>(1325400063u))), (_e713 == _e713));
+                let _e744 = p.member.test;
+                let _e745 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
+                let _e747 = p.member.map_size;
+                let _e749 = local_4;
+                local_1 = _e745;
+                let _e752 = ((_e749.level * _e747) * _e747);
+                let _e754 = (bitcast<i32>(_e747) - 1i);
+                if (_e724 > 0i) {
+                    phi_1072_ = _e724;
                 } else {
-                    phi_1021_ = 0i;
+                    phi_1072_ = 0i;
                 }
-                let _e714 = phi_1021_;
-                if (_e690 > 0i) {
-                    phi_1026_ = _e690;
+                let _e757 = phi_1072_;
+                if (_e733 > 0i) {
+                    phi_1077_ = _e733;
                 } else {
-                    phi_1026_ = 0i;
+                    phi_1077_ = 0i;
                 }
-                let _e717 = phi_1026_;
-                if (_e714 < _e711) {
-                    phi_1031_ = _e714;
+                let _e760 = phi_1077_;
+                if (_e757 < _e754) {
+                    phi_1082_ = _e757;
                 } else {
-                    phi_1031_ = _e711;
+                    phi_1082_ = _e754;
                 }
-                let _e720 = phi_1031_;
-                if (_e717 < _e711) {
-                    phi_1036_ = _e717;
+                let _e763 = phi_1082_;
+                if (_e760 < _e754) {
+                    phi_1087_ = _e760;
                 } else {
-                    phi_1036_ = _e711;
+                    phi_1087_ = _e754;
                 }
-                let _e723 = phi_1036_;
-                let _e724 = bitcast<u32>(_e720);
-                let _e726 = (_e681 + 1i);
-                let _e727 = (_e690 + 1i);
-                if (_e726 > 0i) {
-                    phi_1045_ = _e726;
+                let _e766 = phi_1087_;
+                let _e767 = bitcast<u32>(_e763);
+                let _e769 = (_e724 + 1i);
+                let _e770 = (_e733 + 1i);
+                if (_e769 > 0i) {
+                    phi_1096_ = _e769;
                 } else {
-                    phi_1045_ = 0i;
+                    phi_1096_ = 0i;
                 }
-                let _e730 = phi_1045_;
-                if (_e727 > 0i) {
-                    phi_1050_ = _e727;
+                let _e773 = phi_1096_;
+                if (_e770 > 0i) {
+                    phi_1101_ = _e770;
                 } else {
-                    phi_1050_ = 0i;
+                    phi_1101_ = 0i;
                 }
-                let _e733 = phi_1050_;
-                if (_e730 < _e711) {
-                    phi_1055_ = _e730;
+                let _e776 = phi_1101_;
+                if (_e773 < _e754) {
+                    phi_1106_ = _e773;
                 } else {
-                    phi_1055_ = _e711;
+                    phi_1106_ = _e754;
                 }
-                let _e736 = phi_1055_;
-                if (_e733 < _e711) {
-                    phi_1060_ = _e733;
+                let _e779 = phi_1106_;
+                if (_e776 < _e754) {
+                    phi_1111_ = _e776;
                 } else {
-                    phi_1060_ = _e711;
+                    phi_1111_ = _e754;
                 }
-                let _e739 = phi_1060_;
-                let _e740 = bitcast<u32>(_e736);
-                let _e742 = (bitcast<u32>(_e723) * _e704);
-                let _e743 = (bitcast<u32>(_e739) * _e704);
-                let _e748 = ((_e742 + _e724) + _e709);
-                let _e749 = ((_e742 + _e740) + _e709);
-                let _e750 = ((_e743 + _e724) + _e709);
-                let _e751 = ((_e743 + _e740) + _e709);
-                if (_e748 < _e49) {
+                let _e782 = phi_1111_;
+                let _e783 = bitcast<u32>(_e779);
+                let _e785 = (bitcast<u32>(_e766) * _e747);
+                let _e786 = (bitcast<u32>(_e782) * _e747);
+                let _e791 = ((_e785 + _e767) + _e752);
+                let _e792 = ((_e785 + _e783) + _e752);
+                let _e793 = ((_e786 + _e767) + _e752);
+                let _e794 = ((_e786 + _e783) + _e752);
+                if (_e791 < _e49) {
                 } else {
                     return;
                 }
-                let _e755 = map.member[(0u + _e748)];
-                if (_e749 < _e49) {
+                let _e798 = map.member[(0u + _e791)];
+                if (_e792 < _e49) {
                 } else {
                     return;
                 }
-                let _e759 = map.member[(0u + _e749)];
-                if (_e750 < _e49) {
+                let _e802 = map.member[(0u + _e792)];
+                if (_e793 < _e49) {
                 } else {
                     return;
                 }
-                let _e763 = map.member[(0u + _e750)];
-                if (_e751 < _e49) {
+                let _e806 = map.member[(0u + _e793)];
+                if (_e794 < _e49) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e751)];
-                let _e769 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e755, _e759, _e763, _e767), vec4<f32>(((1f - _e671) * (1f - _e672)), (_e671 * (1f - _e672)), ((1f - _e671) * _e672), (_e671 * _e672)), _e607);
-                let _e771 = p.member.epsilon;
-                if (_e769 <= _e771) {
-                    phi_1111_ = true;
+                let _e810 = map.member[(0u + _e794)];
+                let _e812 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e798, _e802, _e806, _e810), vec4<f32>(((1f - _e714) * (1f - _e715)), (_e714 * (1f - _e715)), ((1f - _e714) * _e715), (_e714 * _e715)), _e650);
+                let _e814 = p.member.epsilon;
+                if (_e812 <= _e814) {
+                    phi_1162_ = true;
                 } else {
-                    phi_1111_ = (_e769 >= (1f - _e771));
+                    phi_1162_ = (_e812 >= (1f - _e814));
                 }
-                let _e776 = phi_1111_;
-                if ((bitcast<u32>(_e769) & 2147483647u) > 2139095040u) {
-                    phi_1119_ = true;
+                let _e819 = phi_1162_;
+                if ((bitcast<u32>(_e812) & 2147483647u) > 2139095040u) {
+                    phi_1170_ = true;
                 } else {
-                    phi_1119_ = !(_e776);
+                    phi_1170_ = !(_e819);
                 }
-                let _e782 = phi_1119_;
-                if _e782 {
-                    if (_e769 > 0f) {
-                        if (_e769 < 1f) {
-                            phi_1131_ = false;
+                let _e825 = phi_1170_;
+                if _e825 {
+                    if (_e812 > 0f) {
+                        if (_e812 < 1f) {
+                            phi_1182_ = false;
                         } else {
-                            phi_1131_ = true;
+                            phi_1182_ = true;
                         }
-                        let _e786 = phi_1131_;
-                        phi_1132_ = _e786;
+                        let _e829 = phi_1182_;
+                        phi_1183_ = _e829;
                     } else {
-                        phi_1132_ = true;
+                        phi_1183_ = true;
                     }
-                    let _e788 = phi_1132_;
-                    if _e788 {
-                        phi_1136_ = 0.5f;
+                    let _e831 = phi_1183_;
+                    if _e831 {
+                        phi_1187_ = 0.5f;
                     } else {
-                        phi_1136_ = _e769;
+                        phi_1187_ = _e812;
                     }
-                    let _e790 = phi_1136_;
-                    phi_1144_ = evaluate_Verdict(_e790, true);
+                    let _e833 = phi_1187_;
+                    phi_1195_ = evaluate_Verdict(_e833, true);
                 } else {
-                    if (_e769 > 0.5f) {
-                        phi_1142_ = 1f;
+                    if (_e812 > 0.5f) {
+                        phi_1193_ = 1f;
                     } else {
-                        phi_1142_ = 0f;
+                        phi_1193_ = 0f;
                     }
-                    let _e794 = phi_1142_;
-                    phi_1144_ = evaluate_Verdict(_e794, false);
+                    let _e837 = phi_1193_;
+                    phi_1195_ = evaluate_Verdict(_e837, false);
                 }
-                let _e797 = phi_1144_;
-                phi_1149_ = evaluate_Verdict(_e797.visibility, _e797.is_doubted);
+                let _e840 = phi_1195_;
+                phi_1200_ = evaluate_Verdict(_e840.visibility, _e840.is_doubted);
             } else {
-                phi_1149_ = evaluate_Verdict(0.5f, true);
+                phi_1200_ = evaluate_Verdict(0.5f, true);
             }
-            let _e803 = phi_1149_;
-            phi_1150_ = _e803;
+            let _e846 = phi_1200_;
+            phi_1201_ = _e846;
         }
-        let _e805 = phi_1150_;
-        visibility.member[_e60.first_primitive] = _e805.visibility;
-        phi_1154_ = _e805.is_doubted;
-        phi_1155_ = _e60.first_primitive;
+        let _e848 = phi_1201_;
+        visibility.member[_e60.first_primitive] = _e848.visibility;
+        phi_1205_ = _e848.is_doubted;
+        phi_1206_ = _e60.first_primitive;
     } else {
-        phi_1154_ = false;
-        phi_1155_ = 0u;
+        phi_1205_ = false;
+        phi_1206_ = 0u;
     }
-    let _e810 = phi_1154_;
-    let _e812 = phi_1155_;
+    let _e853 = phi_1205_;
+    let _e855 = phi_1206_;
     if (_e44 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e810 {
-        let _e816 = atomicAdd((&shared_[0u]), 1u);
-        phi_1166_ = _e816;
+    if _e853 {
+        let _e859 = atomicAdd((&shared_[0u]), 1u);
+        phi_1217_ = _e859;
     } else {
-        phi_1166_ = 0u;
+        phi_1217_ = 0u;
     }
-    let _e818 = phi_1166_;
+    let _e861 = phi_1217_;
     workgroupBarrier();
     if (_e44 == 0u) {
-        let _e822 = atomicLoad((&shared_[0u]));
-        let _e823 = atomicAdd((&list.member[3u]), _e822);
-        atomicStore((&shared_[1u]), _e823);
+        let _e865 = atomicLoad((&shared_[0u]));
+        let _e866 = atomicAdd((&list.member[3u]), _e865);
+        atomicStore((&shared_[1u]), _e866);
     }
     workgroupBarrier();
-    if _e810 {
-        let _e826 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e826) + _e818)]), _e812);
+    if _e853 {
+        let _e869 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e869) + _e861)]), _e855);
     }
     return;
 }

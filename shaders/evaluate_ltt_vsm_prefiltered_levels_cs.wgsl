@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -34,7 +43,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<vec4<f32>>,
 }
 
@@ -47,7 +56,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -58,7 +67,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: abi_ShadowParams,
 }
 
@@ -68,7 +77,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_47 {
+struct type_49 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -77,7 +86,7 @@ struct lt_math_LevelPoint {
     point: lt_math_LightPoint,
 }
 
-struct type_53 {
+struct type_55 {
     member: array<atomic<u32>>,
 }
 
@@ -88,47 +97,47 @@ var<storage> samples: type_10;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
-var<uniform> p: type_42;
+var<uniform> p: type_44;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_18;
 @group(0) @binding(4) 
-var<storage, read_write> list: type_53;
+var<storage, read_write> list: type_55;
 @group(0) @binding(5) 
-var<storage> levels: type_47;
+var<storage> levels: type_49;
 @group(0) @binding(2) 
-var<storage> map: type_37;
+var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_171_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_160_ = false;
+            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_164_ = false;
         } else {
-            phi_159_ = lt_bvh_traverse_Tree();
-            phi_160_ = true;
+            phi_163_ = lt_bvh_traverse_Tree();
+            phi_164_ = true;
         }
-        let _e56 = phi_159_;
-        let _e58 = phi_160_;
-        phi_161_ = _e56;
-        phi_162_ = _e58;
+        let _e56 = phi_163_;
+        let _e58 = phi_164_;
+        phi_165_ = _e56;
+        phi_166_ = _e58;
     } else {
-        phi_161_ = lt_bvh_traverse_Tree();
-        phi_162_ = true;
+        phi_165_ = lt_bvh_traverse_Tree();
+        phi_166_ = true;
     }
-    let _e60 = phi_161_;
-    let _e62 = phi_162_;
+    let _e60 = phi_165_;
+    let _e62 = phi_166_;
     if _e62 {
-        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_167_ = _e60;
+        phi_171_ = _e60;
     }
-    let _e67 = phi_167_;
+    let _e67 = phi_171_;
     return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
@@ -137,172 +146,178 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_192_: f32;
-    var phi_193_: f32;
-    var phi_194_: f32;
-    var phi_212_: bool;
-    var phi_216_: f32;
-    var phi_228_: bool;
-    var phi_235_: f32;
-    var phi_250_: f32;
-    var phi_251_: f32;
-    var phi_252_: f32;
+    var phi_196_: f32;
+    var phi_197_: f32;
+    var phi_198_: f32;
+    var phi_216_: bool;
+    var phi_220_: f32;
+    var phi_232_: bool;
+    var phi_239_: f32;
+    var phi_254_: f32;
+    var phi_255_: f32;
+    var phi_256_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_194_ = param_6;
+        phi_198_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_193_ = 0f;
+            phi_197_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_192_ = 1f;
+                phi_196_ = 1f;
             } else {
-                phi_192_ = param_6;
+                phi_196_ = param_6;
             }
-            let _e52 = phi_192_;
-            phi_193_ = _e52;
+            let _e52 = phi_196_;
+            phi_197_ = _e52;
         }
-        let _e54 = phi_193_;
-        phi_194_ = _e54;
+        let _e54 = phi_197_;
+        phi_198_ = _e54;
     }
-    let _e56 = phi_194_;
+    let _e56 = phi_198_;
     let _e59 = (*param_4);
     let _e63 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
     if ((bitcast<u32>(_e59) & 2147483647u) > 2139095040u) {
-        phi_212_ = true;
+        phi_216_ = true;
     } else {
         let _e67 = (_e59 > _e63);
         if _e67 {
         }
-        phi_212_ = _e67;
+        phi_216_ = _e67;
     }
-    let _e69 = phi_212_;
+    let _e69 = phi_216_;
     if _e69 {
-        phi_216_ = _e59;
+        phi_220_ = _e59;
     } else {
-        phi_216_ = _e63;
+        phi_220_ = _e63;
     }
-    let _e71 = phi_216_;
+    let _e71 = phi_220_;
     let _e72 = (_e56 - param_5.x);
     if (_e72 <= 0f) {
         let _e76 = ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u);
         if _e76 {
         }
-        phi_228_ = _e76;
+        phi_232_ = _e76;
     } else {
-        phi_228_ = true;
+        phi_232_ = true;
     }
-    let _e78 = phi_228_;
+    let _e78 = phi_232_;
     if _e78 {
-        phi_235_ = (_e71 / (_e71 + (_e72 * _e72)));
+        phi_239_ = (_e71 / (_e71 + (_e72 * _e72)));
     } else {
-        phi_235_ = 1f;
+        phi_239_ = 1f;
     }
-    let _e83 = phi_235_;
+    let _e83 = phi_239_;
     if ((bitcast<u32>(_e83) & 2147483647u) > 2139095040u) {
-        phi_252_ = _e83;
+        phi_256_ = _e83;
     } else {
         if (_e83 < 0f) {
-            phi_251_ = 0f;
+            phi_255_ = 0f;
         } else {
             if (_e83 > 1f) {
-                phi_250_ = 1f;
+                phi_254_ = 1f;
             } else {
-                phi_250_ = _e83;
+                phi_254_ = _e83;
             }
-            let _e90 = phi_250_;
-            phi_251_ = _e90;
+            let _e90 = phi_254_;
+            phi_255_ = _e90;
         }
-        let _e92 = phi_251_;
-        phi_252_ = _e92;
+        let _e92 = phi_255_;
+        phi_256_ = _e92;
     }
-    let _e94 = phi_252_;
+    let _e94 = phi_256_;
     return _e94;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_308_: bool;
-    var phi_309_: bool;
-    var phi_310_: bool;
     var phi_311_: bool;
-    var phi_315_: bool;
-    var phi_359_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_363_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_383_: lt_math_LightPoint;
-    var phi_386_: u32;
-    var phi_388_: lt_math_LevelPoint;
-    var phi_474_: bool;
-    var phi_483_: bool;
-    var phi_492_: bool;
-    var phi_493_: bool;
-    var phi_494_: bool;
-    var phi_495_: bool;
-    var phi_496_: bool;
-    var phi_497_: bool;
-    var phi_498_: bool;
-    var phi_502_: bool;
-    var phi_529_: bool;
-    var phi_530_: bool;
-    var phi_531_: bool;
-    var phi_532_: bool;
-    var phi_533_: bool;
+    var phi_312_: bool;
+    var phi_313_: bool;
+    var phi_314_: bool;
+    var phi_318_: bool;
+    var phi_388_: bool;
+    var phi_389_: bool;
+    var phi_400_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_401_: bool;
+    var phi_402_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_403_: bool;
+    var phi_410_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_414_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_434_: lt_math_LightPoint;
+    var phi_437_: u32;
+    var phi_439_: lt_math_LevelPoint;
+    var phi_525_: bool;
     var phi_534_: bool;
-    var phi_535_: bool;
-    var phi_536_: bool;
-    var phi_540_: bool;
-    var phi_549_: lt_math_LightPoint;
-    var phi_550_: u32;
-    var phi_551_: lt_math_LevelPoint;
-    var phi_552_: bool;
-    var phi_384_: lt_math_LightPoint;
-    var phi_387_: u32;
-    var phi_389_: lt_math_LevelPoint;
+    var phi_543_: bool;
+    var phi_544_: bool;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_547_: bool;
+    var phi_548_: bool;
+    var phi_549_: bool;
     var phi_553_: bool;
+    var phi_580_: bool;
+    var phi_581_: bool;
+    var phi_582_: bool;
+    var phi_583_: bool;
+    var phi_584_: bool;
+    var phi_585_: bool;
+    var phi_586_: bool;
+    var phi_587_: bool;
+    var phi_591_: bool;
+    var phi_600_: lt_math_LightPoint;
+    var phi_601_: u32;
+    var phi_602_: lt_math_LevelPoint;
+    var phi_603_: bool;
+    var phi_435_: lt_math_LightPoint;
+    var phi_438_: u32;
+    var phi_440_: lt_math_LevelPoint;
+    var phi_604_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_593_: bool;
-    var phi_594_: bool;
-    var phi_595_: bool;
-    var phi_596_: bool;
-    var phi_600_: bool;
-    var phi_682_: f32;
-    var phi_798_: f32;
-    var phi_799_: f32;
-    var phi_802_: f32;
-    var phi_831_: f32;
-    var phi_836_: f32;
-    var phi_837_: bool;
-    var phi_838_: f32;
-    var phi_839_: bool;
-    var phi_843_: f32;
-    var phi_863_: f32;
-    var phi_868_: f32;
-    var phi_869_: bool;
-    var phi_870_: f32;
-    var phi_871_: bool;
-    var phi_875_: f32;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_651_: bool;
+    var phi_733_: f32;
+    var phi_849_: f32;
+    var phi_850_: f32;
+    var phi_853_: f32;
+    var phi_882_: f32;
+    var phi_887_: f32;
+    var phi_888_: bool;
+    var phi_889_: f32;
+    var phi_890_: bool;
+    var phi_894_: f32;
+    var phi_914_: f32;
+    var phi_919_: f32;
+    var phi_920_: bool;
+    var phi_921_: f32;
+    var phi_922_: bool;
+    var phi_926_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_924_: i32;
-    var phi_929_: i32;
-    var phi_934_: i32;
-    var phi_939_: i32;
-    var phi_948_: i32;
-    var phi_953_: i32;
-    var phi_958_: i32;
-    var phi_963_: i32;
-    var phi_1058_: bool;
-    var phi_1066_: bool;
-    var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1083_: f32;
-    var phi_1089_: f32;
-    var phi_1091_: evaluate_Verdict;
-    var phi_1096_: evaluate_Verdict;
-    var phi_1097_: evaluate_Verdict;
-    var phi_1101_: bool;
-    var phi_1102_: u32;
-    var phi_1113_: u32;
+    var phi_975_: i32;
+    var phi_980_: i32;
+    var phi_985_: i32;
+    var phi_990_: i32;
+    var phi_999_: i32;
+    var phi_1004_: i32;
+    var phi_1009_: i32;
+    var phi_1014_: i32;
+    var phi_1109_: bool;
+    var phi_1117_: bool;
+    var phi_1129_: bool;
+    var phi_1130_: bool;
+    var phi_1134_: f32;
+    var phi_1140_: f32;
+    var phi_1142_: evaluate_Verdict;
+    var phi_1147_: evaluate_Verdict;
+    var phi_1148_: evaluate_Verdict;
+    var phi_1152_: bool;
+    var phi_1153_: u32;
+    var phi_1164_: u32;
 
     let _e44 = id_1;
     let _e45 = local_5;
@@ -313,545 +328,584 @@ fn function_() {
     let _e61 = lt_shaders_entry_pixel_index(_e44, _e58, _e60);
     if (bitcast<i32>(_e61.root) != 0i) {
         let _e68 = p.member.level_count;
-        let _e70 = p.member.light;
-        let _e73 = samples.member[_e61.first_primitive].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[_e61.first_primitive].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[_e61.first_primitive].normal[2u];
-                let _e85 = global[2u];
-                phi_308_ = (_e83 == _e85);
-                phi_309_ = false;
+        let _e72 = samples.member[_e61.first_primitive].normal[0u];
+        let _e74 = global[0u];
+        if (_e72 == _e74) {
+            let _e77 = samples.member[_e61.first_primitive].normal[1u];
+            let _e79 = global[1u];
+            if (_e77 == _e79) {
+                let _e82 = samples.member[_e61.first_primitive].normal[2u];
+                let _e84 = global[2u];
+                phi_311_ = (_e82 == _e84);
+                phi_312_ = false;
             } else {
-                phi_308_ = bool();
-                phi_309_ = true;
+                phi_311_ = bool();
+                phi_312_ = true;
             }
-            let _e88 = phi_308_;
-            let _e90 = phi_309_;
-            phi_310_ = _e88;
-            phi_311_ = _e90;
+            let _e87 = phi_311_;
+            let _e89 = phi_312_;
+            phi_313_ = _e87;
+            phi_314_ = _e89;
         } else {
-            phi_310_ = bool();
-            phi_311_ = true;
+            phi_313_ = bool();
+            phi_314_ = true;
         }
-        let _e92 = phi_310_;
-        let _e94 = phi_311_;
-        if _e94 {
-            phi_315_ = false;
+        let _e91 = phi_313_;
+        let _e93 = phi_314_;
+        if _e93 {
+            phi_318_ = false;
         } else {
-            phi_315_ = _e92;
+            phi_318_ = _e91;
         }
-        let _e96 = phi_315_;
-        if !(_e96) {
-            let _e99 = samples.member[_e61.first_primitive].normal;
-            let _e101 = samples.member[_e61.first_primitive].position;
-            if ((((_e99.x * (_e70.x - (_e101.x * _e70.w))) + (_e99.y * (_e70.y - (_e101.y * _e70.w)))) + (_e99.z * (_e70.z - (_e101.z * _e70.w)))) > 0f) {
-                let _e125 = samples.member[_e61.first_primitive].flags;
-                let _e133 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e139 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e133.unnamed.visibility, false), _e133.unnamed_1);
-                phi_359_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e139.unnamed, ((_e125 & 1u) == 0u));
-            } else {
-                let _e148 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e154 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e148.unnamed.visibility, false), _e148.unnamed_1);
-                phi_359_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e154.unnamed, true);
-            }
-            let _e159 = phi_359_;
-            phi_363_ = _e159;
-        } else {
-            let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
-            phi_363_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, true);
-        }
-        let _e176 = phi_363_;
-        if _e176.unnamed_1 {
-            phi_1097_ = evaluate_Verdict(_e176.unnamed.visibility, _e176.unnamed.is_doubted);
-        } else {
-            let _e184 = samples.member[_e61.first_primitive].position;
-            let _e186 = p.member.map_size;
-            let _e188 = (0.5f / f32(_e186));
-            let _e195 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e202 = lt_math_LightPoint(vec2<f32>(_e195.uv.x, 0f), _e195.depth, _e195.is_inside);
-            let _e206 = lt_math_LightPoint(_e202.uv, 0f, _e202.is_inside);
-            phi_383_ = lt_math_LightPoint();
-            phi_386_ = 0u;
-            phi_388_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e206.uv, _e206.depth, false));
-            loop {
-                let _e213 = phi_383_;
-                let _e215 = phi_386_;
-                let _e217 = phi_388_;
-                local_2 = _e217;
-                local_3 = _e217;
-                local_4 = _e217;
-                if (_e215 < _e68) {
-                    if _e217.point.is_inside {
-                        phi_549_ = lt_math_LightPoint();
-                        phi_550_ = u32();
-                        phi_551_ = lt_math_LevelPoint();
-                        phi_552_ = false;
+        let _e95 = phi_318_;
+        if !(_e95) {
+            let _e98 = samples.member[_e61.first_primitive].position;
+            let _e100 = p.member.light.place;
+            let _e106 = p.member.light.place[3u];
+            let _e113 = (_e100.x - (_e98.x * _e106));
+            let _e114 = (_e100.y - (_e98.y * _e106));
+            let _e115 = (_e100.z - (_e98.z * _e106));
+            let _e117 = samples.member[_e61.first_primitive].normal;
+            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
+                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
+                let _e133 = p.member.light.axis;
+                let _e145 = p.member.light.place[3u];
+                if (_e145 == 0f) {
+                    phi_389_ = true;
+                } else {
+                    let _e148 = p.member.light.range_squared;
+                    if (_e131 <= _e148) {
+                        let _e151 = p.member.light.cos_outer;
+                        phi_388_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
                     } else {
-                        if (_e215 < _e55) {
+                        phi_388_ = false;
+                    }
+                    let _e156 = phi_388_;
+                    phi_389_ = _e156;
+                }
+                let _e158 = phi_389_;
+                if _e158 {
+                    let _e160 = samples.member[_e61.first_primitive].flags;
+                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
+                    phi_400_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
+                    phi_401_ = false;
+                } else {
+                    phi_400_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_401_ = true;
+                }
+                let _e179 = phi_400_;
+                let _e181 = phi_401_;
+                phi_402_ = _e179;
+                phi_403_ = _e181;
+            } else {
+                phi_402_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_403_ = true;
+            }
+            let _e183 = phi_402_;
+            let _e185 = phi_403_;
+            if _e185 {
+                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                phi_410_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            } else {
+                phi_410_ = _e183;
+            }
+            let _e202 = phi_410_;
+            phi_414_ = _e202;
+        } else {
+            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+            phi_414_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+        }
+        let _e219 = phi_414_;
+        if _e219.unnamed_1 {
+            phi_1148_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+        } else {
+            let _e227 = samples.member[_e61.first_primitive].position;
+            let _e229 = p.member.map_size;
+            let _e231 = (0.5f / f32(_e229));
+            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
+            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
+            phi_434_ = lt_math_LightPoint();
+            phi_437_ = 0u;
+            phi_439_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            loop {
+                let _e256 = phi_434_;
+                let _e258 = phi_437_;
+                let _e260 = phi_439_;
+                local_2 = _e260;
+                local_3 = _e260;
+                local_4 = _e260;
+                if (_e258 < _e68) {
+                    if _e260.point.is_inside {
+                        phi_600_ = lt_math_LightPoint();
+                        phi_601_ = u32();
+                        phi_602_ = lt_math_LevelPoint();
+                        phi_603_ = false;
+                    } else {
+                        if (_e258 < _e55) {
                         } else {
                             return;
                         }
-                        let _e228 = levels.member[(0u + _e215)].row_w;
-                        let _e239 = ((((_e228.x * _e184.x) + (_e228.y * _e184.y)) + (_e228.z * _e184.z)) + (_e228.w * 1f));
-                        let _e241 = levels.member[(0u + _e215)].row_x;
-                        let _e253 = (((((_e241.x * _e184.x) + (_e241.y * _e184.y)) + (_e241.z * _e184.z)) + (_e241.w * 1f)) / _e239);
-                        let _e255 = levels.member[(0u + _e215)].row_y;
-                        let _e267 = (((((_e255.x * _e184.x) + (_e255.y * _e184.y)) + (_e255.z * _e184.z)) + (_e255.w * 1f)) / _e239);
-                        let _e269 = levels.member[(0u + _e215)].row_z;
-                        let _e280 = ((((_e269.x * _e184.x) + (_e269.y * _e184.y)) + (_e269.z * _e184.z)) + (_e269.w * 1f));
-                        if (_e239 > 0f) {
-                            if (_e253 >= 0f) {
-                                phi_474_ = (_e253 <= 1f);
+                        let _e271 = levels.member[(0u + _e258)].row_w;
+                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
+                        let _e284 = levels.member[(0u + _e258)].row_x;
+                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
+                        let _e298 = levels.member[(0u + _e258)].row_y;
+                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
+                        let _e312 = levels.member[(0u + _e258)].row_z;
+                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
+                        if (_e282 > 0f) {
+                            if (_e296 >= 0f) {
+                                phi_525_ = (_e296 <= 1f);
                             } else {
-                                phi_474_ = false;
+                                phi_525_ = false;
                             }
-                            let _e285 = phi_474_;
-                            if _e285 {
-                                if (_e267 >= 0f) {
-                                    phi_483_ = (_e267 <= 1f);
+                            let _e328 = phi_525_;
+                            if _e328 {
+                                if (_e310 >= 0f) {
+                                    phi_534_ = (_e310 <= 1f);
                                 } else {
-                                    phi_483_ = false;
+                                    phi_534_ = false;
                                 }
-                                let _e289 = phi_483_;
-                                if _e289 {
-                                    if (_e280 >= 0f) {
-                                        phi_492_ = (_e280 <= 1f);
+                                let _e332 = phi_534_;
+                                if _e332 {
+                                    if (_e323 >= 0f) {
+                                        phi_543_ = (_e323 <= 1f);
                                     } else {
-                                        phi_492_ = false;
+                                        phi_543_ = false;
                                     }
-                                    let _e293 = phi_492_;
-                                    phi_493_ = _e293;
-                                    phi_494_ = false;
+                                    let _e336 = phi_543_;
+                                    phi_544_ = _e336;
+                                    phi_545_ = false;
                                 } else {
-                                    phi_493_ = bool();
-                                    phi_494_ = true;
+                                    phi_544_ = bool();
+                                    phi_545_ = true;
                                 }
-                                let _e295 = phi_493_;
-                                let _e297 = phi_494_;
-                                phi_495_ = _e295;
-                                phi_496_ = _e297;
+                                let _e338 = phi_544_;
+                                let _e340 = phi_545_;
+                                phi_546_ = _e338;
+                                phi_547_ = _e340;
                             } else {
-                                phi_495_ = bool();
-                                phi_496_ = true;
+                                phi_546_ = bool();
+                                phi_547_ = true;
                             }
-                            let _e299 = phi_495_;
-                            let _e301 = phi_496_;
-                            phi_497_ = _e299;
-                            phi_498_ = _e301;
+                            let _e342 = phi_546_;
+                            let _e344 = phi_547_;
+                            phi_548_ = _e342;
+                            phi_549_ = _e344;
                         } else {
-                            phi_497_ = bool();
-                            phi_498_ = true;
+                            phi_548_ = bool();
+                            phi_549_ = true;
                         }
-                        let _e303 = phi_497_;
-                        let _e305 = phi_498_;
-                        if _e305 {
-                            phi_502_ = false;
+                        let _e346 = phi_548_;
+                        let _e348 = phi_549_;
+                        if _e348 {
+                            phi_553_ = false;
                         } else {
-                            phi_502_ = _e303;
+                            phi_553_ = _e346;
                         }
-                        let _e307 = phi_502_;
-                        if _e307 {
-                            if (_e253 >= _e188) {
-                                if (_e253 <= (1f - _e188)) {
-                                    if (_e267 >= _e188) {
-                                        phi_529_ = (_e267 <= (1f - _e188));
-                                        phi_530_ = false;
+                        let _e350 = phi_553_;
+                        if _e350 {
+                            if (_e296 >= _e231) {
+                                if (_e296 <= (1f - _e231)) {
+                                    if (_e310 >= _e231) {
+                                        phi_580_ = (_e310 <= (1f - _e231));
+                                        phi_581_ = false;
                                     } else {
-                                        phi_529_ = bool();
-                                        phi_530_ = true;
+                                        phi_580_ = bool();
+                                        phi_581_ = true;
                                     }
-                                    let _e315 = phi_529_;
-                                    let _e317 = phi_530_;
-                                    phi_531_ = _e315;
-                                    phi_532_ = _e317;
+                                    let _e358 = phi_580_;
+                                    let _e360 = phi_581_;
+                                    phi_582_ = _e358;
+                                    phi_583_ = _e360;
                                 } else {
-                                    phi_531_ = bool();
-                                    phi_532_ = true;
+                                    phi_582_ = bool();
+                                    phi_583_ = true;
                                 }
-                                let _e319 = phi_531_;
-                                let _e321 = phi_532_;
-                                phi_533_ = _e319;
-                                phi_534_ = _e321;
+                                let _e362 = phi_582_;
+                                let _e364 = phi_583_;
+                                phi_584_ = _e362;
+                                phi_585_ = _e364;
                             } else {
-                                phi_533_ = bool();
-                                phi_534_ = true;
+                                phi_584_ = bool();
+                                phi_585_ = true;
                             }
-                            let _e323 = phi_533_;
-                            let _e325 = phi_534_;
-                            phi_535_ = _e323;
-                            phi_536_ = _e325;
+                            let _e366 = phi_584_;
+                            let _e368 = phi_585_;
+                            phi_586_ = _e366;
+                            phi_587_ = _e368;
                         } else {
-                            phi_535_ = bool();
-                            phi_536_ = true;
+                            phi_586_ = bool();
+                            phi_587_ = true;
                         }
-                        let _e327 = phi_535_;
-                        let _e329 = phi_536_;
-                        if _e329 {
-                            phi_540_ = false;
+                        let _e370 = phi_586_;
+                        let _e372 = phi_587_;
+                        if _e372 {
+                            phi_591_ = false;
                         } else {
-                            phi_540_ = _e327;
+                            phi_591_ = _e370;
                         }
-                        let _e331 = phi_540_;
-                        let _e338 = lt_math_LightPoint(vec2<f32>(_e253, _e213.uv.y), _e213.depth, _e213.is_inside);
-                        let _e345 = lt_math_LightPoint(vec2<f32>(_e338.uv.x, _e267), _e338.depth, _e338.is_inside);
-                        let _e349 = lt_math_LightPoint(_e345.uv, _e280, _e345.is_inside);
-                        let _e353 = lt_math_LightPoint(_e349.uv, _e349.depth, _e331);
-                        phi_549_ = _e353;
-                        phi_550_ = (_e215 + 1u);
-                        phi_551_ = lt_math_LevelPoint(_e215, _e353);
-                        phi_552_ = true;
+                        let _e374 = phi_591_;
+                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
+                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
+                        phi_600_ = _e396;
+                        phi_601_ = (_e258 + 1u);
+                        phi_602_ = lt_math_LevelPoint(_e258, _e396);
+                        phi_603_ = true;
                     }
-                    let _e357 = phi_549_;
-                    let _e359 = phi_550_;
-                    let _e361 = phi_551_;
-                    let _e363 = phi_552_;
-                    phi_384_ = _e357;
-                    phi_387_ = _e359;
-                    phi_389_ = _e361;
-                    phi_553_ = _e363;
+                    let _e400 = phi_600_;
+                    let _e402 = phi_601_;
+                    let _e404 = phi_602_;
+                    let _e406 = phi_603_;
+                    phi_435_ = _e400;
+                    phi_438_ = _e402;
+                    phi_440_ = _e404;
+                    phi_604_ = _e406;
                 } else {
-                    phi_384_ = lt_math_LightPoint();
-                    phi_387_ = u32();
-                    phi_389_ = lt_math_LevelPoint();
-                    phi_553_ = false;
+                    phi_435_ = lt_math_LightPoint();
+                    phi_438_ = u32();
+                    phi_440_ = lt_math_LevelPoint();
+                    phi_604_ = false;
                 }
-                let _e365 = phi_384_;
-                let _e367 = phi_387_;
-                let _e369 = phi_389_;
-                let _e371 = phi_553_;
+                let _e408 = phi_435_;
+                let _e410 = phi_438_;
+                let _e412 = phi_440_;
+                let _e414 = phi_604_;
                 continue;
                 continuing {
-                    phi_383_ = _e365;
-                    phi_386_ = _e367;
-                    phi_388_ = _e369;
-                    break if !(_e371);
+                    phi_434_ = _e408;
+                    phi_437_ = _e410;
+                    phi_439_ = _e412;
+                    break if !(_e414);
                 }
             }
-            let _e374 = local_2;
-            if _e374.point.is_inside {
+            let _e417 = local_2;
+            if _e417.point.is_inside {
                 if (0f > 0f) {
-                    let _e380 = local_3;
-                    if (_e380.level < _e55) {
+                    let _e423 = local_3;
+                    if (_e423.level < _e55) {
                     } else {
                         return;
                     }
-                    let _e385 = levels.member[(0u + _e380.level)];
-                    let _e391 = global[0u];
-                    if (_e385.row_w.x == _e391) {
-                        let _e394 = global[1u];
-                        if (_e385.row_w.y == _e394) {
-                            let _e397 = global[2u];
-                            phi_593_ = (_e385.row_w.z == _e397);
-                            phi_594_ = false;
+                    let _e428 = levels.member[(0u + _e423.level)];
+                    let _e434 = global[0u];
+                    if (_e428.row_w.x == _e434) {
+                        let _e437 = global[1u];
+                        if (_e428.row_w.y == _e437) {
+                            let _e440 = global[2u];
+                            phi_644_ = (_e428.row_w.z == _e440);
+                            phi_645_ = false;
                         } else {
-                            phi_593_ = bool();
-                            phi_594_ = true;
+                            phi_644_ = bool();
+                            phi_645_ = true;
                         }
-                        let _e400 = phi_593_;
-                        let _e402 = phi_594_;
-                        phi_595_ = _e400;
-                        phi_596_ = _e402;
+                        let _e443 = phi_644_;
+                        let _e445 = phi_645_;
+                        phi_646_ = _e443;
+                        phi_647_ = _e445;
                     } else {
-                        phi_595_ = bool();
-                        phi_596_ = true;
+                        phi_646_ = bool();
+                        phi_647_ = true;
                     }
-                    let _e404 = phi_595_;
-                    let _e406 = phi_596_;
-                    if _e406 {
-                        phi_600_ = false;
+                    let _e447 = phi_646_;
+                    let _e449 = phi_647_;
+                    if _e449 {
+                        phi_651_ = false;
                     } else {
-                        phi_600_ = _e404;
+                        phi_651_ = _e447;
                     }
-                    let _e408 = phi_600_;
-                    if _e408 {
-                        let _e410 = samples.member[_e61.first_primitive].normal;
-                        let _e412 = p.member.map_size;
-                        let _e482 = ((abs(((((_e385.row_x.x * _e410.x) + (_e385.row_x.y * _e410.y)) + (_e385.row_x.z * _e410.z)) / (((_e385.row_x.x * _e385.row_x.x) + (_e385.row_x.y * _e385.row_x.y)) + (_e385.row_x.z * _e385.row_x.z)))) + abs(((((_e385.row_y.x * _e410.x) + (_e385.row_y.y * _e410.y)) + (_e385.row_y.z * _e410.z)) / (((_e385.row_y.x * _e385.row_y.x) + (_e385.row_y.y * _e385.row_y.y)) + (_e385.row_y.z * _e385.row_y.z))))) / (abs(((((_e385.row_z.x * _e410.x) + (_e385.row_z.y * _e410.y)) + (_e385.row_z.z * _e410.z)) / (((_e385.row_z.x * _e385.row_z.x) + (_e385.row_z.y * _e385.row_z.y)) + (_e385.row_z.z * _e385.row_z.z)))) * f32(_e412)));
-                        if (_e482 < 0.002f) {
-                            phi_682_ = _e482;
+                    let _e451 = phi_651_;
+                    if _e451 {
+                        let _e453 = samples.member[_e61.first_primitive].normal;
+                        let _e455 = p.member.map_size;
+                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
+                        if (_e525 < 0.002f) {
+                            phi_733_ = _e525;
                         } else {
-                            phi_682_ = 0.002f;
+                            phi_733_ = 0.002f;
                         }
-                        let _e485 = phi_682_;
-                        phi_799_ = _e485;
+                        let _e528 = phi_733_;
+                        phi_850_ = _e528;
                     } else {
-                        let _e487 = p.member.map_size;
-                        let _e493 = samples.member[_e61.first_primitive].position;
-                        let _e504 = ((((_e385.row_w.x * _e493.x) + (_e385.row_w.y * _e493.y)) + (_e385.row_w.z * _e493.z)) + _e385.row_w.w);
-                        let _e517 = ((_e385.row_x.x - (_e385.row_w.x * _e374.point.uv.x)) / _e504);
-                        let _e518 = ((_e385.row_x.y - (_e385.row_w.y * _e374.point.uv.x)) / _e504);
-                        let _e519 = ((_e385.row_x.z - (_e385.row_w.z * _e374.point.uv.x)) / _e504);
-                        let _e532 = ((_e385.row_y.x - (_e385.row_w.x * _e374.point.uv.y)) / _e504);
-                        let _e533 = ((_e385.row_y.y - (_e385.row_w.y * _e374.point.uv.y)) / _e504);
-                        let _e534 = ((_e385.row_y.z - (_e385.row_w.z * _e374.point.uv.y)) / _e504);
-                        let _e540 = samples.member[_e61.first_primitive].normal;
-                        let _e545 = ((_e533 * _e540.z) - (_e540.y * _e534));
-                        let _e550 = ((_e534 * _e540.x) - (_e540.z * _e532));
-                        let _e555 = ((_e532 * _e540.y) - (_e540.x * _e533));
-                        let _e557 = samples.member[_e61.first_primitive].normal;
-                        let _e562 = ((_e518 * _e557.z) - (_e557.y * _e519));
-                        let _e567 = ((_e519 * _e557.x) - (_e557.z * _e517));
-                        let _e572 = ((_e517 * _e557.y) - (_e557.x * _e518));
-                        let _e599 = ((abs(((((_e385.row_z.x * _e545) + (_e385.row_z.y * _e550)) + (_e385.row_z.z * _e555)) / (((_e517 * _e545) + (_e518 * _e550)) + (_e519 * _e555)))) + abs(((((_e385.row_z.x * _e562) + (_e385.row_z.y * _e567)) + (_e385.row_z.z * _e572)) / (((_e532 * _e562) + (_e533 * _e567)) + (_e534 * _e572))))) / f32(_e487));
-                        if (_e599 < 0.002f) {
-                            phi_798_ = _e599;
+                        let _e530 = p.member.map_size;
+                        let _e536 = samples.member[_e61.first_primitive].position;
+                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
+                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
+                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
+                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
+                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
+                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
+                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
+                        let _e583 = samples.member[_e61.first_primitive].normal;
+                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
+                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
+                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
+                        let _e600 = samples.member[_e61.first_primitive].normal;
+                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
+                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
+                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
+                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
+                        if (_e642 < 0.002f) {
+                            phi_849_ = _e642;
                         } else {
-                            phi_798_ = 0.002f;
+                            phi_849_ = 0.002f;
                         }
-                        let _e602 = phi_798_;
-                        phi_799_ = _e602;
+                        let _e645 = phi_849_;
+                        phi_850_ = _e645;
                     }
-                    let _e604 = phi_799_;
-                    phi_802_ = (_e374.point.depth - (0f * _e604));
+                    let _e647 = phi_850_;
+                    phi_853_ = (_e417.point.depth - (0f * _e647));
                 } else {
-                    phi_802_ = _e374.point.depth;
+                    phi_853_ = _e417.point.depth;
                 }
-                let _e608 = phi_802_;
-                let _e614 = p.member.map_size;
-                let _e615 = f32(_e614);
-                let _e618 = ((_e374.point.uv.x * _e615) - 0.5f);
-                let _e619 = ((_e374.point.uv.y * _e615) - 0.5f);
-                if (_e618 > -8388608f) {
-                    let _e631 = f32(select(0i, select(select(i32(_e618), i32(-2147483648), (_e618 < bitcast<f32>(3472883712u))), 2147483647i, (_e618 > bitcast<f32>(1325400063u))), (_e618 == _e618)));
-                    if (_e631 > _e618) {
-                        phi_831_ = 1f;
+                let _e651 = phi_853_;
+                let _e657 = p.member.map_size;
+                let _e658 = f32(_e657);
+                let _e661 = ((_e417.point.uv.x * _e658) - 0.5f);
+                let _e662 = ((_e417.point.uv.y * _e658) - 0.5f);
+                if (_e661 > -8388608f) {
+                    let _e674 = f32(select(0i, select(select(i32(_e661), i32(-2147483648), (_e661 < bitcast<f32>(3472883712u))), 2147483647i, (_e661 > bitcast<f32>(1325400063u))), (_e661 == _e661)));
+                    if (_e674 > _e661) {
+                        phi_882_ = 1f;
                     } else {
-                        phi_831_ = 0f;
+                        phi_882_ = 0f;
                     }
-                    let _e634 = phi_831_;
-                    if (_e618 < 8388608f) {
-                        phi_836_ = (_e631 - _e634);
-                        phi_837_ = false;
+                    let _e677 = phi_882_;
+                    if (_e661 < 8388608f) {
+                        phi_887_ = (_e674 - _e677);
+                        phi_888_ = false;
                     } else {
-                        phi_836_ = f32();
-                        phi_837_ = true;
+                        phi_887_ = f32();
+                        phi_888_ = true;
                     }
-                    let _e637 = phi_836_;
-                    let _e639 = phi_837_;
-                    phi_838_ = _e637;
-                    phi_839_ = _e639;
+                    let _e680 = phi_887_;
+                    let _e682 = phi_888_;
+                    phi_889_ = _e680;
+                    phi_890_ = _e682;
                 } else {
-                    phi_838_ = f32();
-                    phi_839_ = true;
+                    phi_889_ = f32();
+                    phi_890_ = true;
                 }
-                let _e641 = phi_838_;
-                let _e643 = phi_839_;
-                if _e643 {
-                    phi_843_ = _e618;
+                let _e684 = phi_889_;
+                let _e686 = phi_890_;
+                if _e686 {
+                    phi_894_ = _e661;
                 } else {
-                    phi_843_ = _e641;
+                    phi_894_ = _e684;
                 }
-                let _e645 = phi_843_;
-                if (_e619 > -8388608f) {
-                    let _e657 = f32(select(0i, select(select(i32(_e619), i32(-2147483648), (_e619 < bitcast<f32>(3472883712u))), 2147483647i, (_e619 > bitcast<f32>(1325400063u))), (_e619 == _e619)));
-                    if (_e657 > _e619) {
-                        phi_863_ = 1f;
+                let _e688 = phi_894_;
+                if (_e662 > -8388608f) {
+                    let _e700 = f32(select(0i, select(select(i32(_e662), i32(-2147483648), (_e662 < bitcast<f32>(3472883712u))), 2147483647i, (_e662 > bitcast<f32>(1325400063u))), (_e662 == _e662)));
+                    if (_e700 > _e662) {
+                        phi_914_ = 1f;
                     } else {
-                        phi_863_ = 0f;
+                        phi_914_ = 0f;
                     }
-                    let _e660 = phi_863_;
-                    if (_e619 < 8388608f) {
-                        phi_868_ = (_e657 - _e660);
-                        phi_869_ = false;
+                    let _e703 = phi_914_;
+                    if (_e662 < 8388608f) {
+                        phi_919_ = (_e700 - _e703);
+                        phi_920_ = false;
                     } else {
-                        phi_868_ = f32();
-                        phi_869_ = true;
+                        phi_919_ = f32();
+                        phi_920_ = true;
                     }
-                    let _e663 = phi_868_;
-                    let _e665 = phi_869_;
-                    phi_870_ = _e663;
-                    phi_871_ = _e665;
+                    let _e706 = phi_919_;
+                    let _e708 = phi_920_;
+                    phi_921_ = _e706;
+                    phi_922_ = _e708;
                 } else {
-                    phi_870_ = f32();
-                    phi_871_ = true;
+                    phi_921_ = f32();
+                    phi_922_ = true;
                 }
-                let _e667 = phi_870_;
-                let _e669 = phi_871_;
-                if _e669 {
-                    phi_875_ = _e619;
+                let _e710 = phi_921_;
+                let _e712 = phi_922_;
+                if _e712 {
+                    phi_926_ = _e662;
                 } else {
-                    phi_875_ = _e667;
+                    phi_926_ = _e710;
                 }
-                let _e671 = phi_875_;
-                let _e672 = (_e618 - _e645);
-                let _e673 = (_e619 - _e671);
-                let _e682 = select(0i, select(select(i32(_e645), i32(-2147483648), (_e645 < bitcast<f32>(3472883712u))), 2147483647i, (_e645 > bitcast<f32>(1325400063u))), (_e645 == _e645));
-                let _e691 = select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671));
-                let _e694 = ((1f - _e672) * (1f - _e673));
-                let _e696 = (_e672 * (1f - _e673));
-                let _e698 = ((1f - _e672) * _e673);
-                let _e699 = (_e672 * _e673);
-                let _e701 = p.member.test;
-                let _e702 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e701);
-                let _e704 = p.member.map_size;
-                let _e706 = local_4;
-                local_1 = _e702;
-                let _e709 = ((_e706.level * _e704) * _e704);
-                let _e711 = (bitcast<i32>(_e704) - 1i);
-                if (_e682 > 0i) {
-                    phi_924_ = _e682;
+                let _e714 = phi_926_;
+                let _e715 = (_e661 - _e688);
+                let _e716 = (_e662 - _e714);
+                let _e725 = select(0i, select(select(i32(_e688), i32(-2147483648), (_e688 < bitcast<f32>(3472883712u))), 2147483647i, (_e688 > bitcast<f32>(1325400063u))), (_e688 == _e688));
+                let _e734 = select(0i, select(select(i32(_e714), i32(-2147483648), (_e714 < bitcast<f32>(3472883712u))), 2147483647i, (_e714 > bitcast<f32>(1325400063u))), (_e714 == _e714));
+                let _e737 = ((1f - _e715) * (1f - _e716));
+                let _e739 = (_e715 * (1f - _e716));
+                let _e741 = ((1f - _e715) * _e716);
+                let _e742 = (_e715 * _e716);
+                let _e744 = p.member.test;
+                let _e745 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e744);
+                let _e747 = p.member.map_size;
+                let _e749 = local_4;
+                local_1 = _e745;
+                let _e752 = ((_e749.level * _e747) * _e747);
+                let _e754 = (bitcast<i32>(_e747) - 1i);
+                if (_e725 > 0i) {
+                    phi_975_ = _e725;
                 } else {
-                    phi_924_ = 0i;
+                    phi_975_ = 0i;
                 }
-                let _e714 = phi_924_;
-                if (_e691 > 0i) {
-                    phi_929_ = _e691;
+                let _e757 = phi_975_;
+                if (_e734 > 0i) {
+                    phi_980_ = _e734;
                 } else {
-                    phi_929_ = 0i;
+                    phi_980_ = 0i;
                 }
-                let _e717 = phi_929_;
-                if (_e714 < _e711) {
-                    phi_934_ = _e714;
+                let _e760 = phi_980_;
+                if (_e757 < _e754) {
+                    phi_985_ = _e757;
                 } else {
-                    phi_934_ = _e711;
+                    phi_985_ = _e754;
                 }
-                let _e720 = phi_934_;
-                if (_e717 < _e711) {
-                    phi_939_ = _e717;
+                let _e763 = phi_985_;
+                if (_e760 < _e754) {
+                    phi_990_ = _e760;
                 } else {
-                    phi_939_ = _e711;
+                    phi_990_ = _e754;
                 }
-                let _e723 = phi_939_;
-                let _e724 = bitcast<u32>(_e720);
-                let _e726 = (_e682 + 1i);
-                let _e727 = (_e691 + 1i);
-                if (_e726 > 0i) {
-                    phi_948_ = _e726;
+                let _e766 = phi_990_;
+                let _e767 = bitcast<u32>(_e763);
+                let _e769 = (_e725 + 1i);
+                let _e770 = (_e734 + 1i);
+                if (_e769 > 0i) {
+                    phi_999_ = _e769;
                 } else {
-                    phi_948_ = 0i;
+                    phi_999_ = 0i;
                 }
-                let _e730 = phi_948_;
-                if (_e727 > 0i) {
-                    phi_953_ = _e727;
+                let _e773 = phi_999_;
+                if (_e770 > 0i) {
+                    phi_1004_ = _e770;
                 } else {
-                    phi_953_ = 0i;
+                    phi_1004_ = 0i;
                 }
-                let _e733 = phi_953_;
-                if (_e730 < _e711) {
-                    phi_958_ = _e730;
+                let _e776 = phi_1004_;
+                if (_e773 < _e754) {
+                    phi_1009_ = _e773;
                 } else {
-                    phi_958_ = _e711;
+                    phi_1009_ = _e754;
                 }
-                let _e736 = phi_958_;
-                if (_e733 < _e711) {
-                    phi_963_ = _e733;
+                let _e779 = phi_1009_;
+                if (_e776 < _e754) {
+                    phi_1014_ = _e776;
                 } else {
-                    phi_963_ = _e711;
+                    phi_1014_ = _e754;
                 }
-                let _e739 = phi_963_;
-                let _e740 = bitcast<u32>(_e736);
-                let _e742 = (bitcast<u32>(_e723) * _e704);
-                let _e743 = (bitcast<u32>(_e739) * _e704);
-                let _e748 = ((_e742 + _e724) + _e709);
-                let _e749 = ((_e742 + _e740) + _e709);
-                let _e750 = ((_e743 + _e724) + _e709);
-                let _e751 = ((_e743 + _e740) + _e709);
-                if (_e748 < _e50) {
+                let _e782 = phi_1014_;
+                let _e783 = bitcast<u32>(_e779);
+                let _e785 = (bitcast<u32>(_e766) * _e747);
+                let _e786 = (bitcast<u32>(_e782) * _e747);
+                let _e791 = ((_e785 + _e767) + _e752);
+                let _e792 = ((_e785 + _e783) + _e752);
+                let _e793 = ((_e786 + _e767) + _e752);
+                let _e794 = ((_e786 + _e783) + _e752);
+                if (_e791 < _e50) {
                 } else {
                     return;
                 }
-                let _e755 = map.member[(0u + _e748)];
-                if (_e749 < _e50) {
+                let _e798 = map.member[(0u + _e791)];
+                if (_e792 < _e50) {
                 } else {
                     return;
                 }
-                let _e767 = map.member[(0u + _e749)];
-                if (_e750 < _e50) {
+                let _e810 = map.member[(0u + _e792)];
+                if (_e793 < _e50) {
                 } else {
                     return;
                 }
-                let _e783 = map.member[(0u + _e750)];
-                if (_e751 < _e50) {
+                let _e826 = map.member[(0u + _e793)];
+                if (_e794 < _e50) {
                 } else {
                     return;
                 }
-                let _e799 = map.member[(0u + _e751)];
-                let _e813 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e755.x * _e694) + (_e767.x * _e696)) + (_e783.x * _e698)) + (_e799.x * _e699)), ((((_e755.y * _e694) + (_e767.y * _e696)) + (_e783.y * _e698)) + (_e799.y * _e699)), ((((_e755.z * _e694) + (_e767.z * _e696)) + (_e783.z * _e698)) + (_e799.z * _e699)), ((((_e755.w * _e694) + (_e767.w * _e696)) + (_e783.w * _e698)) + (_e799.w * _e699))), _e608);
-                let _e815 = p.member.epsilon;
-                if (_e813 <= _e815) {
-                    phi_1058_ = true;
+                let _e842 = map.member[(0u + _e794)];
+                let _e856 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e798.x * _e737) + (_e810.x * _e739)) + (_e826.x * _e741)) + (_e842.x * _e742)), ((((_e798.y * _e737) + (_e810.y * _e739)) + (_e826.y * _e741)) + (_e842.y * _e742)), ((((_e798.z * _e737) + (_e810.z * _e739)) + (_e826.z * _e741)) + (_e842.z * _e742)), ((((_e798.w * _e737) + (_e810.w * _e739)) + (_e826.w * _e741)) + (_e842.w * _e742))), _e651);
+                let _e858 = p.member.epsilon;
+                if (_e856 <= _e858) {
+                    phi_1109_ = true;
                 } else {
-                    phi_1058_ = (_e813 >= (1f - _e815));
+                    phi_1109_ = (_e856 >= (1f - _e858));
                 }
-                let _e820 = phi_1058_;
-                if ((bitcast<u32>(_e813) & 2147483647u) > 2139095040u) {
-                    phi_1066_ = true;
+                let _e863 = phi_1109_;
+                if ((bitcast<u32>(_e856) & 2147483647u) > 2139095040u) {
+                    phi_1117_ = true;
                 } else {
-                    phi_1066_ = !(_e820);
+                    phi_1117_ = !(_e863);
                 }
-                let _e826 = phi_1066_;
-                if _e826 {
-                    if (_e813 > 0f) {
-                        if (_e813 < 1f) {
-                            phi_1078_ = false;
+                let _e869 = phi_1117_;
+                if _e869 {
+                    if (_e856 > 0f) {
+                        if (_e856 < 1f) {
+                            phi_1129_ = false;
                         } else {
-                            phi_1078_ = true;
+                            phi_1129_ = true;
                         }
-                        let _e830 = phi_1078_;
-                        phi_1079_ = _e830;
+                        let _e873 = phi_1129_;
+                        phi_1130_ = _e873;
                     } else {
-                        phi_1079_ = true;
+                        phi_1130_ = true;
                     }
-                    let _e832 = phi_1079_;
-                    if _e832 {
-                        phi_1083_ = 0.5f;
+                    let _e875 = phi_1130_;
+                    if _e875 {
+                        phi_1134_ = 0.5f;
                     } else {
-                        phi_1083_ = _e813;
+                        phi_1134_ = _e856;
                     }
-                    let _e834 = phi_1083_;
-                    phi_1091_ = evaluate_Verdict(_e834, true);
+                    let _e877 = phi_1134_;
+                    phi_1142_ = evaluate_Verdict(_e877, true);
                 } else {
-                    if (_e813 > 0.5f) {
-                        phi_1089_ = 1f;
+                    if (_e856 > 0.5f) {
+                        phi_1140_ = 1f;
                     } else {
-                        phi_1089_ = 0f;
+                        phi_1140_ = 0f;
                     }
-                    let _e838 = phi_1089_;
-                    phi_1091_ = evaluate_Verdict(_e838, false);
+                    let _e881 = phi_1140_;
+                    phi_1142_ = evaluate_Verdict(_e881, false);
                 }
-                let _e841 = phi_1091_;
-                phi_1096_ = evaluate_Verdict(_e841.visibility, _e841.is_doubted);
+                let _e884 = phi_1142_;
+                phi_1147_ = evaluate_Verdict(_e884.visibility, _e884.is_doubted);
             } else {
-                phi_1096_ = evaluate_Verdict(0.5f, true);
+                phi_1147_ = evaluate_Verdict(0.5f, true);
             }
-            let _e847 = phi_1096_;
-            phi_1097_ = _e847;
+            let _e890 = phi_1147_;
+            phi_1148_ = _e890;
         }
-        let _e849 = phi_1097_;
-        visibility.member[_e61.first_primitive] = _e849.visibility;
-        phi_1101_ = _e849.is_doubted;
-        phi_1102_ = _e61.first_primitive;
+        let _e892 = phi_1148_;
+        visibility.member[_e61.first_primitive] = _e892.visibility;
+        phi_1152_ = _e892.is_doubted;
+        phi_1153_ = _e61.first_primitive;
     } else {
-        phi_1101_ = false;
-        phi_1102_ = 0u;
+        phi_1152_ = false;
+        phi_1153_ = 0u;
     }
-    let _e854 = phi_1101_;
-    let _e856 = phi_1102_;
+    let _e897 = phi_1152_;
+    let _e899 = phi_1153_;
     if (_e45 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e854 {
-        let _e860 = atomicAdd((&shared_[0u]), 1u);
-        phi_1113_ = _e860;
+    if _e897 {
+        let _e903 = atomicAdd((&shared_[0u]), 1u);
+        phi_1164_ = _e903;
     } else {
-        phi_1113_ = 0u;
+        phi_1164_ = 0u;
     }
-    let _e862 = phi_1113_;
+    let _e905 = phi_1164_;
     workgroupBarrier();
     if (_e45 == 0u) {
-        let _e866 = atomicLoad((&shared_[0u]));
-        let _e867 = atomicAdd((&list.member[3u]), _e866);
-        atomicStore((&shared_[1u]), _e867);
+        let _e909 = atomicLoad((&shared_[0u]));
+        let _e910 = atomicAdd((&list.member[3u]), _e909);
+        atomicStore((&shared_[1u]), _e910);
     }
     workgroupBarrier();
-    if _e854 {
-        let _e870 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e870) + _e862)]), _e856);
+    if _e897 {
+        let _e913 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e913) + _e905)]), _e899);
     }
     return;
 }

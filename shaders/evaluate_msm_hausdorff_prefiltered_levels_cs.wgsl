@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,7 +39,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<vec4<f32>>,
 }
 
@@ -43,7 +52,7 @@ struct lt_math_LightProjection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -54,7 +63,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_34 {
+struct type_36 {
     member: abi_ShadowParams,
 }
 
@@ -64,7 +73,7 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_math_LightProjection>,
 }
 
@@ -85,45 +94,45 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_36;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_13;
 @group(0) @binding(4) 
-var<storage> levels: type_39;
+var<storage> levels: type_41;
 @group(0) @binding(2) 
-var<storage> map: type_29;
+var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
-    var phi_162_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_159_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_160_ = false;
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_159_ = lt_bvh_traverse_Tree();
-            phi_160_ = true;
+            phi_162_ = lt_bvh_traverse_Tree();
+            phi_163_ = true;
         }
-        let _e55 = phi_159_;
-        let _e57 = phi_160_;
-        phi_161_ = _e55;
-        phi_162_ = _e57;
+        let _e55 = phi_162_;
+        let _e57 = phi_163_;
+        phi_164_ = _e55;
+        phi_165_ = _e57;
     } else {
-        phi_161_ = lt_bvh_traverse_Tree();
-        phi_162_ = true;
+        phi_164_ = lt_bvh_traverse_Tree();
+        phi_165_ = true;
     }
-    let _e59 = phi_161_;
-    let _e61 = phi_162_;
+    let _e59 = phi_164_;
+    let _e61 = phi_165_;
     if _e61 {
-        phi_167_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_167_ = _e59;
+        phi_170_ = _e59;
     }
-    let _e66 = phi_167_;
+    let _e66 = phi_170_;
     return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
@@ -132,14 +141,14 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(param_4: f32, param_5: f32) -> f32 {
-    var phi_181_: f32;
+    var phi_184_: f32;
 
     if (param_4 < param_5) {
-        phi_181_ = param_4;
+        phi_184_ = param_4;
     } else {
-        phi_181_ = param_5;
+        phi_184_ = param_5;
     }
-    let _e46 = phi_181_;
+    let _e46 = phi_184_;
     return _e46;
 }
 
@@ -148,55 +157,55 @@ fn lt_math_hausdorff_cubic_mass(param_6: vec4<f32>, param_7: f32, param_8: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_11: ptr<function, hankel_HankelFactors>, param_12: f32) -> f32 {
-    var phi_945_: f32;
-    var phi_946_: f32;
-    var phi_947_: f32;
-    var phi_974_: f32;
-    var phi_975_: f32;
-    var phi_976_: f32;
+    var phi_948_: f32;
+    var phi_949_: f32;
+    var phi_950_: f32;
     var phi_977_: f32;
-    var phi_978_: bool;
+    var phi_978_: f32;
     var phi_979_: f32;
-    var phi_980_: bool;
-    var phi_1008_: f32;
-    var phi_1009_: f32;
-    var phi_1010_: f32;
+    var phi_980_: f32;
+    var phi_981_: bool;
+    var phi_982_: f32;
+    var phi_983_: bool;
     var phi_1011_: f32;
-    var phi_1012_: bool;
+    var phi_1012_: f32;
     var phi_1013_: f32;
-    var phi_1014_: bool;
-    var phi_1021_: f32;
-    var phi_1022_: f32;
-    var phi_1023_: f32;
+    var phi_1014_: f32;
+    var phi_1015_: bool;
+    var phi_1016_: f32;
+    var phi_1017_: bool;
     var phi_1024_: f32;
+    var phi_1025_: f32;
+    var phi_1026_: f32;
+    var phi_1027_: f32;
 
     let _e45 = (*param_11).moments;
     if (param_12 < 0.0001f) {
-        phi_1024_ = 1f;
+        phi_1027_ = 1f;
     } else {
         let _e54 = ((_e45.z - ((1f + param_12) * _e45.y)) + (param_12 * _e45.x));
         let _e63 = (((_e45.w - ((1f + param_12) * _e45.z)) + (param_12 * _e45.y)) / _e54);
         if (abs(_e54) <= 0.00000047683716f) {
             let _e77 = (1f - (((_e45.y - (_e45.x * (param_12 + 1f))) + (param_12 * 1f)) / ((0f - param_12) * (0f - 1f))));
             if ((bitcast<u32>(_e77) & 2147483647u) > 2139095040u) {
-                phi_947_ = _e77;
+                phi_950_ = _e77;
             } else {
                 if (_e77 < 0f) {
-                    phi_946_ = 0f;
+                    phi_949_ = 0f;
                 } else {
                     if (_e77 > 1f) {
-                        phi_945_ = 1f;
+                        phi_948_ = 1f;
                     } else {
-                        phi_945_ = _e77;
+                        phi_948_ = _e77;
                     }
-                    let _e84 = phi_945_;
-                    phi_946_ = _e84;
+                    let _e84 = phi_948_;
+                    phi_949_ = _e84;
                 }
-                let _e86 = phi_946_;
-                phi_947_ = _e86;
+                let _e86 = phi_949_;
+                phi_950_ = _e86;
             }
-            let _e88 = phi_947_;
-            phi_1023_ = _e88;
+            let _e88 = phi_950_;
+            phi_1026_ = _e88;
         } else {
             if (_e63 > 0f) {
                 if (_e63 < param_12) {
@@ -204,171 +213,171 @@ fn lt_math_hausdorff_endpoint_upper_bound(param_11: ptr<function, hankel_HankelF
                     let _e93 = lt_math_hausdorff_cubic_mass(_e45, _e63, 0f, param_12, 1f);
                     let _e94 = ((1f - _e91) - _e93);
                     if ((bitcast<u32>(_e94) & 2147483647u) > 2139095040u) {
-                        phi_976_ = _e94;
+                        phi_979_ = _e94;
                     } else {
                         if (_e94 < 0f) {
-                            phi_975_ = 0f;
+                            phi_978_ = 0f;
                         } else {
                             if (_e94 > 1f) {
-                                phi_974_ = 1f;
+                                phi_977_ = 1f;
                             } else {
-                                phi_974_ = _e94;
+                                phi_977_ = _e94;
                             }
-                            let _e101 = phi_974_;
-                            phi_975_ = _e101;
+                            let _e101 = phi_977_;
+                            phi_978_ = _e101;
                         }
-                        let _e103 = phi_975_;
-                        phi_976_ = _e103;
+                        let _e103 = phi_978_;
+                        phi_979_ = _e103;
                     }
-                    let _e105 = phi_976_;
-                    phi_977_ = _e105;
-                    phi_978_ = false;
+                    let _e105 = phi_979_;
+                    phi_980_ = _e105;
+                    phi_981_ = false;
                 } else {
-                    phi_977_ = f32();
-                    phi_978_ = true;
+                    phi_980_ = f32();
+                    phi_981_ = true;
                 }
-                let _e107 = phi_977_;
-                let _e109 = phi_978_;
-                phi_979_ = _e107;
-                phi_980_ = _e109;
+                let _e107 = phi_980_;
+                let _e109 = phi_981_;
+                phi_982_ = _e107;
+                phi_983_ = _e109;
             } else {
-                phi_979_ = f32();
-                phi_980_ = true;
+                phi_982_ = f32();
+                phi_983_ = true;
             }
-            let _e111 = phi_979_;
-            let _e113 = phi_980_;
+            let _e111 = phi_982_;
+            let _e113 = phi_983_;
             if _e113 {
                 if (_e63 > param_12) {
                     if (_e63 < 1f) {
                         let _e116 = lt_math_hausdorff_cubic_mass(_e45, 0f, _e63, param_12, 1f);
                         let _e117 = (1f - _e116);
                         if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
-                            phi_1010_ = _e117;
+                            phi_1013_ = _e117;
                         } else {
                             if (_e117 < 0f) {
-                                phi_1009_ = 0f;
+                                phi_1012_ = 0f;
                             } else {
                                 if (_e117 > 1f) {
-                                    phi_1008_ = 1f;
+                                    phi_1011_ = 1f;
                                 } else {
-                                    phi_1008_ = _e117;
+                                    phi_1011_ = _e117;
                                 }
-                                let _e124 = phi_1008_;
-                                phi_1009_ = _e124;
+                                let _e124 = phi_1011_;
+                                phi_1012_ = _e124;
                             }
-                            let _e126 = phi_1009_;
-                            phi_1010_ = _e126;
+                            let _e126 = phi_1012_;
+                            phi_1013_ = _e126;
                         }
-                        let _e128 = phi_1010_;
-                        phi_1011_ = _e128;
-                        phi_1012_ = false;
+                        let _e128 = phi_1013_;
+                        phi_1014_ = _e128;
+                        phi_1015_ = false;
                     } else {
-                        phi_1011_ = f32();
-                        phi_1012_ = true;
+                        phi_1014_ = f32();
+                        phi_1015_ = true;
                     }
-                    let _e130 = phi_1011_;
-                    let _e132 = phi_1012_;
-                    phi_1013_ = _e130;
-                    phi_1014_ = _e132;
+                    let _e130 = phi_1014_;
+                    let _e132 = phi_1015_;
+                    phi_1016_ = _e130;
+                    phi_1017_ = _e132;
                 } else {
-                    phi_1013_ = f32();
-                    phi_1014_ = true;
+                    phi_1016_ = f32();
+                    phi_1017_ = true;
                 }
-                let _e134 = phi_1013_;
-                let _e136 = phi_1014_;
+                let _e134 = phi_1016_;
+                let _e136 = phi_1017_;
                 if _e136 {
-                    phi_1021_ = bitcast<f32>((bitcast<u32>(_e63) | 2143289344u));
+                    phi_1024_ = bitcast<f32>((bitcast<u32>(_e63) | 2143289344u));
                 } else {
-                    phi_1021_ = _e134;
+                    phi_1024_ = _e134;
                 }
-                let _e141 = phi_1021_;
-                phi_1022_ = _e141;
+                let _e141 = phi_1024_;
+                phi_1025_ = _e141;
             } else {
-                phi_1022_ = _e111;
+                phi_1025_ = _e111;
             }
-            let _e143 = phi_1022_;
-            phi_1023_ = _e143;
+            let _e143 = phi_1025_;
+            phi_1026_ = _e143;
         }
-        let _e145 = phi_1023_;
-        phi_1024_ = _e145;
+        let _e145 = phi_1026_;
+        phi_1027_ = _e145;
     }
-    let _e147 = phi_1024_;
+    let _e147 = phi_1027_;
     return _e147;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_13: ptr<function, f32>, param_14: vec4<f32>, param_15: f32) -> f32 {
     var local: hankel_HankelFactors;
-    var phi_232_: f32;
-    var phi_233_: f32;
-    var phi_234_: f32;
-    var phi_246_: bool;
-    var phi_261_: bool;
-    var phi_286_: f32;
-    var phi_287_: f32;
-    var phi_288_: f32;
+    var phi_235_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_249_: bool;
+    var phi_264_: bool;
     var phi_289_: f32;
-    var phi_290_: bool;
+    var phi_290_: f32;
     var phi_291_: f32;
-    var phi_292_: bool;
-    var phi_348_: vec2<f32>;
-    var phi_386_: f32;
-    var phi_387_: f32;
-    var phi_388_: f32;
-    var phi_421_: f32;
-    var phi_422_: f32;
-    var phi_423_: f32;
-    var phi_427_: f32;
-    var phi_428_: f32;
-    var phi_429_: f32;
+    var phi_292_: f32;
+    var phi_293_: bool;
+    var phi_294_: f32;
+    var phi_295_: bool;
+    var phi_351_: vec2<f32>;
+    var phi_389_: f32;
+    var phi_390_: f32;
+    var phi_391_: f32;
+    var phi_424_: f32;
+    var phi_425_: f32;
+    var phi_426_: f32;
     var phi_430_: f32;
-    var phi_483_: vec2<f32>;
-    var phi_505_: bool;
-    var phi_530_: f32;
-    var phi_531_: f32;
-    var phi_532_: f32;
+    var phi_431_: f32;
+    var phi_432_: f32;
+    var phi_433_: f32;
+    var phi_486_: vec2<f32>;
+    var phi_508_: bool;
     var phi_533_: f32;
-    var phi_534_: bool;
+    var phi_534_: f32;
     var phi_535_: f32;
-    var phi_536_: bool;
-    var phi_592_: vec2<f32>;
-    var phi_630_: f32;
-    var phi_631_: f32;
-    var phi_632_: f32;
-    var phi_665_: f32;
-    var phi_666_: f32;
-    var phi_667_: f32;
-    var phi_671_: f32;
-    var phi_672_: f32;
-    var phi_673_: f32;
+    var phi_536_: f32;
+    var phi_537_: bool;
+    var phi_538_: f32;
+    var phi_539_: bool;
+    var phi_595_: vec2<f32>;
+    var phi_633_: f32;
+    var phi_634_: f32;
+    var phi_635_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_670_: f32;
     var phi_674_: f32;
     var phi_675_: f32;
-    var phi_676_: bool;
+    var phi_676_: f32;
     var phi_677_: f32;
-    var phi_678_: bool;
-    var phi_700_: bool;
-    var phi_725_: f32;
-    var phi_726_: f32;
-    var phi_727_: f32;
+    var phi_678_: f32;
+    var phi_679_: bool;
+    var phi_680_: f32;
+    var phi_681_: bool;
+    var phi_703_: bool;
     var phi_728_: f32;
-    var phi_729_: bool;
+    var phi_729_: f32;
     var phi_730_: f32;
-    var phi_731_: bool;
-    var phi_787_: vec2<f32>;
-    var phi_825_: f32;
-    var phi_826_: f32;
-    var phi_827_: f32;
-    var phi_860_: f32;
-    var phi_861_: f32;
-    var phi_862_: f32;
-    var phi_866_: f32;
-    var phi_867_: f32;
-    var phi_868_: f32;
+    var phi_731_: f32;
+    var phi_732_: bool;
+    var phi_733_: f32;
+    var phi_734_: bool;
+    var phi_790_: vec2<f32>;
+    var phi_828_: f32;
+    var phi_829_: f32;
+    var phi_830_: f32;
+    var phi_863_: f32;
+    var phi_864_: f32;
+    var phi_865_: f32;
     var phi_869_: f32;
-    var phi_880_: bool;
-    var phi_884_: f32;
-    var phi_885_: f32;
-    var phi_886_: f32;
+    var phi_870_: f32;
+    var phi_871_: f32;
+    var phi_872_: f32;
+    var phi_883_: bool;
     var phi_887_: f32;
+    var phi_888_: f32;
+    var phi_889_: f32;
+    var phi_890_: f32;
 
     let _e46 = (*param_13);
     let _e47 = (1f - _e46);
@@ -382,79 +391,79 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
     let _e71 = hankel_HankelFactors(vec4<f32>(_e57, _e58, _e59, _e60), _e63, _e65, (((_e60 - (_e58 * _e58)) * _e63) - (_e65 * _e65)));
     local = hankel_HankelFactors(_e71.moments, _e71.d22_, _e71.l32_d22_, _e71.d33_d22_);
     if ((bitcast<u32>(param_15) & 2147483647u) > 2139095040u) {
-        phi_234_ = param_15;
+        phi_237_ = param_15;
     } else {
         if (param_15 < 0f) {
-            phi_233_ = 0f;
+            phi_236_ = 0f;
         } else {
             if (param_15 > 1f) {
-                phi_232_ = 1f;
+                phi_235_ = 1f;
             } else {
-                phi_232_ = param_15;
+                phi_235_ = param_15;
             }
-            let _e83 = phi_232_;
-            phi_233_ = _e83;
+            let _e83 = phi_235_;
+            phi_236_ = _e83;
         }
-        let _e85 = phi_233_;
-        phi_234_ = _e85;
+        let _e85 = phi_236_;
+        phi_237_ = _e85;
     }
-    let _e87 = phi_234_;
+    let _e87 = phi_237_;
     let _e90 = local.moments[0u];
     let _e93 = local.moments[3u];
     if (_e90 == _e93) {
         let _e97 = local.moments[0u];
-        phi_246_ = (_e97 > 0.5f);
+        phi_249_ = (_e97 > 0.5f);
     } else {
-        phi_246_ = false;
+        phi_249_ = false;
     }
-    let _e100 = phi_246_;
+    let _e100 = phi_249_;
     if _e100 {
         let _e103 = local.moments[0u];
         let _e106 = local.moments[3u];
         if (_e103 == _e106) {
             let _e110 = local.moments[0u];
-            phi_261_ = (_e110 > 0.5f);
+            phi_264_ = (_e110 > 0.5f);
         } else {
-            phi_261_ = false;
+            phi_264_ = false;
         }
-        let _e113 = phi_261_;
+        let _e113 = phi_264_;
         if _e113 {
             if (_e87 > 0f) {
                 let _e116 = local.moments;
                 if ((bitcast<u32>(_e116.x) & 2147483647u) > 2139095040u) {
-                    phi_288_ = _e116.x;
+                    phi_291_ = _e116.x;
                 } else {
                     if (_e116.x < 0f) {
-                        phi_287_ = 0f;
+                        phi_290_ = 0f;
                     } else {
                         if (_e116.x > 1f) {
-                            phi_286_ = 1f;
+                            phi_289_ = 1f;
                         } else {
-                            phi_286_ = _e116.x;
+                            phi_289_ = _e116.x;
                         }
-                        let _e124 = phi_286_;
-                        phi_287_ = _e124;
+                        let _e124 = phi_289_;
+                        phi_290_ = _e124;
                     }
-                    let _e126 = phi_287_;
-                    phi_288_ = _e126;
+                    let _e126 = phi_290_;
+                    phi_291_ = _e126;
                 }
-                let _e128 = phi_288_;
-                phi_289_ = _e128;
-                phi_290_ = false;
+                let _e128 = phi_291_;
+                phi_292_ = _e128;
+                phi_293_ = false;
             } else {
-                phi_289_ = f32();
-                phi_290_ = true;
+                phi_292_ = f32();
+                phi_293_ = true;
             }
-            let _e130 = phi_289_;
-            let _e132 = phi_290_;
-            phi_291_ = _e130;
-            phi_292_ = _e132;
+            let _e130 = phi_292_;
+            let _e132 = phi_293_;
+            phi_294_ = _e130;
+            phi_295_ = _e132;
         } else {
-            phi_291_ = f32();
-            phi_292_ = true;
+            phi_294_ = f32();
+            phi_295_ = true;
         }
-        let _e134 = phi_291_;
-        let _e136 = phi_292_;
+        let _e134 = phi_294_;
+        let _e136 = phi_295_;
         if _e136 {
             let _e139 = local.moments[0u];
             let _e142 = local.moments[1u];
@@ -471,75 +480,75 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
             let _e178 = ((_e175 * _e175) - (((1f - (_e169 * _e139)) - (_e164 * _e142)) / _e164));
             if (_e178 >= 0f) {
                 let _e180 = sqrt(_e178);
-                phi_348_ = vec2<f32>((-(_e175) - _e180), (-(_e175) + _e180));
+                phi_351_ = vec2<f32>((-(_e175) - _e180), (-(_e175) + _e180));
             } else {
-                phi_348_ = vec2(bitcast<f32>((bitcast<u32>(_e178) | 2143289344u)));
+                phi_351_ = vec2(bitcast<f32>((bitcast<u32>(_e178) | 2143289344u)));
             }
-            let _e191 = phi_348_;
+            let _e191 = phi_351_;
             if (_e87 <= _e191.x) {
-                phi_429_ = 1f;
+                phi_432_ = 1f;
             } else {
                 if (_e87 > _e191.y) {
                     let _e197 = local.moments;
                     let _e208 = (((_e197.y - (_e197.x * (_e191.x + _e191.y))) + (_e191.x * _e191.y)) / ((_e87 - _e191.x) * (_e87 - _e191.y)));
                     if ((bitcast<u32>(_e208) & 2147483647u) > 2139095040u) {
-                        phi_388_ = _e208;
+                        phi_391_ = _e208;
                     } else {
                         if (_e208 < 0f) {
-                            phi_387_ = 0f;
+                            phi_390_ = 0f;
                         } else {
                             if (_e208 > 1f) {
-                                phi_386_ = 1f;
+                                phi_389_ = 1f;
                             } else {
-                                phi_386_ = _e208;
+                                phi_389_ = _e208;
                             }
-                            let _e215 = phi_386_;
-                            phi_387_ = _e215;
+                            let _e215 = phi_389_;
+                            phi_390_ = _e215;
                         }
-                        let _e217 = phi_387_;
-                        phi_388_ = _e217;
+                        let _e217 = phi_390_;
+                        phi_391_ = _e217;
                     }
-                    let _e219 = phi_388_;
-                    phi_428_ = _e219;
+                    let _e219 = phi_391_;
+                    phi_431_ = _e219;
                 } else {
                     if (_e87 > _e191.x) {
                         let _e222 = local.moments;
                         let _e234 = (1f - (((_e222.y - (_e222.x * (_e87 + _e191.y))) + (_e87 * _e191.y)) / ((_e191.x - _e87) * (_e191.x - _e191.y))));
                         if ((bitcast<u32>(_e234) & 2147483647u) > 2139095040u) {
-                            phi_423_ = _e234;
+                            phi_426_ = _e234;
                         } else {
                             if (_e234 < 0f) {
-                                phi_422_ = 0f;
+                                phi_425_ = 0f;
                             } else {
                                 if (_e234 > 1f) {
-                                    phi_421_ = 1f;
+                                    phi_424_ = 1f;
                                 } else {
-                                    phi_421_ = _e234;
+                                    phi_424_ = _e234;
                                 }
-                                let _e241 = phi_421_;
-                                phi_422_ = _e241;
+                                let _e241 = phi_424_;
+                                phi_425_ = _e241;
                             }
-                            let _e243 = phi_422_;
-                            phi_423_ = _e243;
+                            let _e243 = phi_425_;
+                            phi_426_ = _e243;
                         }
-                        let _e245 = phi_423_;
-                        phi_427_ = _e245;
+                        let _e245 = phi_426_;
+                        phi_430_ = _e245;
                     } else {
-                        phi_427_ = bitcast<f32>((bitcast<u32>(_e191.x) | 2143289344u));
+                        phi_430_ = bitcast<f32>((bitcast<u32>(_e191.x) | 2143289344u));
                     }
-                    let _e250 = phi_427_;
-                    phi_428_ = _e250;
+                    let _e250 = phi_430_;
+                    phi_431_ = _e250;
                 }
-                let _e252 = phi_428_;
-                phi_429_ = _e252;
+                let _e252 = phi_431_;
+                phi_432_ = _e252;
             }
-            let _e254 = phi_429_;
-            phi_430_ = _e254;
+            let _e254 = phi_432_;
+            phi_433_ = _e254;
         } else {
-            phi_430_ = _e134;
+            phi_433_ = _e134;
         }
-        let _e256 = phi_430_;
-        phi_887_ = _e256;
+        let _e256 = phi_433_;
+        phi_890_ = _e256;
     } else {
         let _e259 = local.moments[0u];
         let _e262 = local.moments[1u];
@@ -556,59 +565,59 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
         let _e298 = ((_e295 * _e295) - (((1f - (_e289 * _e259)) - (_e284 * _e262)) / _e284));
         if (_e298 >= 0f) {
             let _e300 = sqrt(_e298);
-            phi_483_ = vec2<f32>((-(_e295) - _e300), (-(_e295) + _e300));
+            phi_486_ = vec2<f32>((-(_e295) - _e300), (-(_e295) + _e300));
         } else {
-            phi_483_ = vec2(bitcast<f32>((bitcast<u32>(_e298) | 2143289344u)));
+            phi_486_ = vec2(bitcast<f32>((bitcast<u32>(_e298) | 2143289344u)));
         }
-        let _e311 = phi_483_;
+        let _e311 = phi_486_;
         if (_e311.x >= 0f) {
             if (_e311.y <= 1f) {
                 let _e318 = local.moments[0u];
                 let _e321 = local.moments[3u];
                 if (_e318 == _e321) {
                     let _e325 = local.moments[0u];
-                    phi_505_ = (_e325 > 0.5f);
+                    phi_508_ = (_e325 > 0.5f);
                 } else {
-                    phi_505_ = false;
+                    phi_508_ = false;
                 }
-                let _e328 = phi_505_;
+                let _e328 = phi_508_;
                 if _e328 {
                     if (_e87 > 0f) {
                         let _e331 = local.moments;
                         if ((bitcast<u32>(_e331.x) & 2147483647u) > 2139095040u) {
-                            phi_532_ = _e331.x;
+                            phi_535_ = _e331.x;
                         } else {
                             if (_e331.x < 0f) {
-                                phi_531_ = 0f;
+                                phi_534_ = 0f;
                             } else {
                                 if (_e331.x > 1f) {
-                                    phi_530_ = 1f;
+                                    phi_533_ = 1f;
                                 } else {
-                                    phi_530_ = _e331.x;
+                                    phi_533_ = _e331.x;
                                 }
-                                let _e339 = phi_530_;
-                                phi_531_ = _e339;
+                                let _e339 = phi_533_;
+                                phi_534_ = _e339;
                             }
-                            let _e341 = phi_531_;
-                            phi_532_ = _e341;
+                            let _e341 = phi_534_;
+                            phi_535_ = _e341;
                         }
-                        let _e343 = phi_532_;
-                        phi_533_ = _e343;
-                        phi_534_ = false;
+                        let _e343 = phi_535_;
+                        phi_536_ = _e343;
+                        phi_537_ = false;
                     } else {
-                        phi_533_ = f32();
-                        phi_534_ = true;
+                        phi_536_ = f32();
+                        phi_537_ = true;
                     }
-                    let _e345 = phi_533_;
-                    let _e347 = phi_534_;
-                    phi_535_ = _e345;
-                    phi_536_ = _e347;
+                    let _e345 = phi_536_;
+                    let _e347 = phi_537_;
+                    phi_538_ = _e345;
+                    phi_539_ = _e347;
                 } else {
-                    phi_535_ = f32();
-                    phi_536_ = true;
+                    phi_538_ = f32();
+                    phi_539_ = true;
                 }
-                let _e349 = phi_535_;
-                let _e351 = phi_536_;
+                let _e349 = phi_538_;
+                let _e351 = phi_539_;
                 if _e351 {
                     let _e354 = local.moments[0u];
                     let _e357 = local.moments[1u];
@@ -625,141 +634,141 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     let _e393 = ((_e390 * _e390) - (((1f - (_e384 * _e354)) - (_e379 * _e357)) / _e379));
                     if (_e393 >= 0f) {
                         let _e395 = sqrt(_e393);
-                        phi_592_ = vec2<f32>((-(_e390) - _e395), (-(_e390) + _e395));
+                        phi_595_ = vec2<f32>((-(_e390) - _e395), (-(_e390) + _e395));
                     } else {
-                        phi_592_ = vec2(bitcast<f32>((bitcast<u32>(_e393) | 2143289344u)));
+                        phi_595_ = vec2(bitcast<f32>((bitcast<u32>(_e393) | 2143289344u)));
                     }
-                    let _e406 = phi_592_;
+                    let _e406 = phi_595_;
                     if (_e87 <= _e406.x) {
-                        phi_673_ = 1f;
+                        phi_676_ = 1f;
                     } else {
                         if (_e87 > _e406.y) {
                             let _e412 = local.moments;
                             let _e423 = (((_e412.y - (_e412.x * (_e406.x + _e406.y))) + (_e406.x * _e406.y)) / ((_e87 - _e406.x) * (_e87 - _e406.y)));
                             if ((bitcast<u32>(_e423) & 2147483647u) > 2139095040u) {
-                                phi_632_ = _e423;
+                                phi_635_ = _e423;
                             } else {
                                 if (_e423 < 0f) {
-                                    phi_631_ = 0f;
+                                    phi_634_ = 0f;
                                 } else {
                                     if (_e423 > 1f) {
-                                        phi_630_ = 1f;
+                                        phi_633_ = 1f;
                                     } else {
-                                        phi_630_ = _e423;
+                                        phi_633_ = _e423;
                                     }
-                                    let _e430 = phi_630_;
-                                    phi_631_ = _e430;
+                                    let _e430 = phi_633_;
+                                    phi_634_ = _e430;
                                 }
-                                let _e432 = phi_631_;
-                                phi_632_ = _e432;
+                                let _e432 = phi_634_;
+                                phi_635_ = _e432;
                             }
-                            let _e434 = phi_632_;
-                            phi_672_ = _e434;
+                            let _e434 = phi_635_;
+                            phi_675_ = _e434;
                         } else {
                             if (_e87 > _e406.x) {
                                 let _e437 = local.moments;
                                 let _e449 = (1f - (((_e437.y - (_e437.x * (_e87 + _e406.y))) + (_e87 * _e406.y)) / ((_e406.x - _e87) * (_e406.x - _e406.y))));
                                 if ((bitcast<u32>(_e449) & 2147483647u) > 2139095040u) {
-                                    phi_667_ = _e449;
+                                    phi_670_ = _e449;
                                 } else {
                                     if (_e449 < 0f) {
-                                        phi_666_ = 0f;
+                                        phi_669_ = 0f;
                                     } else {
                                         if (_e449 > 1f) {
-                                            phi_665_ = 1f;
+                                            phi_668_ = 1f;
                                         } else {
-                                            phi_665_ = _e449;
+                                            phi_668_ = _e449;
                                         }
-                                        let _e456 = phi_665_;
-                                        phi_666_ = _e456;
+                                        let _e456 = phi_668_;
+                                        phi_669_ = _e456;
                                     }
-                                    let _e458 = phi_666_;
-                                    phi_667_ = _e458;
+                                    let _e458 = phi_669_;
+                                    phi_670_ = _e458;
                                 }
-                                let _e460 = phi_667_;
-                                phi_671_ = _e460;
+                                let _e460 = phi_670_;
+                                phi_674_ = _e460;
                             } else {
-                                phi_671_ = bitcast<f32>((bitcast<u32>(_e406.x) | 2143289344u));
+                                phi_674_ = bitcast<f32>((bitcast<u32>(_e406.x) | 2143289344u));
                             }
-                            let _e465 = phi_671_;
-                            phi_672_ = _e465;
+                            let _e465 = phi_674_;
+                            phi_675_ = _e465;
                         }
-                        let _e467 = phi_672_;
-                        phi_673_ = _e467;
+                        let _e467 = phi_675_;
+                        phi_676_ = _e467;
                     }
-                    let _e469 = phi_673_;
-                    phi_674_ = _e469;
+                    let _e469 = phi_676_;
+                    phi_677_ = _e469;
                 } else {
-                    phi_674_ = _e349;
+                    phi_677_ = _e349;
                 }
-                let _e471 = phi_674_;
-                phi_675_ = _e471;
-                phi_676_ = false;
+                let _e471 = phi_677_;
+                phi_678_ = _e471;
+                phi_679_ = false;
             } else {
-                phi_675_ = f32();
-                phi_676_ = true;
+                phi_678_ = f32();
+                phi_679_ = true;
             }
-            let _e473 = phi_675_;
-            let _e475 = phi_676_;
-            phi_677_ = _e473;
-            phi_678_ = _e475;
+            let _e473 = phi_678_;
+            let _e475 = phi_679_;
+            phi_680_ = _e473;
+            phi_681_ = _e475;
         } else {
-            phi_677_ = f32();
-            phi_678_ = true;
+            phi_680_ = f32();
+            phi_681_ = true;
         }
-        let _e477 = phi_677_;
-        let _e479 = phi_678_;
+        let _e477 = phi_680_;
+        let _e479 = phi_681_;
         if _e479 {
             if ((bitcast<u32>(_e311.x) & 2147483647u) > 2139095040u) {
-                phi_885_ = _e311.x;
+                phi_888_ = _e311.x;
             } else {
                 let _e483 = lt_math_hausdorff_endpoint_upper_bound((&local), _e87);
                 let _e486 = local.moments[0u];
                 let _e489 = local.moments[3u];
                 if (_e486 == _e489) {
                     let _e493 = local.moments[0u];
-                    phi_700_ = (_e493 > 0.5f);
+                    phi_703_ = (_e493 > 0.5f);
                 } else {
-                    phi_700_ = false;
+                    phi_703_ = false;
                 }
-                let _e496 = phi_700_;
+                let _e496 = phi_703_;
                 if _e496 {
                     if (_e87 > 0f) {
                         let _e499 = local.moments;
                         if ((bitcast<u32>(_e499.x) & 2147483647u) > 2139095040u) {
-                            phi_727_ = _e499.x;
+                            phi_730_ = _e499.x;
                         } else {
                             if (_e499.x < 0f) {
-                                phi_726_ = 0f;
+                                phi_729_ = 0f;
                             } else {
                                 if (_e499.x > 1f) {
-                                    phi_725_ = 1f;
+                                    phi_728_ = 1f;
                                 } else {
-                                    phi_725_ = _e499.x;
+                                    phi_728_ = _e499.x;
                                 }
-                                let _e507 = phi_725_;
-                                phi_726_ = _e507;
+                                let _e507 = phi_728_;
+                                phi_729_ = _e507;
                             }
-                            let _e509 = phi_726_;
-                            phi_727_ = _e509;
+                            let _e509 = phi_729_;
+                            phi_730_ = _e509;
                         }
-                        let _e511 = phi_727_;
-                        phi_728_ = _e511;
-                        phi_729_ = false;
+                        let _e511 = phi_730_;
+                        phi_731_ = _e511;
+                        phi_732_ = false;
                     } else {
-                        phi_728_ = f32();
-                        phi_729_ = true;
+                        phi_731_ = f32();
+                        phi_732_ = true;
                     }
-                    let _e513 = phi_728_;
-                    let _e515 = phi_729_;
-                    phi_730_ = _e513;
-                    phi_731_ = _e515;
+                    let _e513 = phi_731_;
+                    let _e515 = phi_732_;
+                    phi_733_ = _e513;
+                    phi_734_ = _e515;
                 } else {
-                    phi_730_ = f32();
-                    phi_731_ = true;
+                    phi_733_ = f32();
+                    phi_734_ = true;
                 }
-                let _e517 = phi_730_;
-                let _e519 = phi_731_;
+                let _e517 = phi_733_;
+                let _e519 = phi_734_;
                 if _e519 {
                     let _e522 = local.moments[0u];
                     let _e525 = local.moments[1u];
@@ -776,189 +785,195 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visib
                     let _e561 = ((_e558 * _e558) - (((1f - (_e552 * _e522)) - (_e547 * _e525)) / _e547));
                     if (_e561 >= 0f) {
                         let _e563 = sqrt(_e561);
-                        phi_787_ = vec2<f32>((-(_e558) - _e563), (-(_e558) + _e563));
+                        phi_790_ = vec2<f32>((-(_e558) - _e563), (-(_e558) + _e563));
                     } else {
-                        phi_787_ = vec2(bitcast<f32>((bitcast<u32>(_e561) | 2143289344u)));
+                        phi_790_ = vec2(bitcast<f32>((bitcast<u32>(_e561) | 2143289344u)));
                     }
-                    let _e574 = phi_787_;
+                    let _e574 = phi_790_;
                     if (_e87 <= _e574.x) {
-                        phi_868_ = 1f;
+                        phi_871_ = 1f;
                     } else {
                         if (_e87 > _e574.y) {
                             let _e580 = local.moments;
                             let _e591 = (((_e580.y - (_e580.x * (_e574.x + _e574.y))) + (_e574.x * _e574.y)) / ((_e87 - _e574.x) * (_e87 - _e574.y)));
                             if ((bitcast<u32>(_e591) & 2147483647u) > 2139095040u) {
-                                phi_827_ = _e591;
+                                phi_830_ = _e591;
                             } else {
                                 if (_e591 < 0f) {
-                                    phi_826_ = 0f;
+                                    phi_829_ = 0f;
                                 } else {
                                     if (_e591 > 1f) {
-                                        phi_825_ = 1f;
+                                        phi_828_ = 1f;
                                     } else {
-                                        phi_825_ = _e591;
+                                        phi_828_ = _e591;
                                     }
-                                    let _e598 = phi_825_;
-                                    phi_826_ = _e598;
+                                    let _e598 = phi_828_;
+                                    phi_829_ = _e598;
                                 }
-                                let _e600 = phi_826_;
-                                phi_827_ = _e600;
+                                let _e600 = phi_829_;
+                                phi_830_ = _e600;
                             }
-                            let _e602 = phi_827_;
-                            phi_867_ = _e602;
+                            let _e602 = phi_830_;
+                            phi_870_ = _e602;
                         } else {
                             if (_e87 > _e574.x) {
                                 let _e605 = local.moments;
                                 let _e617 = (1f - (((_e605.y - (_e605.x * (_e87 + _e574.y))) + (_e87 * _e574.y)) / ((_e574.x - _e87) * (_e574.x - _e574.y))));
                                 if ((bitcast<u32>(_e617) & 2147483647u) > 2139095040u) {
-                                    phi_862_ = _e617;
+                                    phi_865_ = _e617;
                                 } else {
                                     if (_e617 < 0f) {
-                                        phi_861_ = 0f;
+                                        phi_864_ = 0f;
                                     } else {
                                         if (_e617 > 1f) {
-                                            phi_860_ = 1f;
+                                            phi_863_ = 1f;
                                         } else {
-                                            phi_860_ = _e617;
+                                            phi_863_ = _e617;
                                         }
-                                        let _e624 = phi_860_;
-                                        phi_861_ = _e624;
+                                        let _e624 = phi_863_;
+                                        phi_864_ = _e624;
                                     }
-                                    let _e626 = phi_861_;
-                                    phi_862_ = _e626;
+                                    let _e626 = phi_864_;
+                                    phi_865_ = _e626;
                                 }
-                                let _e628 = phi_862_;
-                                phi_866_ = _e628;
+                                let _e628 = phi_865_;
+                                phi_869_ = _e628;
                             } else {
-                                phi_866_ = bitcast<f32>((bitcast<u32>(_e574.x) | 2143289344u));
+                                phi_869_ = bitcast<f32>((bitcast<u32>(_e574.x) | 2143289344u));
                             }
-                            let _e633 = phi_866_;
-                            phi_867_ = _e633;
+                            let _e633 = phi_869_;
+                            phi_870_ = _e633;
                         }
-                        let _e635 = phi_867_;
-                        phi_868_ = _e635;
+                        let _e635 = phi_870_;
+                        phi_871_ = _e635;
                     }
-                    let _e637 = phi_868_;
-                    phi_869_ = _e637;
+                    let _e637 = phi_871_;
+                    phi_872_ = _e637;
                 } else {
-                    phi_869_ = _e517;
+                    phi_872_ = _e517;
                 }
-                let _e639 = phi_869_;
+                let _e639 = phi_872_;
                 if ((bitcast<u32>(_e639) & 2147483647u) > 2139095040u) {
-                    phi_880_ = true;
+                    phi_883_ = true;
                 } else {
                     let _e643 = (_e639 < _e483);
                     if _e643 {
                     }
-                    phi_880_ = _e643;
+                    phi_883_ = _e643;
                 }
-                let _e645 = phi_880_;
+                let _e645 = phi_883_;
                 if _e645 {
-                    phi_884_ = _e639;
+                    phi_887_ = _e639;
                 } else {
-                    phi_884_ = _e483;
+                    phi_887_ = _e483;
                 }
-                let _e647 = phi_884_;
-                phi_885_ = _e647;
+                let _e647 = phi_887_;
+                phi_888_ = _e647;
             }
-            let _e649 = phi_885_;
-            phi_886_ = _e649;
+            let _e649 = phi_888_;
+            phi_889_ = _e649;
         } else {
-            phi_886_ = _e477;
+            phi_889_ = _e477;
         }
-        let _e651 = phi_886_;
-        phi_887_ = _e651;
+        let _e651 = phi_889_;
+        phi_890_ = _e651;
     }
-    let _e653 = phi_887_;
+    let _e653 = phi_890_;
     return _e653;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_1114_: bool;
-    var phi_1115_: bool;
     var phi_1116_: bool;
     var phi_1117_: bool;
-    var phi_1121_: bool;
-    var phi_1165_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1169_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1189_: lt_math_LightPoint;
-    var phi_1192_: u32;
-    var phi_1194_: lt_math_LevelPoint;
-    var phi_1280_: bool;
-    var phi_1289_: bool;
-    var phi_1298_: bool;
-    var phi_1299_: bool;
-    var phi_1300_: bool;
-    var phi_1301_: bool;
-    var phi_1302_: bool;
-    var phi_1303_: bool;
-    var phi_1304_: bool;
-    var phi_1308_: bool;
-    var phi_1335_: bool;
-    var phi_1336_: bool;
-    var phi_1337_: bool;
-    var phi_1338_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1123_: bool;
+    var phi_1193_: bool;
+    var phi_1194_: bool;
+    var phi_1205_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1206_: bool;
+    var phi_1207_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1208_: bool;
+    var phi_1215_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1219_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1239_: lt_math_LightPoint;
+    var phi_1242_: u32;
+    var phi_1244_: lt_math_LevelPoint;
+    var phi_1330_: bool;
     var phi_1339_: bool;
-    var phi_1340_: bool;
-    var phi_1341_: bool;
-    var phi_1342_: bool;
-    var phi_1346_: bool;
-    var phi_1355_: lt_math_LightPoint;
-    var phi_1356_: u32;
-    var phi_1357_: lt_math_LevelPoint;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1352_: bool;
+    var phi_1353_: bool;
+    var phi_1354_: bool;
     var phi_1358_: bool;
-    var phi_1190_: lt_math_LightPoint;
-    var phi_1193_: u32;
-    var phi_1195_: lt_math_LevelPoint;
-    var phi_1359_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: bool;
+    var phi_1387_: bool;
+    var phi_1388_: bool;
+    var phi_1389_: bool;
+    var phi_1390_: bool;
+    var phi_1391_: bool;
+    var phi_1392_: bool;
+    var phi_1396_: bool;
+    var phi_1405_: lt_math_LightPoint;
+    var phi_1406_: u32;
+    var phi_1407_: lt_math_LevelPoint;
+    var phi_1408_: bool;
+    var phi_1240_: lt_math_LightPoint;
+    var phi_1243_: u32;
+    var phi_1245_: lt_math_LevelPoint;
+    var phi_1409_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1399_: bool;
-    var phi_1400_: bool;
-    var phi_1401_: bool;
-    var phi_1402_: bool;
-    var phi_1406_: bool;
-    var phi_1488_: f32;
-    var phi_1604_: f32;
-    var phi_1605_: f32;
-    var phi_1608_: f32;
-    var phi_1637_: f32;
-    var phi_1642_: f32;
-    var phi_1643_: bool;
-    var phi_1644_: f32;
-    var phi_1645_: bool;
-    var phi_1649_: f32;
-    var phi_1669_: f32;
-    var phi_1674_: f32;
-    var phi_1675_: bool;
-    var phi_1676_: f32;
-    var phi_1677_: bool;
-    var phi_1681_: f32;
+    var phi_1449_: bool;
+    var phi_1450_: bool;
+    var phi_1451_: bool;
+    var phi_1452_: bool;
+    var phi_1456_: bool;
+    var phi_1538_: f32;
+    var phi_1654_: f32;
+    var phi_1655_: f32;
+    var phi_1658_: f32;
+    var phi_1687_: f32;
+    var phi_1692_: f32;
+    var phi_1693_: bool;
+    var phi_1694_: f32;
+    var phi_1695_: bool;
+    var phi_1699_: f32;
+    var phi_1719_: f32;
+    var phi_1724_: f32;
+    var phi_1725_: bool;
+    var phi_1726_: f32;
+    var phi_1727_: bool;
+    var phi_1731_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1730_: i32;
-    var phi_1735_: i32;
-    var phi_1740_: i32;
-    var phi_1745_: i32;
-    var phi_1754_: i32;
-    var phi_1759_: i32;
-    var phi_1764_: i32;
-    var phi_1769_: i32;
+    var phi_1780_: i32;
+    var phi_1785_: i32;
+    var phi_1790_: i32;
+    var phi_1795_: i32;
+    var phi_1804_: i32;
+    var phi_1809_: i32;
+    var phi_1814_: i32;
+    var phi_1819_: i32;
     var local_5: lt_math_LevelPoint;
-    var phi_1885_: f32;
-    var phi_1887_: evaluate_Verdict;
-    var phi_1888_: bool;
-    var phi_1889_: evaluate_Verdict;
-    var phi_1890_: bool;
-    var phi_1895_: evaluate_Verdict;
-    var phi_1896_: bool;
-    var phi_1898_: evaluate_Verdict;
-    var phi_1899_: evaluate_Verdict;
-    var phi_1900_: bool;
-    var phi_1904_: evaluate_Verdict;
-    var phi_1905_: evaluate_Verdict;
-    var phi_1906_: bool;
-    var phi_1910_: evaluate_Verdict;
+    var phi_1935_: f32;
+    var phi_1937_: evaluate_Verdict;
+    var phi_1938_: bool;
+    var phi_1939_: evaluate_Verdict;
+    var phi_1940_: bool;
+    var phi_1945_: evaluate_Verdict;
+    var phi_1946_: bool;
+    var phi_1948_: evaluate_Verdict;
+    var phi_1949_: evaluate_Verdict;
+    var phi_1950_: bool;
+    var phi_1954_: evaluate_Verdict;
+    var phi_1955_: evaluate_Verdict;
+    var phi_1956_: bool;
+    var phi_1960_: evaluate_Verdict;
 
     let _e43 = id_1;
     let _e50 = arrayLength((&map.member));
@@ -972,537 +987,576 @@ fn function_() {
         } else {
             return;
         }
-        let _e73 = p.member.light;
-        let _e76 = samples.member[(0u + _e62.first_primitive)].normal[0u];
-        let _e78 = global[0u];
-        if (_e76 == _e78) {
-            let _e81 = samples.member[(0u + _e62.first_primitive)].normal[1u];
-            let _e83 = global[1u];
-            if (_e81 == _e83) {
-                let _e86 = samples.member[(0u + _e62.first_primitive)].normal[2u];
-                let _e88 = global[2u];
-                phi_1114_ = (_e86 == _e88);
-                phi_1115_ = false;
+        let _e75 = samples.member[(0u + _e62.first_primitive)].normal[0u];
+        let _e77 = global[0u];
+        if (_e75 == _e77) {
+            let _e80 = samples.member[(0u + _e62.first_primitive)].normal[1u];
+            let _e82 = global[1u];
+            if (_e80 == _e82) {
+                let _e85 = samples.member[(0u + _e62.first_primitive)].normal[2u];
+                let _e87 = global[2u];
+                phi_1116_ = (_e85 == _e87);
+                phi_1117_ = false;
             } else {
-                phi_1114_ = bool();
-                phi_1115_ = true;
+                phi_1116_ = bool();
+                phi_1117_ = true;
             }
-            let _e91 = phi_1114_;
-            let _e93 = phi_1115_;
-            phi_1116_ = _e91;
-            phi_1117_ = _e93;
+            let _e90 = phi_1116_;
+            let _e92 = phi_1117_;
+            phi_1118_ = _e90;
+            phi_1119_ = _e92;
         } else {
-            phi_1116_ = bool();
-            phi_1117_ = true;
+            phi_1118_ = bool();
+            phi_1119_ = true;
         }
-        let _e95 = phi_1116_;
-        let _e97 = phi_1117_;
-        if _e97 {
-            phi_1121_ = false;
+        let _e94 = phi_1118_;
+        let _e96 = phi_1119_;
+        if _e96 {
+            phi_1123_ = false;
         } else {
-            phi_1121_ = _e95;
+            phi_1123_ = _e94;
         }
-        let _e99 = phi_1121_;
-        if !(_e99) {
-            let _e102 = samples.member[(0u + _e62.first_primitive)].normal;
-            let _e104 = samples.member[(0u + _e62.first_primitive)].position;
-            if ((((_e102.x * (_e73.x - (_e104.x * _e73.w))) + (_e102.y * (_e73.y - (_e104.y * _e73.w)))) + (_e102.z * (_e73.z - (_e104.z * _e73.w)))) > 0f) {
-                let _e128 = samples.member[(0u + _e62.first_primitive)].flags;
-                let _e136 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e142 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e136.unnamed.visibility, false), _e136.unnamed_1);
-                phi_1165_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e142.unnamed, ((_e128 & 1u) == 0u));
-            } else {
-                let _e151 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e157 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e151.unnamed.visibility, false), _e151.unnamed_1);
-                phi_1165_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e157.unnamed, true);
-            }
-            let _e162 = phi_1165_;
-            phi_1169_ = _e162;
-        } else {
-            let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-            phi_1169_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, true);
-        }
-        let _e179 = phi_1169_;
-        if _e179.unnamed_1 {
-            phi_1904_ = evaluate_Verdict(_e179.unnamed.visibility, _e179.unnamed.is_doubted);
-            phi_1905_ = evaluate_Verdict();
-            phi_1906_ = true;
-        } else {
-            let _e187 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e189 = p.member.map_size;
-            let _e191 = (0.5f / f32(_e189));
-            let _e198 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e205 = lt_math_LightPoint(vec2<f32>(_e198.uv.x, 0f), _e198.depth, _e198.is_inside);
-            let _e209 = lt_math_LightPoint(_e205.uv, 0f, _e205.is_inside);
-            phi_1189_ = lt_math_LightPoint();
-            phi_1192_ = 0u;
-            phi_1194_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e209.uv, _e209.depth, false));
-            loop {
-                let _e216 = phi_1189_;
-                let _e218 = phi_1192_;
-                let _e220 = phi_1194_;
-                local_2 = _e220;
-                local_3 = _e220;
-                local_4 = _e220;
-                local_5 = _e220;
-                if (_e218 < _e68) {
-                    if _e220.point.is_inside {
-                        phi_1355_ = lt_math_LightPoint();
-                        phi_1356_ = u32();
-                        phi_1357_ = lt_math_LevelPoint();
-                        phi_1358_ = false;
+        let _e98 = phi_1123_;
+        if !(_e98) {
+            let _e101 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e103 = p.member.light.place;
+            let _e109 = p.member.light.place[3u];
+            let _e116 = (_e103.x - (_e101.x * _e109));
+            let _e117 = (_e103.y - (_e101.y * _e109));
+            let _e118 = (_e103.z - (_e101.z * _e109));
+            let _e120 = samples.member[(0u + _e62.first_primitive)].normal;
+            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
+                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
+                let _e136 = p.member.light.axis;
+                let _e148 = p.member.light.place[3u];
+                if (_e148 == 0f) {
+                    phi_1194_ = true;
+                } else {
+                    let _e151 = p.member.light.range_squared;
+                    if (_e134 <= _e151) {
+                        let _e154 = p.member.light.cos_outer;
+                        phi_1193_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
                     } else {
-                        if (_e218 < _e56) {
+                        phi_1193_ = false;
+                    }
+                    let _e159 = phi_1193_;
+                    phi_1194_ = _e159;
+                }
+                let _e161 = phi_1194_;
+                if _e161 {
+                    let _e163 = samples.member[(0u + _e62.first_primitive)].flags;
+                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
+                    phi_1205_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
+                    phi_1206_ = false;
+                } else {
+                    phi_1205_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1206_ = true;
+                }
+                let _e182 = phi_1205_;
+                let _e184 = phi_1206_;
+                phi_1207_ = _e182;
+                phi_1208_ = _e184;
+            } else {
+                phi_1207_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1208_ = true;
+            }
+            let _e186 = phi_1207_;
+            let _e188 = phi_1208_;
+            if _e188 {
+                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                phi_1215_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            } else {
+                phi_1215_ = _e186;
+            }
+            let _e205 = phi_1215_;
+            phi_1219_ = _e205;
+        } else {
+            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+            phi_1219_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+        }
+        let _e222 = phi_1219_;
+        if _e222.unnamed_1 {
+            phi_1954_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+            phi_1955_ = evaluate_Verdict();
+            phi_1956_ = true;
+        } else {
+            let _e230 = samples.member[(0u + _e62.first_primitive)].position;
+            let _e232 = p.member.map_size;
+            let _e234 = (0.5f / f32(_e232));
+            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
+            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
+            phi_1239_ = lt_math_LightPoint();
+            phi_1242_ = 0u;
+            phi_1244_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            loop {
+                let _e259 = phi_1239_;
+                let _e261 = phi_1242_;
+                let _e263 = phi_1244_;
+                local_2 = _e263;
+                local_3 = _e263;
+                local_4 = _e263;
+                local_5 = _e263;
+                if (_e261 < _e68) {
+                    if _e263.point.is_inside {
+                        phi_1405_ = lt_math_LightPoint();
+                        phi_1406_ = u32();
+                        phi_1407_ = lt_math_LevelPoint();
+                        phi_1408_ = false;
+                    } else {
+                        if (_e261 < _e56) {
                         } else {
                             return;
                         }
-                        let _e231 = levels.member[(0u + _e218)].row_w;
-                        let _e242 = ((((_e231.x * _e187.x) + (_e231.y * _e187.y)) + (_e231.z * _e187.z)) + (_e231.w * 1f));
-                        let _e244 = levels.member[(0u + _e218)].row_x;
-                        let _e256 = (((((_e244.x * _e187.x) + (_e244.y * _e187.y)) + (_e244.z * _e187.z)) + (_e244.w * 1f)) / _e242);
-                        let _e258 = levels.member[(0u + _e218)].row_y;
-                        let _e270 = (((((_e258.x * _e187.x) + (_e258.y * _e187.y)) + (_e258.z * _e187.z)) + (_e258.w * 1f)) / _e242);
-                        let _e272 = levels.member[(0u + _e218)].row_z;
-                        let _e283 = ((((_e272.x * _e187.x) + (_e272.y * _e187.y)) + (_e272.z * _e187.z)) + (_e272.w * 1f));
-                        if (_e242 > 0f) {
-                            if (_e256 >= 0f) {
-                                phi_1280_ = (_e256 <= 1f);
+                        let _e274 = levels.member[(0u + _e261)].row_w;
+                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
+                        let _e287 = levels.member[(0u + _e261)].row_x;
+                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
+                        let _e301 = levels.member[(0u + _e261)].row_y;
+                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
+                        let _e315 = levels.member[(0u + _e261)].row_z;
+                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
+                        if (_e285 > 0f) {
+                            if (_e299 >= 0f) {
+                                phi_1330_ = (_e299 <= 1f);
                             } else {
-                                phi_1280_ = false;
+                                phi_1330_ = false;
                             }
-                            let _e288 = phi_1280_;
-                            if _e288 {
-                                if (_e270 >= 0f) {
-                                    phi_1289_ = (_e270 <= 1f);
+                            let _e331 = phi_1330_;
+                            if _e331 {
+                                if (_e313 >= 0f) {
+                                    phi_1339_ = (_e313 <= 1f);
                                 } else {
-                                    phi_1289_ = false;
+                                    phi_1339_ = false;
                                 }
-                                let _e292 = phi_1289_;
-                                if _e292 {
-                                    if (_e283 >= 0f) {
-                                        phi_1298_ = (_e283 <= 1f);
+                                let _e335 = phi_1339_;
+                                if _e335 {
+                                    if (_e326 >= 0f) {
+                                        phi_1348_ = (_e326 <= 1f);
                                     } else {
-                                        phi_1298_ = false;
+                                        phi_1348_ = false;
                                     }
-                                    let _e296 = phi_1298_;
-                                    phi_1299_ = _e296;
-                                    phi_1300_ = false;
+                                    let _e339 = phi_1348_;
+                                    phi_1349_ = _e339;
+                                    phi_1350_ = false;
                                 } else {
-                                    phi_1299_ = bool();
-                                    phi_1300_ = true;
+                                    phi_1349_ = bool();
+                                    phi_1350_ = true;
                                 }
-                                let _e298 = phi_1299_;
-                                let _e300 = phi_1300_;
-                                phi_1301_ = _e298;
-                                phi_1302_ = _e300;
+                                let _e341 = phi_1349_;
+                                let _e343 = phi_1350_;
+                                phi_1351_ = _e341;
+                                phi_1352_ = _e343;
                             } else {
-                                phi_1301_ = bool();
-                                phi_1302_ = true;
+                                phi_1351_ = bool();
+                                phi_1352_ = true;
                             }
-                            let _e302 = phi_1301_;
-                            let _e304 = phi_1302_;
-                            phi_1303_ = _e302;
-                            phi_1304_ = _e304;
+                            let _e345 = phi_1351_;
+                            let _e347 = phi_1352_;
+                            phi_1353_ = _e345;
+                            phi_1354_ = _e347;
                         } else {
-                            phi_1303_ = bool();
-                            phi_1304_ = true;
+                            phi_1353_ = bool();
+                            phi_1354_ = true;
                         }
-                        let _e306 = phi_1303_;
-                        let _e308 = phi_1304_;
-                        if _e308 {
-                            phi_1308_ = false;
+                        let _e349 = phi_1353_;
+                        let _e351 = phi_1354_;
+                        if _e351 {
+                            phi_1358_ = false;
                         } else {
-                            phi_1308_ = _e306;
+                            phi_1358_ = _e349;
                         }
-                        let _e310 = phi_1308_;
-                        if _e310 {
-                            if (_e256 >= _e191) {
-                                if (_e256 <= (1f - _e191)) {
-                                    if (_e270 >= _e191) {
-                                        phi_1335_ = (_e270 <= (1f - _e191));
-                                        phi_1336_ = false;
+                        let _e353 = phi_1358_;
+                        if _e353 {
+                            if (_e299 >= _e234) {
+                                if (_e299 <= (1f - _e234)) {
+                                    if (_e313 >= _e234) {
+                                        phi_1385_ = (_e313 <= (1f - _e234));
+                                        phi_1386_ = false;
                                     } else {
-                                        phi_1335_ = bool();
-                                        phi_1336_ = true;
+                                        phi_1385_ = bool();
+                                        phi_1386_ = true;
                                     }
-                                    let _e318 = phi_1335_;
-                                    let _e320 = phi_1336_;
-                                    phi_1337_ = _e318;
-                                    phi_1338_ = _e320;
+                                    let _e361 = phi_1385_;
+                                    let _e363 = phi_1386_;
+                                    phi_1387_ = _e361;
+                                    phi_1388_ = _e363;
                                 } else {
-                                    phi_1337_ = bool();
-                                    phi_1338_ = true;
+                                    phi_1387_ = bool();
+                                    phi_1388_ = true;
                                 }
-                                let _e322 = phi_1337_;
-                                let _e324 = phi_1338_;
-                                phi_1339_ = _e322;
-                                phi_1340_ = _e324;
+                                let _e365 = phi_1387_;
+                                let _e367 = phi_1388_;
+                                phi_1389_ = _e365;
+                                phi_1390_ = _e367;
                             } else {
-                                phi_1339_ = bool();
-                                phi_1340_ = true;
+                                phi_1389_ = bool();
+                                phi_1390_ = true;
                             }
-                            let _e326 = phi_1339_;
-                            let _e328 = phi_1340_;
-                            phi_1341_ = _e326;
-                            phi_1342_ = _e328;
+                            let _e369 = phi_1389_;
+                            let _e371 = phi_1390_;
+                            phi_1391_ = _e369;
+                            phi_1392_ = _e371;
                         } else {
-                            phi_1341_ = bool();
-                            phi_1342_ = true;
+                            phi_1391_ = bool();
+                            phi_1392_ = true;
                         }
-                        let _e330 = phi_1341_;
-                        let _e332 = phi_1342_;
-                        if _e332 {
-                            phi_1346_ = false;
+                        let _e373 = phi_1391_;
+                        let _e375 = phi_1392_;
+                        if _e375 {
+                            phi_1396_ = false;
                         } else {
-                            phi_1346_ = _e330;
+                            phi_1396_ = _e373;
                         }
-                        let _e334 = phi_1346_;
-                        let _e341 = lt_math_LightPoint(vec2<f32>(_e256, _e216.uv.y), _e216.depth, _e216.is_inside);
-                        let _e348 = lt_math_LightPoint(vec2<f32>(_e341.uv.x, _e270), _e341.depth, _e341.is_inside);
-                        let _e352 = lt_math_LightPoint(_e348.uv, _e283, _e348.is_inside);
-                        let _e356 = lt_math_LightPoint(_e352.uv, _e352.depth, _e334);
-                        phi_1355_ = _e356;
-                        phi_1356_ = (_e218 + 1u);
-                        phi_1357_ = lt_math_LevelPoint(_e218, _e356);
-                        phi_1358_ = true;
+                        let _e377 = phi_1396_;
+                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
+                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
+                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
+                        phi_1405_ = _e399;
+                        phi_1406_ = (_e261 + 1u);
+                        phi_1407_ = lt_math_LevelPoint(_e261, _e399);
+                        phi_1408_ = true;
                     }
-                    let _e360 = phi_1355_;
-                    let _e362 = phi_1356_;
-                    let _e364 = phi_1357_;
-                    let _e366 = phi_1358_;
-                    phi_1190_ = _e360;
-                    phi_1193_ = _e362;
-                    phi_1195_ = _e364;
-                    phi_1359_ = _e366;
+                    let _e403 = phi_1405_;
+                    let _e405 = phi_1406_;
+                    let _e407 = phi_1407_;
+                    let _e409 = phi_1408_;
+                    phi_1240_ = _e403;
+                    phi_1243_ = _e405;
+                    phi_1245_ = _e407;
+                    phi_1409_ = _e409;
                 } else {
-                    phi_1190_ = lt_math_LightPoint();
-                    phi_1193_ = u32();
-                    phi_1195_ = lt_math_LevelPoint();
-                    phi_1359_ = false;
+                    phi_1240_ = lt_math_LightPoint();
+                    phi_1243_ = u32();
+                    phi_1245_ = lt_math_LevelPoint();
+                    phi_1409_ = false;
                 }
-                let _e368 = phi_1190_;
-                let _e370 = phi_1193_;
-                let _e372 = phi_1195_;
-                let _e374 = phi_1359_;
+                let _e411 = phi_1240_;
+                let _e413 = phi_1243_;
+                let _e415 = phi_1245_;
+                let _e417 = phi_1409_;
                 continue;
                 continuing {
-                    phi_1189_ = _e368;
-                    phi_1192_ = _e370;
-                    phi_1194_ = _e372;
-                    break if !(_e374);
+                    phi_1239_ = _e411;
+                    phi_1242_ = _e413;
+                    phi_1244_ = _e415;
+                    break if !(_e417);
                 }
             }
-            let _e377 = local_2;
-            if _e377.point.is_inside {
+            let _e420 = local_2;
+            if _e420.point.is_inside {
                 if (0f > 0f) {
-                    let _e383 = local_3;
-                    if (_e383.level < _e56) {
+                    let _e426 = local_3;
+                    if (_e426.level < _e56) {
                     } else {
                         return;
                     }
-                    let _e388 = levels.member[(0u + _e383.level)];
-                    let _e394 = global[0u];
-                    if (_e388.row_w.x == _e394) {
-                        let _e397 = global[1u];
-                        if (_e388.row_w.y == _e397) {
-                            let _e400 = global[2u];
-                            phi_1399_ = (_e388.row_w.z == _e400);
-                            phi_1400_ = false;
+                    let _e431 = levels.member[(0u + _e426.level)];
+                    let _e437 = global[0u];
+                    if (_e431.row_w.x == _e437) {
+                        let _e440 = global[1u];
+                        if (_e431.row_w.y == _e440) {
+                            let _e443 = global[2u];
+                            phi_1449_ = (_e431.row_w.z == _e443);
+                            phi_1450_ = false;
                         } else {
-                            phi_1399_ = bool();
-                            phi_1400_ = true;
+                            phi_1449_ = bool();
+                            phi_1450_ = true;
                         }
-                        let _e403 = phi_1399_;
-                        let _e405 = phi_1400_;
-                        phi_1401_ = _e403;
-                        phi_1402_ = _e405;
+                        let _e446 = phi_1449_;
+                        let _e448 = phi_1450_;
+                        phi_1451_ = _e446;
+                        phi_1452_ = _e448;
                     } else {
-                        phi_1401_ = bool();
-                        phi_1402_ = true;
+                        phi_1451_ = bool();
+                        phi_1452_ = true;
                     }
-                    let _e407 = phi_1401_;
-                    let _e409 = phi_1402_;
-                    if _e409 {
-                        phi_1406_ = false;
+                    let _e450 = phi_1451_;
+                    let _e452 = phi_1452_;
+                    if _e452 {
+                        phi_1456_ = false;
                     } else {
-                        phi_1406_ = _e407;
+                        phi_1456_ = _e450;
                     }
-                    let _e411 = phi_1406_;
-                    if _e411 {
-                        let _e413 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e415 = p.member.map_size;
-                        let _e485 = ((abs(((((_e388.row_x.x * _e413.x) + (_e388.row_x.y * _e413.y)) + (_e388.row_x.z * _e413.z)) / (((_e388.row_x.x * _e388.row_x.x) + (_e388.row_x.y * _e388.row_x.y)) + (_e388.row_x.z * _e388.row_x.z)))) + abs(((((_e388.row_y.x * _e413.x) + (_e388.row_y.y * _e413.y)) + (_e388.row_y.z * _e413.z)) / (((_e388.row_y.x * _e388.row_y.x) + (_e388.row_y.y * _e388.row_y.y)) + (_e388.row_y.z * _e388.row_y.z))))) / (abs(((((_e388.row_z.x * _e413.x) + (_e388.row_z.y * _e413.y)) + (_e388.row_z.z * _e413.z)) / (((_e388.row_z.x * _e388.row_z.x) + (_e388.row_z.y * _e388.row_z.y)) + (_e388.row_z.z * _e388.row_z.z)))) * f32(_e415)));
-                        if (_e485 < 0.002f) {
-                            phi_1488_ = _e485;
+                    let _e454 = phi_1456_;
+                    if _e454 {
+                        let _e456 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e458 = p.member.map_size;
+                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
+                        if (_e528 < 0.002f) {
+                            phi_1538_ = _e528;
                         } else {
-                            phi_1488_ = 0.002f;
+                            phi_1538_ = 0.002f;
                         }
-                        let _e488 = phi_1488_;
-                        phi_1605_ = _e488;
+                        let _e531 = phi_1538_;
+                        phi_1655_ = _e531;
                     } else {
-                        let _e490 = p.member.map_size;
-                        let _e496 = samples.member[(0u + _e62.first_primitive)].position;
-                        let _e507 = ((((_e388.row_w.x * _e496.x) + (_e388.row_w.y * _e496.y)) + (_e388.row_w.z * _e496.z)) + _e388.row_w.w);
-                        let _e520 = ((_e388.row_x.x - (_e388.row_w.x * _e377.point.uv.x)) / _e507);
-                        let _e521 = ((_e388.row_x.y - (_e388.row_w.y * _e377.point.uv.x)) / _e507);
-                        let _e522 = ((_e388.row_x.z - (_e388.row_w.z * _e377.point.uv.x)) / _e507);
-                        let _e535 = ((_e388.row_y.x - (_e388.row_w.x * _e377.point.uv.y)) / _e507);
-                        let _e536 = ((_e388.row_y.y - (_e388.row_w.y * _e377.point.uv.y)) / _e507);
-                        let _e537 = ((_e388.row_y.z - (_e388.row_w.z * _e377.point.uv.y)) / _e507);
-                        let _e543 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e548 = ((_e536 * _e543.z) - (_e543.y * _e537));
-                        let _e553 = ((_e537 * _e543.x) - (_e543.z * _e535));
-                        let _e558 = ((_e535 * _e543.y) - (_e543.x * _e536));
-                        let _e560 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e565 = ((_e521 * _e560.z) - (_e560.y * _e522));
-                        let _e570 = ((_e522 * _e560.x) - (_e560.z * _e520));
-                        let _e575 = ((_e520 * _e560.y) - (_e560.x * _e521));
-                        let _e602 = ((abs(((((_e388.row_z.x * _e548) + (_e388.row_z.y * _e553)) + (_e388.row_z.z * _e558)) / (((_e520 * _e548) + (_e521 * _e553)) + (_e522 * _e558)))) + abs(((((_e388.row_z.x * _e565) + (_e388.row_z.y * _e570)) + (_e388.row_z.z * _e575)) / (((_e535 * _e565) + (_e536 * _e570)) + (_e537 * _e575))))) / f32(_e490));
-                        if (_e602 < 0.002f) {
-                            phi_1604_ = _e602;
+                        let _e533 = p.member.map_size;
+                        let _e539 = samples.member[(0u + _e62.first_primitive)].position;
+                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
+                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
+                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
+                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
+                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
+                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
+                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
+                        let _e586 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
+                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
+                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
+                        let _e603 = samples.member[(0u + _e62.first_primitive)].normal;
+                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
+                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
+                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
+                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
+                        if (_e645 < 0.002f) {
+                            phi_1654_ = _e645;
                         } else {
-                            phi_1604_ = 0.002f;
+                            phi_1654_ = 0.002f;
                         }
-                        let _e605 = phi_1604_;
-                        phi_1605_ = _e605;
+                        let _e648 = phi_1654_;
+                        phi_1655_ = _e648;
                     }
-                    let _e607 = phi_1605_;
-                    phi_1608_ = (_e377.point.depth - (0f * _e607));
+                    let _e650 = phi_1655_;
+                    phi_1658_ = (_e420.point.depth - (0f * _e650));
                 } else {
-                    phi_1608_ = _e377.point.depth;
+                    phi_1658_ = _e420.point.depth;
                 }
-                let _e611 = phi_1608_;
-                let _e617 = p.member.map_size;
-                let _e618 = f32(_e617);
-                let _e621 = ((_e377.point.uv.x * _e618) - 0.5f);
-                let _e622 = ((_e377.point.uv.y * _e618) - 0.5f);
-                if (_e621 > -8388608f) {
-                    let _e634 = f32(select(0i, select(select(i32(_e621), i32(-2147483648), (_e621 < bitcast<f32>(3472883712u))), 2147483647i, (_e621 > bitcast<f32>(1325400063u))), (_e621 == _e621)));
-                    if (_e634 > _e621) {
-                        phi_1637_ = 1f;
+                let _e654 = phi_1658_;
+                let _e660 = p.member.map_size;
+                let _e661 = f32(_e660);
+                let _e664 = ((_e420.point.uv.x * _e661) - 0.5f);
+                let _e665 = ((_e420.point.uv.y * _e661) - 0.5f);
+                if (_e664 > -8388608f) {
+                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
+                    if (_e677 > _e664) {
+                        phi_1687_ = 1f;
                     } else {
-                        phi_1637_ = 0f;
+                        phi_1687_ = 0f;
                     }
-                    let _e637 = phi_1637_;
-                    if (_e621 < 8388608f) {
-                        phi_1642_ = (_e634 - _e637);
-                        phi_1643_ = false;
+                    let _e680 = phi_1687_;
+                    if (_e664 < 8388608f) {
+                        phi_1692_ = (_e677 - _e680);
+                        phi_1693_ = false;
                     } else {
-                        phi_1642_ = f32();
-                        phi_1643_ = true;
+                        phi_1692_ = f32();
+                        phi_1693_ = true;
                     }
-                    let _e640 = phi_1642_;
-                    let _e642 = phi_1643_;
-                    phi_1644_ = _e640;
-                    phi_1645_ = _e642;
+                    let _e683 = phi_1692_;
+                    let _e685 = phi_1693_;
+                    phi_1694_ = _e683;
+                    phi_1695_ = _e685;
                 } else {
-                    phi_1644_ = f32();
-                    phi_1645_ = true;
+                    phi_1694_ = f32();
+                    phi_1695_ = true;
                 }
-                let _e644 = phi_1644_;
-                let _e646 = phi_1645_;
-                if _e646 {
-                    phi_1649_ = _e621;
+                let _e687 = phi_1694_;
+                let _e689 = phi_1695_;
+                if _e689 {
+                    phi_1699_ = _e664;
                 } else {
-                    phi_1649_ = _e644;
+                    phi_1699_ = _e687;
                 }
-                let _e648 = phi_1649_;
-                if (_e622 > -8388608f) {
-                    let _e660 = f32(select(0i, select(select(i32(_e622), i32(-2147483648), (_e622 < bitcast<f32>(3472883712u))), 2147483647i, (_e622 > bitcast<f32>(1325400063u))), (_e622 == _e622)));
-                    if (_e660 > _e622) {
-                        phi_1669_ = 1f;
+                let _e691 = phi_1699_;
+                if (_e665 > -8388608f) {
+                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
+                    if (_e703 > _e665) {
+                        phi_1719_ = 1f;
                     } else {
-                        phi_1669_ = 0f;
+                        phi_1719_ = 0f;
                     }
-                    let _e663 = phi_1669_;
-                    if (_e622 < 8388608f) {
-                        phi_1674_ = (_e660 - _e663);
-                        phi_1675_ = false;
+                    let _e706 = phi_1719_;
+                    if (_e665 < 8388608f) {
+                        phi_1724_ = (_e703 - _e706);
+                        phi_1725_ = false;
                     } else {
-                        phi_1674_ = f32();
-                        phi_1675_ = true;
+                        phi_1724_ = f32();
+                        phi_1725_ = true;
                     }
-                    let _e666 = phi_1674_;
-                    let _e668 = phi_1675_;
-                    phi_1676_ = _e666;
-                    phi_1677_ = _e668;
+                    let _e709 = phi_1724_;
+                    let _e711 = phi_1725_;
+                    phi_1726_ = _e709;
+                    phi_1727_ = _e711;
                 } else {
-                    phi_1676_ = f32();
-                    phi_1677_ = true;
+                    phi_1726_ = f32();
+                    phi_1727_ = true;
                 }
-                let _e670 = phi_1676_;
-                let _e672 = phi_1677_;
-                if _e672 {
-                    phi_1681_ = _e622;
+                let _e713 = phi_1726_;
+                let _e715 = phi_1727_;
+                if _e715 {
+                    phi_1731_ = _e665;
                 } else {
-                    phi_1681_ = _e670;
+                    phi_1731_ = _e713;
                 }
-                let _e674 = phi_1681_;
-                let _e675 = (_e621 - _e648);
-                let _e676 = (_e622 - _e674);
-                let _e685 = select(0i, select(select(i32(_e648), i32(-2147483648), (_e648 < bitcast<f32>(3472883712u))), 2147483647i, (_e648 > bitcast<f32>(1325400063u))), (_e648 == _e648));
-                let _e694 = select(0i, select(select(i32(_e674), i32(-2147483648), (_e674 < bitcast<f32>(3472883712u))), 2147483647i, (_e674 > bitcast<f32>(1325400063u))), (_e674 == _e674));
-                let _e697 = ((1f - _e675) * (1f - _e676));
-                let _e699 = (_e675 * (1f - _e676));
-                let _e701 = ((1f - _e675) * _e676);
-                let _e702 = (_e675 * _e676);
-                let _e704 = p.member.test;
-                let _e705 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e704);
-                let _e707 = p.member.map_size;
-                let _e709 = local_4;
-                local_1 = _e705;
-                let _e712 = ((_e709.level * _e707) * _e707);
-                let _e714 = (bitcast<i32>(_e707) - 1i);
-                if (_e685 > 0i) {
-                    phi_1730_ = _e685;
+                let _e717 = phi_1731_;
+                let _e718 = (_e664 - _e691);
+                let _e719 = (_e665 - _e717);
+                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
+                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
+                let _e740 = ((1f - _e718) * (1f - _e719));
+                let _e742 = (_e718 * (1f - _e719));
+                let _e744 = ((1f - _e718) * _e719);
+                let _e745 = (_e718 * _e719);
+                let _e747 = p.member.test;
+                let _e748 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
+                let _e750 = p.member.map_size;
+                let _e752 = local_4;
+                local_1 = _e748;
+                let _e755 = ((_e752.level * _e750) * _e750);
+                let _e757 = (bitcast<i32>(_e750) - 1i);
+                if (_e728 > 0i) {
+                    phi_1780_ = _e728;
                 } else {
-                    phi_1730_ = 0i;
+                    phi_1780_ = 0i;
                 }
-                let _e717 = phi_1730_;
-                if (_e694 > 0i) {
-                    phi_1735_ = _e694;
+                let _e760 = phi_1780_;
+                if (_e737 > 0i) {
+                    phi_1785_ = _e737;
                 } else {
-                    phi_1735_ = 0i;
+                    phi_1785_ = 0i;
                 }
-                let _e720 = phi_1735_;
-                if (_e717 < _e714) {
-                    phi_1740_ = _e717;
+                let _e763 = phi_1785_;
+                if (_e760 < _e757) {
+                    phi_1790_ = _e760;
                 } else {
-                    phi_1740_ = _e714;
+                    phi_1790_ = _e757;
                 }
-                let _e723 = phi_1740_;
-                if (_e720 < _e714) {
-                    phi_1745_ = _e720;
+                let _e766 = phi_1790_;
+                if (_e763 < _e757) {
+                    phi_1795_ = _e763;
                 } else {
-                    phi_1745_ = _e714;
+                    phi_1795_ = _e757;
                 }
-                let _e726 = phi_1745_;
-                let _e727 = bitcast<u32>(_e723);
-                let _e729 = (_e685 + 1i);
-                let _e730 = (_e694 + 1i);
-                if (_e729 > 0i) {
-                    phi_1754_ = _e729;
+                let _e769 = phi_1795_;
+                let _e770 = bitcast<u32>(_e766);
+                let _e772 = (_e728 + 1i);
+                let _e773 = (_e737 + 1i);
+                if (_e772 > 0i) {
+                    phi_1804_ = _e772;
                 } else {
-                    phi_1754_ = 0i;
+                    phi_1804_ = 0i;
                 }
-                let _e733 = phi_1754_;
-                if (_e730 > 0i) {
-                    phi_1759_ = _e730;
+                let _e776 = phi_1804_;
+                if (_e773 > 0i) {
+                    phi_1809_ = _e773;
                 } else {
-                    phi_1759_ = 0i;
+                    phi_1809_ = 0i;
                 }
-                let _e736 = phi_1759_;
-                if (_e733 < _e714) {
-                    phi_1764_ = _e733;
+                let _e779 = phi_1809_;
+                if (_e776 < _e757) {
+                    phi_1814_ = _e776;
                 } else {
-                    phi_1764_ = _e714;
+                    phi_1814_ = _e757;
                 }
-                let _e739 = phi_1764_;
-                if (_e736 < _e714) {
-                    phi_1769_ = _e736;
+                let _e782 = phi_1814_;
+                if (_e779 < _e757) {
+                    phi_1819_ = _e779;
                 } else {
-                    phi_1769_ = _e714;
+                    phi_1819_ = _e757;
                 }
-                let _e742 = phi_1769_;
-                let _e743 = bitcast<u32>(_e739);
-                let _e745 = (bitcast<u32>(_e726) * _e707);
-                let _e746 = (bitcast<u32>(_e742) * _e707);
-                let _e751 = ((_e745 + _e727) + _e712);
-                let _e752 = ((_e745 + _e743) + _e712);
-                let _e753 = ((_e746 + _e727) + _e712);
-                let _e754 = ((_e746 + _e743) + _e712);
-                if (_e751 < _e50) {
+                let _e785 = phi_1819_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (bitcast<u32>(_e769) * _e750);
+                let _e789 = (bitcast<u32>(_e785) * _e750);
+                let _e794 = ((_e788 + _e770) + _e755);
+                let _e795 = ((_e788 + _e786) + _e755);
+                let _e796 = ((_e789 + _e770) + _e755);
+                let _e797 = ((_e789 + _e786) + _e755);
+                if (_e794 < _e50) {
                 } else {
                     return;
                 }
-                let _e758 = map.member[(0u + _e751)];
-                if (_e752 < _e50) {
+                let _e801 = map.member[(0u + _e794)];
+                if (_e795 < _e50) {
                 } else {
                     return;
                 }
-                let _e770 = map.member[(0u + _e752)];
-                if (_e753 < _e50) {
+                let _e813 = map.member[(0u + _e795)];
+                if (_e796 < _e50) {
                 } else {
                     return;
                 }
-                let _e786 = map.member[(0u + _e753)];
-                if (_e754 < _e50) {
+                let _e829 = map.member[(0u + _e796)];
+                if (_e797 < _e50) {
                 } else {
                     return;
                 }
-                let _e802 = map.member[(0u + _e754)];
-                let _e816 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e758.x * _e697) + (_e770.x * _e699)) + (_e786.x * _e701)) + (_e802.x * _e702)), ((((_e758.y * _e697) + (_e770.y * _e699)) + (_e786.y * _e701)) + (_e802.y * _e702)), ((((_e758.z * _e697) + (_e770.z * _e699)) + (_e786.z * _e701)) + (_e802.z * _e702)), ((((_e758.w * _e697) + (_e770.w * _e699)) + (_e786.w * _e701)) + (_e802.w * _e702))), _e611);
-                let _e818 = p.member.fade_uv;
-                if (_e818 > 0f) {
-                    let _e821 = local_5;
-                    if ((_e821.level + 1u) == _e68) {
-                        let _e830 = p.member.fade_uv;
-                        let _e832 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e377.point.uv.x, (1f - _e377.point.uv.x));
-                        let _e834 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e377.point.uv.y, (1f - _e377.point.uv.y));
-                        let _e835 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e832, _e834);
-                        if (_e835 < _e830) {
-                            phi_1885_ = (1f - ((1f - _e816) * (_e835 / _e830)));
+                let _e845 = map.member[(0u + _e797)];
+                let _e859 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
+                let _e861 = p.member.fade_uv;
+                if (_e861 > 0f) {
+                    let _e864 = local_5;
+                    if ((_e864.level + 1u) == _e68) {
+                        let _e873 = p.member.fade_uv;
+                        let _e875 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e420.point.uv.x, (1f - _e420.point.uv.x));
+                        let _e877 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e420.point.uv.y, (1f - _e420.point.uv.y));
+                        let _e878 = lt_shaders_evaluate_faded_u007b_closure_u0023_0_u007d(_e875, _e877);
+                        if (_e878 < _e873) {
+                            phi_1935_ = (1f - ((1f - _e859) * (_e878 / _e873)));
                         } else {
-                            phi_1885_ = _e816;
+                            phi_1935_ = _e859;
                         }
-                        let _e842 = phi_1885_;
-                        phi_1887_ = evaluate_Verdict(_e842, false);
-                        phi_1888_ = false;
+                        let _e885 = phi_1935_;
+                        phi_1937_ = evaluate_Verdict(_e885, false);
+                        phi_1938_ = false;
                     } else {
-                        phi_1887_ = evaluate_Verdict();
-                        phi_1888_ = true;
+                        phi_1937_ = evaluate_Verdict();
+                        phi_1938_ = true;
                     }
-                    let _e845 = phi_1887_;
-                    let _e847 = phi_1888_;
-                    phi_1889_ = _e845;
-                    phi_1890_ = _e847;
+                    let _e888 = phi_1937_;
+                    let _e890 = phi_1938_;
+                    phi_1939_ = _e888;
+                    phi_1940_ = _e890;
                 } else {
-                    phi_1889_ = evaluate_Verdict();
-                    phi_1890_ = true;
+                    phi_1939_ = evaluate_Verdict();
+                    phi_1940_ = true;
                 }
-                let _e849 = phi_1889_;
-                let _e851 = phi_1890_;
-                if _e851 {
-                    phi_1895_ = evaluate_Verdict(_e816, false);
-                    phi_1896_ = false;
+                let _e892 = phi_1939_;
+                let _e894 = phi_1940_;
+                if _e894 {
+                    phi_1945_ = evaluate_Verdict(_e859, false);
+                    phi_1946_ = false;
                 } else {
-                    phi_1895_ = evaluate_Verdict();
-                    phi_1896_ = true;
+                    phi_1945_ = evaluate_Verdict();
+                    phi_1946_ = true;
                 }
-                let _e854 = phi_1895_;
-                let _e856 = phi_1896_;
-                phi_1898_ = _e854;
-                phi_1899_ = _e849;
-                phi_1900_ = _e856;
+                let _e897 = phi_1945_;
+                let _e899 = phi_1946_;
+                phi_1948_ = _e897;
+                phi_1949_ = _e892;
+                phi_1950_ = _e899;
             } else {
-                phi_1898_ = evaluate_Verdict();
-                phi_1899_ = evaluate_Verdict(1f, false);
-                phi_1900_ = true;
+                phi_1948_ = evaluate_Verdict();
+                phi_1949_ = evaluate_Verdict(1f, false);
+                phi_1950_ = true;
             }
-            let _e859 = phi_1898_;
-            let _e861 = phi_1899_;
-            let _e863 = phi_1900_;
-            if _e863 {
+            let _e902 = phi_1948_;
+            let _e904 = phi_1949_;
+            let _e906 = phi_1950_;
+            if _e906 {
             }
-            phi_1904_ = _e861;
-            phi_1905_ = _e859;
-            phi_1906_ = _e863;
+            phi_1954_ = _e904;
+            phi_1955_ = _e902;
+            phi_1956_ = _e906;
         }
-        let _e865 = phi_1904_;
-        let _e867 = phi_1905_;
-        let _e869 = phi_1906_;
-        if _e869 {
-            phi_1910_ = _e865;
+        let _e908 = phi_1954_;
+        let _e910 = phi_1955_;
+        let _e912 = phi_1956_;
+        if _e912 {
+            phi_1960_ = _e908;
         } else {
-            phi_1910_ = _e867;
+            phi_1960_ = _e910;
         }
-        let _e871 = phi_1910_;
+        let _e914 = phi_1960_;
         if (_e62.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e62.first_primitive)] = _e871.visibility;
+        visibility.member[(0u + _e62.first_primitive)] = _e914.visibility;
     }
     return;
 }

@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -40,7 +49,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_28 {
+struct type_29 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -60,7 +69,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_38 {
     member: array<lt_bvh_Node>,
 }
 
@@ -78,7 +87,7 @@ struct lt_bvh_triangle_Intersection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -89,7 +98,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_43 {
+struct type_44 {
     member: abi_ShadowParams,
 }
 
@@ -99,69 +108,66 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_43;
+var<uniform> p: type_44;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_38;
 @group(0) @binding(3) 
-var<storage> triangles: type_28;
+var<storage> triangles: type_29;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_148_: bool;
-    var phi_152_: f32;
+    var phi_150_: bool;
+    var phi_154_: f32;
 
     if (param != param) {
-        phi_148_ = true;
+        phi_150_ = true;
     } else {
         let _e54 = (param_1 >= param);
         if _e54 {
         }
-        phi_148_ = _e54;
+        phi_150_ = _e54;
     }
-    let _e56 = phi_148_;
+    let _e56 = phi_150_;
     if _e56 {
-        phi_152_ = param_1;
+        phi_154_ = param_1;
     } else {
-        phi_152_ = param;
+        phi_154_ = param;
     }
-    let _e58 = phi_152_;
+    let _e58 = phi_154_;
     return _e58;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_164_: bool;
-    var phi_168_: f32;
+    var phi_166_: bool;
+    var phi_170_: f32;
 
     if (param_2 != param_2) {
-        phi_164_ = true;
+        phi_166_ = true;
     } else {
         let _e54 = (param_3 <= param_2);
         if _e54 {
         }
-        phi_164_ = _e54;
+        phi_166_ = _e54;
     }
-    let _e56 = phi_164_;
+    let _e56 = phi_166_;
     if _e56 {
-        phi_168_ = param_3;
+        phi_170_ = param_3;
     } else {
-        phi_168_ = param_2;
+        phi_170_ = param_2;
     }
-    let _e58 = phi_168_;
+    let _e58 = phi_170_;
     return _e58;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
-    var phi_244_: f32;
-    var phi_299_: bool;
-    var phi_300_: bool;
-    var phi_301_: bool;
-    var phi_305_: bool;
-    var phi_306_: bool;
-    var phi_307_: bool;
+    var phi_247_: f32;
+    var phi_302_: bool;
+    var phi_303_: bool;
+    var phi_304_: bool;
     var phi_308_: bool;
     var phi_309_: bool;
     var phi_310_: bool;
@@ -177,136 +183,136 @@ fn function_() {
     var phi_320_: bool;
     var phi_321_: bool;
     var phi_322_: bool;
-    var phi_326_: bool;
-    var phi_330_: bool;
-    var phi_400_: f32;
-    var phi_407_: f32;
-    var phi_414_: f32;
-    var phi_421_: f32;
-    var phi_428_: f32;
-    var phi_435_: f32;
-    var phi_452_: f32;
-    var phi_457_: f32;
-    var phi_462_: f32;
-    var phi_490_: bool;
-    var phi_491_: bool;
-    var phi_499_: u32;
-    var phi_500_: u32;
-    var phi_511_: vec3<f32>;
-    var phi_512_: vec3<f32>;
-    var phi_525_: u32;
-    var phi_530_: u32;
-    var phi_535_: u32;
-    var phi_649_: bool;
-    var phi_650_: bool;
-    var phi_681_: u32;
-    var phi_683_: u32;
-    var phi_764_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_791_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_818_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_824_: u32;
+    var phi_323_: bool;
+    var phi_324_: bool;
+    var phi_325_: bool;
+    var phi_329_: bool;
+    var phi_333_: bool;
+    var phi_403_: f32;
+    var phi_410_: f32;
+    var phi_417_: f32;
+    var phi_424_: f32;
+    var phi_431_: f32;
+    var phi_438_: f32;
+    var phi_455_: f32;
+    var phi_460_: f32;
+    var phi_465_: f32;
+    var phi_493_: bool;
+    var phi_494_: bool;
+    var phi_502_: u32;
+    var phi_503_: u32;
+    var phi_514_: vec3<f32>;
+    var phi_515_: vec3<f32>;
+    var phi_528_: u32;
+    var phi_533_: u32;
+    var phi_538_: u32;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_684_: u32;
+    var phi_686_: u32;
+    var phi_767_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_794_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_821_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_827_: u32;
-    var phi_841_: u32;
-    var phi_851_: u32;
-    var phi_861_: u32;
-    var phi_879_: u32;
-    var phi_889_: u32;
-    var phi_899_: u32;
-    var phi_935_: u32;
-    var phi_948_: u32;
-    var phi_953_: u32;
-    var phi_954_: u32;
-    var phi_955_: u32;
-    var phi_825_: u32;
+    var phi_830_: u32;
+    var phi_844_: u32;
+    var phi_854_: u32;
+    var phi_864_: u32;
+    var phi_882_: u32;
+    var phi_892_: u32;
+    var phi_902_: u32;
+    var phi_938_: u32;
+    var phi_951_: u32;
+    var phi_956_: u32;
+    var phi_957_: u32;
+    var phi_958_: u32;
     var phi_828_: u32;
+    var phi_831_: u32;
     var local_1: u32;
     var local_2: u32;
     var local_3: u32;
-    var phi_1013_: u32;
-    var phi_1058_: vec3<f32>;
-    var phi_1059_: vec3<f32>;
-    var phi_1088_: vec3<f32>;
-    var phi_1089_: vec3<f32>;
-    var phi_1118_: vec3<f32>;
-    var phi_1119_: vec3<f32>;
-    var phi_1137_: bool;
-    var phi_1138_: bool;
-    var phi_1142_: f32;
-    var phi_1143_: f32;
-    var phi_1144_: f32;
+    var phi_1016_: u32;
+    var phi_1061_: vec3<f32>;
+    var phi_1062_: vec3<f32>;
+    var phi_1091_: vec3<f32>;
+    var phi_1092_: vec3<f32>;
+    var phi_1121_: vec3<f32>;
+    var phi_1122_: vec3<f32>;
+    var phi_1140_: bool;
+    var phi_1141_: bool;
     var phi_1145_: f32;
-    var phi_1153_: f32;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1168_: f32;
-    var phi_1169_: f32;
-    var phi_1170_: f32;
+    var phi_1146_: f32;
+    var phi_1147_: f32;
+    var phi_1148_: f32;
+    var phi_1156_: f32;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
     var phi_1171_: f32;
-    var phi_1179_: f32;
-    var phi_1189_: bool;
-    var phi_1190_: bool;
-    var phi_1194_: f32;
-    var phi_1195_: f32;
-    var phi_1196_: f32;
+    var phi_1172_: f32;
+    var phi_1173_: f32;
+    var phi_1174_: f32;
+    var phi_1182_: f32;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
     var phi_1197_: f32;
-    var phi_1205_: f32;
-    var phi_1220_: f32;
-    var phi_1221_: bool;
-    var phi_1222_: f32;
-    var phi_1223_: bool;
-    var phi_1224_: f32;
-    var phi_1225_: bool;
-    var phi_1243_: f32;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
+    var phi_1198_: f32;
+    var phi_1199_: f32;
+    var phi_1200_: f32;
+    var phi_1208_: f32;
+    var phi_1223_: f32;
+    var phi_1224_: bool;
+    var phi_1225_: f32;
+    var phi_1226_: bool;
+    var phi_1227_: f32;
+    var phi_1228_: bool;
     var phi_1246_: f32;
     var phi_1247_: bool;
     var phi_1248_: bool;
-    var phi_1252_: bool;
-    var phi_1253_: f32;
-    var phi_1254_: bool;
-    var phi_1282_: vec3<f32>;
-    var phi_1283_: vec3<f32>;
-    var phi_1308_: vec3<f32>;
-    var phi_1309_: vec3<f32>;
-    var phi_1334_: vec3<f32>;
-    var phi_1335_: vec3<f32>;
-    var phi_1391_: f32;
-    var phi_1400_: f32;
-    var phi_1409_: f32;
-    var phi_1418_: f32;
-    var phi_1425_: f32;
-    var phi_1432_: f32;
-    var phi_1445_: f32;
-    var phi_1454_: f32;
-    var phi_1463_: f32;
-    var phi_1472_: f32;
-    var phi_1479_: f32;
-    var phi_1486_: f32;
-    var phi_1503_: f32;
-    var phi_1508_: f32;
-    var phi_1513_: f32;
-    var phi_1521_: f32;
-    var phi_1526_: f32;
-    var phi_1531_: f32;
-    var phi_1543_: f32;
-    var phi_1548_: f32;
-    var phi_1553_: f32;
-    var phi_1558_: f32;
-    var phi_1563_: lt_bvh_triangle_Intersection;
-    var phi_1564_: bool;
-    var phi_1565_: lt_bvh_triangle_Intersection;
-    var phi_1566_: bool;
-    var phi_1570_: lt_bvh_triangle_Intersection;
-    var phi_1571_: bool;
-    var phi_1572_: lt_bvh_triangle_Intersection;
-    var phi_1573_: bool;
+    var phi_1249_: f32;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
+    var phi_1255_: bool;
+    var phi_1256_: f32;
+    var phi_1257_: bool;
+    var phi_1285_: vec3<f32>;
+    var phi_1286_: vec3<f32>;
+    var phi_1311_: vec3<f32>;
+    var phi_1312_: vec3<f32>;
+    var phi_1337_: vec3<f32>;
+    var phi_1338_: vec3<f32>;
+    var phi_1394_: f32;
+    var phi_1403_: f32;
+    var phi_1412_: f32;
+    var phi_1421_: f32;
+    var phi_1428_: f32;
+    var phi_1435_: f32;
+    var phi_1448_: f32;
+    var phi_1457_: f32;
+    var phi_1466_: f32;
+    var phi_1475_: f32;
+    var phi_1482_: f32;
+    var phi_1489_: f32;
+    var phi_1506_: f32;
+    var phi_1511_: f32;
+    var phi_1516_: f32;
+    var phi_1524_: f32;
+    var phi_1529_: f32;
+    var phi_1534_: f32;
+    var phi_1546_: f32;
+    var phi_1551_: f32;
+    var phi_1556_: f32;
+    var phi_1561_: f32;
+    var phi_1566_: lt_bvh_triangle_Intersection;
+    var phi_1567_: bool;
+    var phi_1568_: lt_bvh_triangle_Intersection;
+    var phi_1569_: bool;
+    var phi_1573_: lt_bvh_triangle_Intersection;
     var phi_1574_: bool;
-    var phi_1578_: bool;
-    var phi_1582_: lt_bvh_triangle_Intersection;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var phi_1609_: bool;
+    var phi_1575_: lt_bvh_triangle_Intersection;
+    var phi_1576_: bool;
+    var phi_1577_: bool;
+    var phi_1581_: bool;
+    var phi_1585_: lt_bvh_triangle_Intersection;
     var phi_1610_: bool;
     var phi_1611_: bool;
     var phi_1612_: bool;
@@ -316,37 +322,40 @@ fn function_() {
     var phi_1616_: bool;
     var phi_1617_: bool;
     var phi_1618_: bool;
-    var phi_1622_: bool;
-    var phi_1623_: bool;
-    var phi_1014_: u32;
-    var phi_1624_: bool;
+    var phi_1619_: bool;
+    var phi_1620_: bool;
+    var phi_1621_: bool;
     var phi_1625_: bool;
     var phi_1626_: bool;
+    var phi_1017_: u32;
+    var phi_1627_: bool;
+    var phi_1628_: bool;
+    var phi_1629_: bool;
     var local_4: bool;
-    var phi_1668_: bool;
-    var phi_1669_: bool;
-    var phi_1700_: u32;
-    var phi_1701_: u32;
-    var phi_1702_: bool;
-    var phi_1703_: bool;
-    var phi_684_: u32;
-    var phi_1704_: bool;
+    var phi_1671_: bool;
+    var phi_1672_: bool;
+    var phi_1703_: u32;
+    var phi_1704_: u32;
     var phi_1705_: bool;
     var phi_1706_: bool;
+    var phi_687_: u32;
     var phi_1707_: bool;
+    var phi_1708_: bool;
+    var phi_1709_: bool;
+    var phi_1710_: bool;
     var local_5: bool;
-    var phi_1711_: bool;
-    var phi_1712_: bool;
-    var phi_1716_: bool;
-    var phi_1720_: bool;
-    var phi_1721_: bool;
-    var phi_1722_: bool;
+    var phi_1714_: bool;
+    var phi_1715_: bool;
+    var phi_1719_: bool;
     var phi_1723_: bool;
-    var phi_1727_: bool;
-    var phi_1731_: f32;
-    var phi_1752_: u32;
-    var phi_1767_: u32;
-    var phi_1772_: u32;
+    var phi_1724_: bool;
+    var phi_1725_: bool;
+    var phi_1726_: bool;
+    var phi_1730_: bool;
+    var phi_1734_: f32;
+    var phi_1755_: u32;
+    var phi_1770_: u32;
+    var phi_1775_: u32;
     var local_6: bool;
     var local_7: bool;
     var local_8: bool;
@@ -375,1260 +384,1260 @@ fn function_() {
         } else {
             return;
         }
-        let _e89 = p.member.light;
-        let _e91 = samples.member[(0u + _e84)].position;
-        let _e93 = samples.member[(0u + _e84)].normal;
-        let _e95 = samples.member[(0u + _e84)].magnitude;
-        let _e97 = ((8f / 8388608f) * _e95);
-        let _e105 = (_e91.x + (_e93.x * _e97));
-        let _e107 = (_e91.y + (_e93.y * _e97));
-        let _e109 = (_e91.z + (_e93.z * _e97));
-        if (_e89.w == 0f) {
-            phi_244_ = 300000000000000000000000000000000000000f;
+        let _e90 = samples.member[(0u + _e84)].position;
+        let _e92 = samples.member[(0u + _e84)].normal;
+        let _e94 = samples.member[(0u + _e84)].magnitude;
+        let _e96 = ((8f / 8388608f) * _e94);
+        let _e104 = (_e90.x + (_e92.x * _e96));
+        let _e106 = (_e90.y + (_e92.y * _e96));
+        let _e108 = (_e90.z + (_e92.z * _e96));
+        let _e110 = p.member.light.place;
+        if (_e110.w == 0f) {
+            phi_247_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_244_ = 1f;
+            phi_247_ = 1f;
         }
-        let _e113 = phi_244_;
-        let _e121 = (_e89.x - (_e105 * _e89.w));
-        let _e122 = (_e89.y - (_e107 * _e89.w));
-        let _e123 = (_e89.z - (_e109 * _e89.w));
-        let _e128 = abs(_e121);
+        let _e114 = phi_247_;
+        let _e122 = (_e110.x - (_e104 * _e110.w));
+        let _e123 = (_e110.y - (_e106 * _e110.w));
+        let _e124 = (_e110.z - (_e108 * _e110.w));
         let _e129 = abs(_e122);
         let _e130 = abs(_e123);
-        if (abs(_e105) < 1000000000000000f) {
-            if (abs(_e107) < 1000000000000000f) {
-                if (abs(_e109) < 1000000000000000f) {
-                    if (_e128 < 1000000000000000f) {
-                        if (_e129 < 1000000000000000f) {
-                            if (_e130 < 1000000000000000f) {
-                                if (_e128 > 0f) {
-                                    phi_300_ = bool();
-                                    phi_301_ = true;
+        let _e131 = abs(_e124);
+        if (abs(_e104) < 1000000000000000f) {
+            if (abs(_e106) < 1000000000000000f) {
+                if (abs(_e108) < 1000000000000000f) {
+                    if (_e129 < 1000000000000000f) {
+                        if (_e130 < 1000000000000000f) {
+                            if (_e131 < 1000000000000000f) {
+                                if (_e129 > 0f) {
+                                    phi_303_ = bool();
+                                    phi_304_ = true;
                                 } else {
-                                    let _e138 = (_e129 > 0f);
-                                    if _e138 {
-                                        phi_299_ = bool();
+                                    let _e139 = (_e130 > 0f);
+                                    if _e139 {
+                                        phi_302_ = bool();
                                     } else {
-                                        phi_299_ = (_e130 > 0f);
+                                        phi_302_ = (_e131 > 0f);
                                     }
-                                    let _e141 = phi_299_;
-                                    phi_300_ = _e141;
-                                    phi_301_ = _e138;
+                                    let _e142 = phi_302_;
+                                    phi_303_ = _e142;
+                                    phi_304_ = _e139;
                                 }
-                                let _e143 = phi_300_;
-                                let _e145 = phi_301_;
-                                if _e145 {
-                                    phi_305_ = true;
+                                let _e144 = phi_303_;
+                                let _e146 = phi_304_;
+                                if _e146 {
+                                    phi_308_ = true;
                                 } else {
-                                    phi_305_ = _e143;
+                                    phi_308_ = _e144;
                                 }
-                                let _e147 = phi_305_;
-                                phi_306_ = _e147;
-                                phi_307_ = false;
+                                let _e148 = phi_308_;
+                                phi_309_ = _e148;
+                                phi_310_ = false;
                             } else {
-                                phi_306_ = bool();
-                                phi_307_ = true;
+                                phi_309_ = bool();
+                                phi_310_ = true;
                             }
-                            let _e149 = phi_306_;
-                            let _e151 = phi_307_;
-                            phi_308_ = _e149;
-                            phi_309_ = false;
-                            phi_310_ = _e151;
+                            let _e150 = phi_309_;
+                            let _e152 = phi_310_;
+                            phi_311_ = _e150;
+                            phi_312_ = false;
+                            phi_313_ = _e152;
                         } else {
-                            phi_308_ = bool();
-                            phi_309_ = true;
-                            phi_310_ = false;
+                            phi_311_ = bool();
+                            phi_312_ = true;
+                            phi_313_ = false;
                         }
-                        let _e153 = phi_308_;
-                        let _e155 = phi_309_;
-                        let _e157 = phi_310_;
-                        phi_311_ = _e153;
-                        phi_312_ = _e155;
-                        phi_313_ = _e157;
+                        let _e154 = phi_311_;
+                        let _e156 = phi_312_;
+                        let _e158 = phi_313_;
+                        phi_314_ = _e154;
+                        phi_315_ = _e156;
+                        phi_316_ = _e158;
                     } else {
-                        phi_311_ = bool();
-                        phi_312_ = true;
-                        phi_313_ = false;
+                        phi_314_ = bool();
+                        phi_315_ = true;
+                        phi_316_ = false;
                     }
-                    let _e159 = phi_311_;
-                    let _e161 = phi_312_;
-                    let _e163 = phi_313_;
-                    phi_314_ = _e159;
-                    phi_315_ = _e161;
-                    phi_316_ = _e163;
+                    let _e160 = phi_314_;
+                    let _e162 = phi_315_;
+                    let _e164 = phi_316_;
+                    phi_317_ = _e160;
+                    phi_318_ = _e162;
+                    phi_319_ = _e164;
                 } else {
-                    phi_314_ = bool();
-                    phi_315_ = true;
-                    phi_316_ = false;
+                    phi_317_ = bool();
+                    phi_318_ = true;
+                    phi_319_ = false;
                 }
-                let _e165 = phi_314_;
-                let _e167 = phi_315_;
-                let _e169 = phi_316_;
-                phi_317_ = _e165;
-                phi_318_ = _e167;
-                phi_319_ = _e169;
+                let _e166 = phi_317_;
+                let _e168 = phi_318_;
+                let _e170 = phi_319_;
+                phi_320_ = _e166;
+                phi_321_ = _e168;
+                phi_322_ = _e170;
             } else {
-                phi_317_ = bool();
-                phi_318_ = true;
-                phi_319_ = false;
+                phi_320_ = bool();
+                phi_321_ = true;
+                phi_322_ = false;
             }
-            let _e171 = phi_317_;
-            let _e173 = phi_318_;
-            let _e175 = phi_319_;
-            phi_320_ = _e171;
-            phi_321_ = _e173;
-            phi_322_ = _e175;
+            let _e172 = phi_320_;
+            let _e174 = phi_321_;
+            let _e176 = phi_322_;
+            phi_323_ = _e172;
+            phi_324_ = _e174;
+            phi_325_ = _e176;
         } else {
-            phi_320_ = bool();
-            phi_321_ = true;
-            phi_322_ = false;
+            phi_323_ = bool();
+            phi_324_ = true;
+            phi_325_ = false;
         }
-        let _e177 = phi_320_;
-        let _e179 = phi_321_;
-        let _e181 = phi_322_;
-        if _e179 {
-            phi_326_ = true;
+        let _e178 = phi_323_;
+        let _e180 = phi_324_;
+        let _e182 = phi_325_;
+        if _e180 {
+            phi_329_ = true;
         } else {
-            phi_326_ = _e181;
+            phi_329_ = _e182;
         }
-        let _e183 = phi_326_;
-        if _e183 {
-            phi_330_ = false;
+        let _e184 = phi_329_;
+        if _e184 {
+            phi_333_ = false;
         } else {
-            phi_330_ = _e177;
+            phi_333_ = _e178;
         }
-        let _e185 = phi_330_;
-        if _e185 {
-            let _e186 = (0u >= _e59);
-            if _e186 {
-                phi_1721_ = bool();
+        let _e186 = phi_333_;
+        if _e186 {
+            let _e187 = (0u >= _e59);
+            if _e187 {
+                phi_1724_ = bool();
             } else {
                 if (0u < _e59) {
                 } else {
                     return;
                 }
-                let _e192 = nodes.member[(0u + 0u)].frame[0u];
-                let _e196 = nodes.member[(0u + 0u)].frame[1u];
-                let _e200 = nodes.member[(0u + 0u)].frame[2u];
-                let _e204 = nodes.member[(0u + 0u)].frame[0u];
-                let _e208 = nodes.member[(0u + 0u)].frame[1u];
-                let _e212 = nodes.member[(0u + 0u)].frame[2u];
-                let _e216 = nodes.member[(0u + 0u)].frame[3u];
-                let _e250 = core_intrinsics_maximum_number_nsz_f32_(abs(_e121), abs(_e122));
-                let _e251 = core_intrinsics_maximum_number_nsz_f32_(_e250, abs(_e123));
-                let _e252 = (_e251 * 0.0000000000009094947f);
-                if (abs(_e121) < _e252) {
-                    phi_400_ = _e252;
+                let _e193 = nodes.member[(0u + 0u)].frame[0u];
+                let _e197 = nodes.member[(0u + 0u)].frame[1u];
+                let _e201 = nodes.member[(0u + 0u)].frame[2u];
+                let _e205 = nodes.member[(0u + 0u)].frame[0u];
+                let _e209 = nodes.member[(0u + 0u)].frame[1u];
+                let _e213 = nodes.member[(0u + 0u)].frame[2u];
+                let _e217 = nodes.member[(0u + 0u)].frame[3u];
+                let _e251 = core_intrinsics_maximum_number_nsz_f32_(abs(_e122), abs(_e123));
+                let _e252 = core_intrinsics_maximum_number_nsz_f32_(_e251, abs(_e124));
+                let _e253 = (_e252 * 0.0000000000009094947f);
+                if (abs(_e122) < _e253) {
+                    phi_403_ = _e253;
                 } else {
-                    phi_400_ = abs(_e121);
+                    phi_403_ = abs(_e122);
                 }
-                let _e257 = phi_400_;
-                if (_e121 < 0f) {
-                    phi_407_ = (-1f / _e257);
-                } else {
-                    phi_407_ = (1f / _e257);
-                }
-                let _e262 = phi_407_;
-                if (abs(_e122) < _e252) {
-                    phi_414_ = _e252;
-                } else {
-                    phi_414_ = abs(_e122);
-                }
-                let _e267 = phi_414_;
+                let _e258 = phi_403_;
                 if (_e122 < 0f) {
-                    phi_421_ = (-1f / _e267);
+                    phi_410_ = (-1f / _e258);
                 } else {
-                    phi_421_ = (1f / _e267);
+                    phi_410_ = (1f / _e258);
                 }
-                let _e272 = phi_421_;
-                if (abs(_e123) < _e252) {
-                    phi_428_ = _e252;
+                let _e263 = phi_410_;
+                if (abs(_e123) < _e253) {
+                    phi_417_ = _e253;
                 } else {
-                    phi_428_ = abs(_e123);
+                    phi_417_ = abs(_e123);
                 }
-                let _e277 = phi_428_;
+                let _e268 = phi_417_;
                 if (_e123 < 0f) {
-                    phi_435_ = (-1f / _e277);
+                    phi_424_ = (-1f / _e268);
                 } else {
-                    phi_435_ = (1f / _e277);
+                    phi_424_ = (1f / _e268);
                 }
-                let _e282 = phi_435_;
-                let _e286 = abs((bitcast<f32>(_e192) - _e105));
-                let _e287 = abs((bitcast<f32>(_e196) - _e107));
-                let _e288 = abs((bitcast<f32>(_e200) - _e109));
-                let _e292 = abs(((bitcast<f32>(_e204) + (bitcast<f32>((((_e216 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e105));
-                let _e293 = abs(((bitcast<f32>(_e208) + (bitcast<f32>((((_e216 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e107));
-                let _e294 = abs(((bitcast<f32>(_e212) + (bitcast<f32>((((_e216 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e109));
-                if (_e286 > _e292) {
-                    phi_452_ = _e286;
+                let _e273 = phi_424_;
+                if (abs(_e124) < _e253) {
+                    phi_431_ = _e253;
                 } else {
-                    phi_452_ = _e292;
+                    phi_431_ = abs(_e124);
                 }
-                let _e297 = phi_452_;
+                let _e278 = phi_431_;
+                if (_e124 < 0f) {
+                    phi_438_ = (-1f / _e278);
+                } else {
+                    phi_438_ = (1f / _e278);
+                }
+                let _e283 = phi_438_;
+                let _e287 = abs((bitcast<f32>(_e193) - _e104));
+                let _e288 = abs((bitcast<f32>(_e197) - _e106));
+                let _e289 = abs((bitcast<f32>(_e201) - _e108));
+                let _e293 = abs(((bitcast<f32>(_e205) + (bitcast<f32>((((_e217 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e104));
+                let _e294 = abs(((bitcast<f32>(_e209) + (bitcast<f32>((((_e217 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e106));
+                let _e295 = abs(((bitcast<f32>(_e213) + (bitcast<f32>((((_e217 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e108));
                 if (_e287 > _e293) {
-                    phi_457_ = _e287;
+                    phi_455_ = _e287;
                 } else {
-                    phi_457_ = _e293;
+                    phi_455_ = _e293;
                 }
-                let _e300 = phi_457_;
+                let _e298 = phi_455_;
                 if (_e288 > _e294) {
-                    phi_462_ = _e288;
+                    phi_460_ = _e288;
                 } else {
-                    phi_462_ = _e294;
+                    phi_460_ = _e294;
                 }
-                let _e303 = phi_462_;
-                let _e304 = core_intrinsics_maximum_number_nsz_f32_(_e297, _e300);
-                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e304, _e303);
-                let _e309 = (_e305 * 0.0000019073486f);
-                let _e310 = (abs(_e262) * _e309);
-                let _e311 = (abs(_e272) * _e309);
-                let _e312 = (abs(_e282) * _e309);
-                let _e316 = (_e305 * 0.0000009536743f);
-                let _e317 = (abs(_e262) * _e316);
-                let _e318 = (abs(_e272) * _e316);
-                let _e319 = (abs(_e282) * _e316);
-                let _e320 = abs(_e121);
+                let _e301 = phi_460_;
+                if (_e289 > _e295) {
+                    phi_465_ = _e289;
+                } else {
+                    phi_465_ = _e295;
+                }
+                let _e304 = phi_465_;
+                let _e305 = core_intrinsics_maximum_number_nsz_f32_(_e298, _e301);
+                let _e306 = core_intrinsics_maximum_number_nsz_f32_(_e305, _e304);
+                let _e310 = (_e306 * 0.0000019073486f);
+                let _e311 = (abs(_e263) * _e310);
+                let _e312 = (abs(_e273) * _e310);
+                let _e313 = (abs(_e283) * _e310);
+                let _e317 = (_e306 * 0.0000009536743f);
+                let _e318 = (abs(_e263) * _e317);
+                let _e319 = (abs(_e273) * _e317);
+                let _e320 = (abs(_e283) * _e317);
                 let _e321 = abs(_e122);
                 let _e322 = abs(_e123);
-                if (_e320 >= _e321) {
-                    if (_e320 >= _e322) {
-                        phi_490_ = false;
+                let _e323 = abs(_e124);
+                if (_e321 >= _e322) {
+                    if (_e321 >= _e323) {
+                        phi_493_ = false;
                     } else {
-                        phi_490_ = true;
+                        phi_493_ = true;
                     }
-                    let _e326 = phi_490_;
-                    phi_491_ = _e326;
+                    let _e327 = phi_493_;
+                    phi_494_ = _e327;
                 } else {
-                    phi_491_ = true;
+                    phi_494_ = true;
                 }
-                let _e328 = phi_491_;
-                if _e328 {
-                    if (_e321 >= _e322) {
-                        phi_499_ = 1u;
+                let _e329 = phi_494_;
+                if _e329 {
+                    if (_e322 >= _e323) {
+                        phi_502_ = 1u;
                     } else {
-                        phi_499_ = 2u;
+                        phi_502_ = 2u;
                     }
-                    let _e331 = phi_499_;
-                    phi_500_ = _e331;
+                    let _e332 = phi_502_;
+                    phi_503_ = _e332;
                 } else {
-                    phi_500_ = 0u;
+                    phi_503_ = 0u;
                 }
-                let _e333 = phi_500_;
-                if (_e333 == 0u) {
-                    phi_512_ = vec3<f32>(_e122, _e123, _e121);
+                let _e334 = phi_503_;
+                if (_e334 == 0u) {
+                    phi_515_ = vec3<f32>(_e123, _e124, _e122);
                 } else {
-                    if (_e333 == 1u) {
-                        phi_511_ = vec3<f32>(_e123, _e121, _e122);
+                    if (_e334 == 1u) {
+                        phi_514_ = vec3<f32>(_e124, _e122, _e123);
                     } else {
-                        phi_511_ = vec3<f32>(_e121, _e122, _e123);
+                        phi_514_ = vec3<f32>(_e122, _e123, _e124);
                     }
-                    let _e339 = phi_511_;
-                    phi_512_ = _e339;
+                    let _e340 = phi_514_;
+                    phi_515_ = _e340;
                 }
-                let _e341 = phi_512_;
-                let _e344 = (_e341.x / _e341.z);
-                let _e347 = (_e341.y / _e341.z);
-                if (_e262 < 0f) {
-                    phi_525_ = 0u;
+                let _e342 = phi_515_;
+                let _e345 = (_e342.x / _e342.z);
+                let _e348 = (_e342.y / _e342.z);
+                if (_e263 < 0f) {
+                    phi_528_ = 0u;
                 } else {
-                    phi_525_ = 1u;
+                    phi_528_ = 1u;
                 }
-                let _e352 = phi_525_;
-                if (_e272 < 0f) {
-                    phi_530_ = 0u;
+                let _e353 = phi_528_;
+                if (_e273 < 0f) {
+                    phi_533_ = 0u;
                 } else {
-                    phi_530_ = 2u;
+                    phi_533_ = 2u;
                 }
-                let _e355 = phi_530_;
-                if (_e282 < 0f) {
-                    phi_535_ = 0u;
+                let _e356 = phi_533_;
+                if (_e283 < 0f) {
+                    phi_538_ = 0u;
                 } else {
-                    phi_535_ = 4u;
+                    phi_538_ = 4u;
                 }
-                let _e358 = phi_535_;
-                let _e360 = ((_e352 | _e355) | _e358);
-                let _e361 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local = lt_bvh_traverse_Stack(array<u32, 32>(_e361.first[0], _e361.first[1], _e361.first[2], _e361.first[3], _e361.first[4], _e361.first[5], _e361.first[6], _e361.first[7], _e361.first[8], _e361.first[9], _e361.first[10], _e361.first[11], _e361.first[12], _e361.first[13], _e361.first[14], _e361.first[15], _e361.first[16], _e361.first[17], _e361.first[18], _e361.first[19], _e361.first[20], _e361.first[21], _e361.first[22], _e361.first[23], _e361.first[24], _e361.first[25], _e361.first[26], _e361.first[27], _e361.first[28], _e361.first[29], _e361.first[30], _e361.first[31]), array<u32, 32>(_e361.mask[0], _e361.mask[1], _e361.mask[2], _e361.mask[3], _e361.mask[4], _e361.mask[5], _e361.mask[6], _e361.mask[7], _e361.mask[8], _e361.mask[9], _e361.mask[10], _e361.mask[11], _e361.mask[12], _e361.mask[13], _e361.mask[14], _e361.mask[15], _e361.mask[16], _e361.mask[17], _e361.mask[18], _e361.mask[19], _e361.mask[20], _e361.mask[21], _e361.mask[22], _e361.mask[23], _e361.mask[24], _e361.mask[25], _e361.mask[26], _e361.mask[27], _e361.mask[28], _e361.mask[29], _e361.mask[30], _e361.mask[31]), _e361.len, _e361.group, _e361.group_mask);
-                let _e435 = local.group_mask;
-                if ((_e435 & 4278190080u) == 0u) {
-                    let _e439 = local.len;
-                    if (_e439 == 0u) {
-                        phi_649_ = false;
+                let _e359 = phi_538_;
+                let _e361 = ((_e353 | _e356) | _e359);
+                let _e362 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local = lt_bvh_traverse_Stack(array<u32, 32>(_e362.first[0], _e362.first[1], _e362.first[2], _e362.first[3], _e362.first[4], _e362.first[5], _e362.first[6], _e362.first[7], _e362.first[8], _e362.first[9], _e362.first[10], _e362.first[11], _e362.first[12], _e362.first[13], _e362.first[14], _e362.first[15], _e362.first[16], _e362.first[17], _e362.first[18], _e362.first[19], _e362.first[20], _e362.first[21], _e362.first[22], _e362.first[23], _e362.first[24], _e362.first[25], _e362.first[26], _e362.first[27], _e362.first[28], _e362.first[29], _e362.first[30], _e362.first[31]), array<u32, 32>(_e362.mask[0], _e362.mask[1], _e362.mask[2], _e362.mask[3], _e362.mask[4], _e362.mask[5], _e362.mask[6], _e362.mask[7], _e362.mask[8], _e362.mask[9], _e362.mask[10], _e362.mask[11], _e362.mask[12], _e362.mask[13], _e362.mask[14], _e362.mask[15], _e362.mask[16], _e362.mask[17], _e362.mask[18], _e362.mask[19], _e362.mask[20], _e362.mask[21], _e362.mask[22], _e362.mask[23], _e362.mask[24], _e362.mask[25], _e362.mask[26], _e362.mask[27], _e362.mask[28], _e362.mask[29], _e362.mask[30], _e362.mask[31]), _e362.len, _e362.group, _e362.group_mask);
+                let _e436 = local.group_mask;
+                if ((_e436 & 4278190080u) == 0u) {
+                    let _e440 = local.len;
+                    if (_e440 == 0u) {
+                        phi_652_ = false;
                     } else {
-                        let _e443 = local.len;
-                        local.len = (_e443 - 1u);
-                        let _e446 = local.len;
-                        if (_e446 < 32u) {
+                        let _e444 = local.len;
+                        local.len = (_e444 - 1u);
+                        let _e447 = local.len;
+                        if (_e447 < 32u) {
                         } else {
                             return;
                         }
-                        let _e451 = local.first[(0u + _e446)];
-                        local.group = _e451;
-                        let _e454 = local.len;
-                        if (_e454 < 32u) {
+                        let _e452 = local.first[(0u + _e447)];
+                        local.group = _e452;
+                        let _e455 = local.len;
+                        if (_e455 < 32u) {
                         } else {
                             return;
                         }
-                        let _e459 = local.mask[(0u + _e454)];
-                        local.group_mask = _e459;
-                        phi_649_ = true;
+                        let _e460 = local.mask[(0u + _e455)];
+                        local.group_mask = _e460;
+                        phi_652_ = true;
                     }
-                    let _e462 = phi_649_;
-                    phi_650_ = _e462;
+                    let _e463 = phi_652_;
+                    phi_653_ = _e463;
                 } else {
-                    phi_650_ = true;
+                    phi_653_ = true;
                 }
-                let _e464 = phi_650_;
-                if _e464 {
-                    let _e466 = local.group_mask;
-                    let _e472 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, (_e466 == 0u)));
-                    let _e476 = local.group_mask;
-                    let _e490 = local.group_mask;
-                    local.group_mask = (_e490 & ~((1u << bitcast<u32>((_e472 & 31u)))));
-                    let _e493 = local.group;
-                    phi_681_ = (_e493 + countOneBits(((_e476 & ~((4294967295u << bitcast<u32>((((_e472 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e465 = phi_653_;
+                if _e465 {
+                    let _e467 = local.group_mask;
+                    let _e473 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e467)), 32u, (_e467 == 0u)));
+                    let _e477 = local.group_mask;
+                    let _e491 = local.group_mask;
+                    local.group_mask = (_e491 & ~((1u << bitcast<u32>((_e473 & 31u)))));
+                    let _e494 = local.group;
+                    phi_684_ = (_e494 + countOneBits(((_e477 & ~((4294967295u << bitcast<u32>((((_e473 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_681_ = 4294967295u;
+                    phi_684_ = 4294967295u;
                 }
-                let _e496 = phi_681_;
-                phi_683_ = _e496;
+                let _e497 = phi_684_;
+                phi_686_ = _e497;
                 loop {
-                    let _e498 = phi_683_;
-                    if (_e498 != 4294967295u) {
-                        if (_e498 < _e59) {
+                    let _e499 = phi_686_;
+                    if (_e499 != 4294967295u) {
+                        if (_e499 < _e59) {
                         } else {
                             return;
                         }
-                        let _e505 = nodes.member[(0u + _e498)].frame[3u];
-                        let _e530 = (bitcast<f32>((((_e505 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e262);
-                        let _e531 = (bitcast<f32>((((_e505 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e272);
-                        let _e532 = (bitcast<f32>((((_e505 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e282);
-                        let _e535 = nodes.member[(0u + _e498)].frame[0u];
-                        let _e539 = nodes.member[(0u + _e498)].frame[1u];
-                        let _e543 = nodes.member[(0u + _e498)].frame[2u];
-                        let _e548 = ((bitcast<f32>(_e535) - _e105) * _e262);
-                        let _e549 = ((bitcast<f32>(_e539) - _e107) * _e272);
-                        let _e550 = ((bitcast<f32>(_e543) - _e109) * _e282);
-                        let _e558 = nodes.member[(0u + _e498)].x;
-                        if (_e262 < 0f) {
-                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e569.unnamed.root, _e558.w), _e569.unnamed_1);
-                            let _e581 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_bvh_traverse_Tree(_e558.x, _e575.unnamed_1.first_primitive));
-                            phi_764_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e581.unnamed, lt_bvh_traverse_Tree(_e581.unnamed_1.root, _e558.y));
+                        let _e506 = nodes.member[(0u + _e499)].frame[3u];
+                        let _e531 = (bitcast<f32>((((_e506 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
+                        let _e532 = (bitcast<f32>((((_e506 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
+                        let _e533 = (bitcast<f32>((((_e506 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
+                        let _e536 = nodes.member[(0u + _e499)].frame[0u];
+                        let _e540 = nodes.member[(0u + _e499)].frame[1u];
+                        let _e544 = nodes.member[(0u + _e499)].frame[2u];
+                        let _e549 = ((bitcast<f32>(_e536) - _e104) * _e263);
+                        let _e550 = ((bitcast<f32>(_e540) - _e106) * _e273);
+                        let _e551 = ((bitcast<f32>(_e544) - _e108) * _e283);
+                        let _e559 = nodes.member[(0u + _e499)].x;
+                        if (_e263 < 0f) {
+                            let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e570.unnamed.root, _e559.w), _e570.unnamed_1);
+                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_bvh_traverse_Tree(_e559.x, _e576.unnamed_1.first_primitive));
+                            phi_767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e582.unnamed_1.root, _e559.y));
                         } else {
-                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e558.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e597.unnamed.root, _e558.y), _e597.unnamed_1);
-                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e558.z, _e603.unnamed_1.first_primitive));
-                            phi_764_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e609.unnamed, lt_bvh_traverse_Tree(_e609.unnamed_1.root, _e558.w));
+                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.unnamed.root, _e559.y), _e598.unnamed_1);
+                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e559.z, _e604.unnamed_1.first_primitive));
+                            phi_767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e610.unnamed_1.root, _e559.w));
                         }
-                        let _e617 = phi_764_;
-                        let _e627 = nodes.member[(0u + _e498)].y;
-                        if (_e272 < 0f) {
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e638.unnamed.root, _e627.w), _e638.unnamed_1);
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e627.x, _e644.unnamed_1.first_primitive));
-                            phi_791_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e650.unnamed, lt_bvh_traverse_Tree(_e650.unnamed_1.root, _e627.y));
+                        let _e618 = phi_767_;
+                        let _e628 = nodes.member[(0u + _e499)].y;
+                        if (_e273 < 0f) {
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e639.unnamed.root, _e628.w), _e639.unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e628.x, _e645.unnamed_1.first_primitive));
+                            phi_794_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e651.unnamed_1.root, _e628.y));
                         } else {
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e627.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e666.unnamed.root, _e627.y), _e666.unnamed_1);
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e627.z, _e672.unnamed_1.first_primitive));
-                            phi_791_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e678.unnamed, lt_bvh_traverse_Tree(_e678.unnamed_1.root, _e627.w));
+                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e628.y), _e667.unnamed_1);
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e628.z, _e673.unnamed_1.first_primitive));
+                            phi_794_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e628.w));
                         }
-                        let _e686 = phi_791_;
-                        let _e696 = nodes.member[(0u + _e498)].z;
-                        if (_e282 < 0f) {
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e707.unnamed.root, _e696.w), _e707.unnamed_1);
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e696.x, _e713.unnamed_1.first_primitive));
-                            phi_818_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e719.unnamed, lt_bvh_traverse_Tree(_e719.unnamed_1.root, _e696.y));
+                        let _e687 = phi_794_;
+                        let _e697 = nodes.member[(0u + _e499)].z;
+                        if (_e283 < 0f) {
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e708.unnamed.root, _e697.w), _e708.unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e697.x, _e714.unnamed_1.first_primitive));
+                            phi_821_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e720.unnamed_1.root, _e697.y));
                         } else {
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e696.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e735.unnamed.root, _e696.y), _e735.unnamed_1);
-                            let _e747 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e696.z, _e741.unnamed_1.first_primitive));
-                            phi_818_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e747.unnamed, lt_bvh_traverse_Tree(_e747.unnamed_1.root, _e696.w));
+                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e697.y), _e736.unnamed_1);
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e697.z, _e742.unnamed_1.first_primitive));
+                            phi_821_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e697.w));
                         }
-                        let _e755 = phi_818_;
-                        phi_824_ = 0u;
+                        let _e756 = phi_821_;
                         phi_827_ = 0u;
+                        phi_830_ = 0u;
                         loop {
-                            let _e765 = phi_824_;
-                            let _e767 = phi_827_;
-                            local_1 = _e767;
-                            local_2 = _e767;
-                            local_3 = _e767;
-                            let _e768 = (_e765 < 8u);
-                            if _e768 {
-                                let _e770 = (_e765 >> bitcast<u32>(2i));
-                                let _e771 = (_e765 & 3u);
-                                if (_e770 == 0u) {
-                                    phi_841_ = _e617.unnamed.root;
+                            let _e766 = phi_827_;
+                            let _e768 = phi_830_;
+                            local_1 = _e768;
+                            local_2 = _e768;
+                            local_3 = _e768;
+                            let _e769 = (_e766 < 8u);
+                            if _e769 {
+                                let _e771 = (_e766 >> bitcast<u32>(2i));
+                                let _e772 = (_e766 & 3u);
+                                if (_e771 == 0u) {
+                                    phi_844_ = _e618.unnamed.root;
                                 } else {
-                                    phi_841_ = _e617.unnamed.first_primitive;
+                                    phi_844_ = _e618.unnamed.first_primitive;
                                 }
-                                let _e774 = phi_841_;
-                                if (_e770 == 0u) {
-                                    phi_851_ = _e686.unnamed.root;
+                                let _e775 = phi_844_;
+                                if (_e771 == 0u) {
+                                    phi_854_ = _e687.unnamed.root;
                                 } else {
-                                    phi_851_ = _e686.unnamed.first_primitive;
+                                    phi_854_ = _e687.unnamed.first_primitive;
                                 }
-                                let _e783 = phi_851_;
-                                if (_e770 == 0u) {
-                                    phi_861_ = _e755.unnamed.root;
+                                let _e784 = phi_854_;
+                                if (_e771 == 0u) {
+                                    phi_864_ = _e756.unnamed.root;
                                 } else {
-                                    phi_861_ = _e755.unnamed.first_primitive;
+                                    phi_864_ = _e756.unnamed.first_primitive;
                                 }
-                                let _e792 = phi_861_;
-                                let _e805 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e774 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e310)), ((f32(((_e783 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e311)));
-                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(_e805, ((f32(((_e792 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e312)));
-                                if (_e770 == 0u) {
-                                    phi_879_ = _e617.unnamed_1.root;
+                                let _e793 = phi_864_;
+                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e775 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e311)), ((f32(((_e784 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e312)));
+                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(_e806, ((f32(((_e793 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e313)));
+                                if (_e771 == 0u) {
+                                    phi_882_ = _e618.unnamed_1.root;
                                 } else {
-                                    phi_879_ = _e617.unnamed_1.first_primitive;
+                                    phi_882_ = _e618.unnamed_1.first_primitive;
                                 }
-                                let _e809 = phi_879_;
-                                if (_e770 == 0u) {
-                                    phi_889_ = _e686.unnamed_1.root;
+                                let _e810 = phi_882_;
+                                if (_e771 == 0u) {
+                                    phi_892_ = _e687.unnamed_1.root;
                                 } else {
-                                    phi_889_ = _e686.unnamed_1.first_primitive;
+                                    phi_892_ = _e687.unnamed_1.first_primitive;
                                 }
-                                let _e818 = phi_889_;
-                                if (_e770 == 0u) {
-                                    phi_899_ = _e755.unnamed_1.root;
+                                let _e819 = phi_892_;
+                                if (_e771 == 0u) {
+                                    phi_902_ = _e756.unnamed_1.root;
                                 } else {
-                                    phi_899_ = _e755.unnamed_1.first_primitive;
+                                    phi_902_ = _e756.unnamed_1.first_primitive;
                                 }
-                                let _e827 = phi_899_;
-                                let _e840 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e809 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e310)), ((f32(((_e818 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e311)));
-                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(_e840, ((f32(((_e827 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e312)));
-                                if (_e806 <= _e841) {
-                                    if (_e806 <= _e113) {
-                                        if (_e841 >= 0f) {
-                                            if (_e770 == 0u) {
-                                                let _e848 = nodes.member[(0u + _e498)].links[2u];
-                                                phi_935_ = _e848;
+                                let _e828 = phi_902_;
+                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e311)), ((f32(((_e819 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e312)));
+                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e313)));
+                                if (_e807 <= _e842) {
+                                    if (_e807 <= _e114) {
+                                        if (_e842 >= 0f) {
+                                            if (_e771 == 0u) {
+                                                let _e849 = nodes.member[(0u + _e499)].links[2u];
+                                                phi_938_ = _e849;
                                             } else {
-                                                let _e851 = nodes.member[(0u + _e498)].links[3u];
-                                                phi_935_ = _e851;
+                                                let _e852 = nodes.member[(0u + _e499)].links[3u];
+                                                phi_938_ = _e852;
                                             }
-                                            let _e853 = phi_935_;
-                                            let _e858 = ((_e853 >> bitcast<u32>(((_e771 * 8u) & 31u))) & 255u);
-                                            let _e859 = (_e858 & 31u);
-                                            if (_e859 >= 24u) {
-                                                phi_948_ = (24u + ((_e859 - 24u) ^ _e360));
+                                            let _e854 = phi_938_;
+                                            let _e859 = ((_e854 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u);
+                                            let _e860 = (_e859 & 31u);
+                                            if (_e860 >= 24u) {
+                                                phi_951_ = (24u + ((_e860 - 24u) ^ _e361));
                                             } else {
-                                                phi_948_ = _e859;
+                                                phi_951_ = _e860;
                                             }
-                                            let _e865 = phi_948_;
-                                            phi_953_ = (_e767 | ((_e858 >> bitcast<u32>(5i)) << bitcast<u32>((_e865 & 31u))));
+                                            let _e866 = phi_951_;
+                                            phi_956_ = (_e768 | ((_e859 >> bitcast<u32>(5i)) << bitcast<u32>((_e866 & 31u))));
                                         } else {
-                                            phi_953_ = _e767;
+                                            phi_956_ = _e768;
                                         }
-                                        let _e873 = phi_953_;
-                                        phi_954_ = _e873;
+                                        let _e874 = phi_956_;
+                                        phi_957_ = _e874;
                                     } else {
-                                        phi_954_ = _e767;
+                                        phi_957_ = _e768;
                                     }
-                                    let _e875 = phi_954_;
-                                    phi_955_ = _e875;
+                                    let _e876 = phi_957_;
+                                    phi_958_ = _e876;
                                 } else {
-                                    phi_955_ = _e767;
+                                    phi_958_ = _e768;
                                 }
-                                let _e877 = phi_955_;
-                                phi_825_ = (_e765 + 1u);
-                                phi_828_ = _e877;
+                                let _e878 = phi_958_;
+                                phi_828_ = (_e766 + 1u);
+                                phi_831_ = _e878;
                             } else {
-                                phi_825_ = u32();
                                 phi_828_ = u32();
+                                phi_831_ = u32();
                             }
-                            let _e880 = phi_825_;
-                            let _e882 = phi_828_;
+                            let _e881 = phi_828_;
+                            let _e883 = phi_831_;
                             continue;
                             continuing {
-                                phi_824_ = _e880;
-                                phi_827_ = _e882;
-                                break if !(_e768);
+                                phi_827_ = _e881;
+                                phi_830_ = _e883;
+                                break if !(_e769);
                             }
                         }
-                        let _e886 = nodes.member[(0u + _e498)].links[0u];
-                        let _e890 = nodes.member[(0u + _e498)].frame[3u];
-                        let _e894 = local_1;
-                        if ((_e894 & 4278190080u) == 0u) {
+                        let _e887 = nodes.member[(0u + _e499)].links[0u];
+                        let _e891 = nodes.member[(0u + _e499)].frame[3u];
+                        let _e895 = local_1;
+                        if ((_e895 & 4278190080u) == 0u) {
                         } else {
-                            let _e898 = local.group_mask;
-                            if ((_e898 & 4278190080u) == 0u) {
+                            let _e899 = local.group_mask;
+                            if ((_e899 & 4278190080u) == 0u) {
                             } else {
-                                let _e902 = local.len;
-                                if (_e902 < 32u) {
-                                    let _e905 = local.group;
-                                    let _e907 = local.len;
-                                    if (_e907 < 32u) {
+                                let _e903 = local.len;
+                                if (_e903 < 32u) {
+                                    let _e906 = local.group;
+                                    let _e908 = local.len;
+                                    if (_e908 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.first[(0u + _e907)] = _e905;
-                                    let _e913 = local.group_mask;
-                                    let _e915 = local.len;
-                                    if (_e915 < 32u) {
+                                    local.first[(0u + _e908)] = _e906;
+                                    let _e914 = local.group_mask;
+                                    let _e916 = local.len;
+                                    if (_e916 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local.mask[(0u + _e915)] = _e913;
-                                    let _e922 = local.len;
-                                    local.len = (_e922 + 1u);
+                                    local.mask[(0u + _e916)] = _e914;
+                                    let _e923 = local.len;
+                                    local.len = (_e923 + 1u);
                                 }
                             }
-                            local.group = (0u + _e886);
-                            let _e926 = local_2;
-                            local.group_mask = ((_e926 & 4278190080u) | (_e890 >> bitcast<u32>(24i)));
+                            local.group = (0u + _e887);
+                            let _e927 = local_2;
+                            local.group_mask = ((_e927 & 4278190080u) | (_e891 >> bitcast<u32>(24i)));
                         }
-                        let _e931 = local_3;
-                        phi_1013_ = (_e931 & 16777215u);
+                        let _e932 = local_3;
+                        phi_1016_ = (_e932 & 16777215u);
                         loop {
-                            let _e934 = phi_1013_;
-                            let _e935 = (_e934 == 0u);
-                            local_4 = _e935;
-                            local_8 = _e935;
-                            if _e935 {
-                                phi_1014_ = u32();
-                                phi_1624_ = false;
-                                phi_1625_ = false;
-                                phi_1626_ = false;
+                            let _e935 = phi_1016_;
+                            let _e936 = (_e935 == 0u);
+                            local_4 = _e936;
+                            local_8 = _e936;
+                            if _e936 {
+                                phi_1017_ = u32();
+                                phi_1627_ = false;
+                                phi_1628_ = false;
+                                phi_1629_ = false;
                             } else {
-                                let _e938 = nodes.member[(0u + _e498)].links[1u];
-                                let _e943 = ((0u + _e938) + select(firstTrailingBit(_e934), 32u, (_e934 == 0u)));
-                                if (_e943 < arrayLength((&triangles.member))) {
+                                let _e939 = nodes.member[(0u + _e499)].links[1u];
+                                let _e944 = ((0u + _e939) + select(firstTrailingBit(_e935), 32u, (_e935 == 0u)));
+                                if (_e944 < arrayLength((&triangles.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e950 = triangles.member[(0u + _e943)].v0_;
-                                let _e952 = (_e950.x - _e105);
-                                let _e954 = (_e950.y - _e107);
-                                let _e956 = (_e950.z - _e109);
-                                if (_e333 == 0u) {
-                                    phi_1059_ = vec3<f32>(_e954, _e956, _e952);
+                                let _e951 = triangles.member[(0u + _e944)].v0_;
+                                let _e953 = (_e951.x - _e104);
+                                let _e955 = (_e951.y - _e106);
+                                let _e957 = (_e951.z - _e108);
+                                if (_e334 == 0u) {
+                                    phi_1062_ = vec3<f32>(_e955, _e957, _e953);
                                 } else {
-                                    if (_e333 == 1u) {
-                                        phi_1058_ = vec3<f32>(_e956, _e952, _e954);
+                                    if (_e334 == 1u) {
+                                        phi_1061_ = vec3<f32>(_e957, _e953, _e955);
                                     } else {
-                                        phi_1058_ = (_e950 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1061_ = (_e951 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e964 = phi_1058_;
-                                    phi_1059_ = _e964;
+                                    let _e965 = phi_1061_;
+                                    phi_1062_ = _e965;
                                 }
-                                let _e966 = phi_1059_;
-                                let _e970 = (_e966.x - (_e344 * _e966.z));
-                                let _e974 = (_e966.y - (_e347 * _e966.z));
-                                let _e976 = triangles.member[(0u + _e943)].v1_;
-                                let _e978 = (_e976.x - _e105);
-                                let _e980 = (_e976.y - _e107);
-                                let _e982 = (_e976.z - _e109);
-                                if (_e333 == 0u) {
-                                    phi_1089_ = vec3<f32>(_e980, _e982, _e978);
+                                let _e967 = phi_1062_;
+                                let _e971 = (_e967.x - (_e345 * _e967.z));
+                                let _e975 = (_e967.y - (_e348 * _e967.z));
+                                let _e977 = triangles.member[(0u + _e944)].v1_;
+                                let _e979 = (_e977.x - _e104);
+                                let _e981 = (_e977.y - _e106);
+                                let _e983 = (_e977.z - _e108);
+                                if (_e334 == 0u) {
+                                    phi_1092_ = vec3<f32>(_e981, _e983, _e979);
                                 } else {
-                                    if (_e333 == 1u) {
-                                        phi_1088_ = vec3<f32>(_e982, _e978, _e980);
+                                    if (_e334 == 1u) {
+                                        phi_1091_ = vec3<f32>(_e983, _e979, _e981);
                                     } else {
-                                        phi_1088_ = (_e976 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1091_ = (_e977 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e990 = phi_1088_;
-                                    phi_1089_ = _e990;
+                                    let _e991 = phi_1091_;
+                                    phi_1092_ = _e991;
                                 }
-                                let _e992 = phi_1089_;
-                                let _e996 = (_e992.x - (_e344 * _e992.z));
-                                let _e1000 = (_e992.y - (_e347 * _e992.z));
-                                let _e1002 = triangles.member[(0u + _e943)].v2_;
-                                let _e1004 = (_e1002.x - _e105);
-                                let _e1006 = (_e1002.y - _e107);
-                                let _e1008 = (_e1002.z - _e109);
-                                if (_e333 == 0u) {
-                                    phi_1119_ = vec3<f32>(_e1006, _e1008, _e1004);
+                                let _e993 = phi_1092_;
+                                let _e997 = (_e993.x - (_e345 * _e993.z));
+                                let _e1001 = (_e993.y - (_e348 * _e993.z));
+                                let _e1003 = triangles.member[(0u + _e944)].v2_;
+                                let _e1005 = (_e1003.x - _e104);
+                                let _e1007 = (_e1003.y - _e106);
+                                let _e1009 = (_e1003.z - _e108);
+                                if (_e334 == 0u) {
+                                    phi_1122_ = vec3<f32>(_e1007, _e1009, _e1005);
                                 } else {
-                                    if (_e333 == 1u) {
-                                        phi_1118_ = vec3<f32>(_e1008, _e1004, _e1006);
+                                    if (_e334 == 1u) {
+                                        phi_1121_ = vec3<f32>(_e1009, _e1005, _e1007);
                                     } else {
-                                        phi_1118_ = (_e1002 - vec3<f32>(_e105, _e107, _e109));
+                                        phi_1121_ = (_e1003 - vec3<f32>(_e104, _e106, _e108));
                                     }
-                                    let _e1016 = phi_1118_;
-                                    phi_1119_ = _e1016;
+                                    let _e1017 = phi_1121_;
+                                    phi_1122_ = _e1017;
                                 }
-                                let _e1018 = phi_1119_;
-                                let _e1022 = (_e1018.x - (_e344 * _e1018.z));
-                                let _e1026 = (_e1018.y - (_e347 * _e1018.z));
-                                if (_e996 < _e1022) {
-                                    phi_1138_ = true;
+                                let _e1019 = phi_1122_;
+                                let _e1023 = (_e1019.x - (_e345 * _e1019.z));
+                                let _e1027 = (_e1019.y - (_e348 * _e1019.z));
+                                if (_e997 < _e1023) {
+                                    phi_1141_ = true;
                                 } else {
-                                    if (_e996 == _e1022) {
-                                        phi_1137_ = (_e1000 < _e1026);
+                                    if (_e997 == _e1023) {
+                                        phi_1140_ = (_e1001 < _e1027);
                                     } else {
-                                        phi_1137_ = false;
+                                        phi_1140_ = false;
                                     }
-                                    let _e1031 = phi_1137_;
-                                    phi_1138_ = _e1031;
+                                    let _e1032 = phi_1140_;
+                                    phi_1141_ = _e1032;
                                 }
-                                let _e1033 = phi_1138_;
-                                if _e1033 {
-                                    phi_1142_ = _e1026;
-                                    phi_1143_ = _e1022;
-                                    phi_1144_ = _e1000;
-                                    phi_1145_ = _e996;
+                                let _e1034 = phi_1141_;
+                                if _e1034 {
+                                    phi_1145_ = _e1027;
+                                    phi_1146_ = _e1023;
+                                    phi_1147_ = _e1001;
+                                    phi_1148_ = _e997;
                                 } else {
-                                    phi_1142_ = _e1000;
-                                    phi_1143_ = _e996;
-                                    phi_1144_ = _e1026;
-                                    phi_1145_ = _e1022;
+                                    phi_1145_ = _e1001;
+                                    phi_1146_ = _e997;
+                                    phi_1147_ = _e1027;
+                                    phi_1148_ = _e1023;
                                 }
-                                let _e1035 = phi_1142_;
-                                let _e1037 = phi_1143_;
-                                let _e1039 = phi_1144_;
-                                let _e1041 = phi_1145_;
-                                let _e1044 = ((_e1041 * _e1035) - (_e1039 * _e1037));
-                                if _e1033 {
-                                    phi_1153_ = -(_e1044);
+                                let _e1036 = phi_1145_;
+                                let _e1038 = phi_1146_;
+                                let _e1040 = phi_1147_;
+                                let _e1042 = phi_1148_;
+                                let _e1045 = ((_e1042 * _e1036) - (_e1040 * _e1038));
+                                if _e1034 {
+                                    phi_1156_ = -(_e1045);
                                 } else {
-                                    phi_1153_ = _e1044;
+                                    phi_1156_ = _e1045;
                                 }
-                                let _e1047 = phi_1153_;
-                                if (_e1022 < _e970) {
-                                    phi_1164_ = true;
+                                let _e1048 = phi_1156_;
+                                if (_e1023 < _e971) {
+                                    phi_1167_ = true;
                                 } else {
-                                    if (_e1022 == _e970) {
-                                        phi_1163_ = (_e1026 < _e974);
+                                    if (_e1023 == _e971) {
+                                        phi_1166_ = (_e1027 < _e975);
                                     } else {
-                                        phi_1163_ = false;
+                                        phi_1166_ = false;
                                     }
-                                    let _e1052 = phi_1163_;
-                                    phi_1164_ = _e1052;
+                                    let _e1053 = phi_1166_;
+                                    phi_1167_ = _e1053;
                                 }
-                                let _e1054 = phi_1164_;
-                                if _e1054 {
-                                    phi_1168_ = _e974;
-                                    phi_1169_ = _e970;
-                                    phi_1170_ = _e1026;
-                                    phi_1171_ = _e1022;
+                                let _e1055 = phi_1167_;
+                                if _e1055 {
+                                    phi_1171_ = _e975;
+                                    phi_1172_ = _e971;
+                                    phi_1173_ = _e1027;
+                                    phi_1174_ = _e1023;
                                 } else {
-                                    phi_1168_ = _e1026;
-                                    phi_1169_ = _e1022;
-                                    phi_1170_ = _e974;
-                                    phi_1171_ = _e970;
+                                    phi_1171_ = _e1027;
+                                    phi_1172_ = _e1023;
+                                    phi_1173_ = _e975;
+                                    phi_1174_ = _e971;
                                 }
-                                let _e1056 = phi_1168_;
-                                let _e1058 = phi_1169_;
-                                let _e1060 = phi_1170_;
-                                let _e1062 = phi_1171_;
-                                let _e1065 = ((_e1062 * _e1056) - (_e1060 * _e1058));
-                                if _e1054 {
-                                    phi_1179_ = -(_e1065);
+                                let _e1057 = phi_1171_;
+                                let _e1059 = phi_1172_;
+                                let _e1061 = phi_1173_;
+                                let _e1063 = phi_1174_;
+                                let _e1066 = ((_e1063 * _e1057) - (_e1061 * _e1059));
+                                if _e1055 {
+                                    phi_1182_ = -(_e1066);
                                 } else {
-                                    phi_1179_ = _e1065;
+                                    phi_1182_ = _e1066;
                                 }
-                                let _e1068 = phi_1179_;
-                                if (_e970 < _e996) {
-                                    phi_1190_ = true;
+                                let _e1069 = phi_1182_;
+                                if (_e971 < _e997) {
+                                    phi_1193_ = true;
                                 } else {
-                                    if (_e970 == _e996) {
-                                        phi_1189_ = (_e974 < _e1000);
+                                    if (_e971 == _e997) {
+                                        phi_1192_ = (_e975 < _e1001);
                                     } else {
-                                        phi_1189_ = false;
+                                        phi_1192_ = false;
                                     }
-                                    let _e1073 = phi_1189_;
-                                    phi_1190_ = _e1073;
+                                    let _e1074 = phi_1192_;
+                                    phi_1193_ = _e1074;
                                 }
-                                let _e1075 = phi_1190_;
-                                if _e1075 {
-                                    phi_1194_ = _e1000;
-                                    phi_1195_ = _e996;
-                                    phi_1196_ = _e974;
-                                    phi_1197_ = _e970;
+                                let _e1076 = phi_1193_;
+                                if _e1076 {
+                                    phi_1197_ = _e1001;
+                                    phi_1198_ = _e997;
+                                    phi_1199_ = _e975;
+                                    phi_1200_ = _e971;
                                 } else {
-                                    phi_1194_ = _e974;
-                                    phi_1195_ = _e970;
-                                    phi_1196_ = _e1000;
-                                    phi_1197_ = _e996;
+                                    phi_1197_ = _e975;
+                                    phi_1198_ = _e971;
+                                    phi_1199_ = _e1001;
+                                    phi_1200_ = _e997;
                                 }
-                                let _e1077 = phi_1194_;
-                                let _e1079 = phi_1195_;
-                                let _e1081 = phi_1196_;
-                                let _e1083 = phi_1197_;
-                                let _e1086 = ((_e1083 * _e1077) - (_e1081 * _e1079));
-                                if _e1075 {
-                                    phi_1205_ = -(_e1086);
+                                let _e1078 = phi_1197_;
+                                let _e1080 = phi_1198_;
+                                let _e1082 = phi_1199_;
+                                let _e1084 = phi_1200_;
+                                let _e1087 = ((_e1084 * _e1078) - (_e1082 * _e1080));
+                                if _e1076 {
+                                    phi_1208_ = -(_e1087);
                                 } else {
-                                    phi_1205_ = _e1086;
+                                    phi_1208_ = _e1087;
                                 }
-                                let _e1089 = phi_1205_;
-                                if (_e1047 >= 0f) {
-                                    if (_e1068 >= 0f) {
-                                        if (_e1089 >= 0f) {
-                                            phi_1220_ = ((_e1047 + _e1068) + _e1089);
-                                            phi_1221_ = false;
+                                let _e1090 = phi_1208_;
+                                if (_e1048 >= 0f) {
+                                    if (_e1069 >= 0f) {
+                                        if (_e1090 >= 0f) {
+                                            phi_1223_ = ((_e1048 + _e1069) + _e1090);
+                                            phi_1224_ = false;
                                         } else {
-                                            phi_1220_ = f32();
-                                            phi_1221_ = true;
+                                            phi_1223_ = f32();
+                                            phi_1224_ = true;
                                         }
-                                        let _e1096 = phi_1220_;
-                                        let _e1098 = phi_1221_;
-                                        phi_1222_ = _e1096;
-                                        phi_1223_ = _e1098;
+                                        let _e1097 = phi_1223_;
+                                        let _e1099 = phi_1224_;
+                                        phi_1225_ = _e1097;
+                                        phi_1226_ = _e1099;
                                     } else {
-                                        phi_1222_ = f32();
-                                        phi_1223_ = true;
+                                        phi_1225_ = f32();
+                                        phi_1226_ = true;
                                     }
-                                    let _e1100 = phi_1222_;
-                                    let _e1102 = phi_1223_;
-                                    phi_1224_ = _e1100;
-                                    phi_1225_ = _e1102;
+                                    let _e1101 = phi_1225_;
+                                    let _e1103 = phi_1226_;
+                                    phi_1227_ = _e1101;
+                                    phi_1228_ = _e1103;
                                 } else {
-                                    phi_1224_ = f32();
-                                    phi_1225_ = true;
+                                    phi_1227_ = f32();
+                                    phi_1228_ = true;
                                 }
-                                let _e1104 = phi_1224_;
-                                let _e1106 = phi_1225_;
-                                if _e1106 {
-                                    if (_e1047 <= 0f) {
-                                        if (_e1068 <= 0f) {
-                                            let _e1109 = (_e1089 <= 0f);
-                                            if _e1109 {
+                                let _e1105 = phi_1227_;
+                                let _e1107 = phi_1228_;
+                                if _e1107 {
+                                    if (_e1048 <= 0f) {
+                                        if (_e1069 <= 0f) {
+                                            let _e1110 = (_e1090 <= 0f);
+                                            if _e1110 {
                                             }
-                                            phi_1243_ = ((_e1047 + _e1068) + _e1089);
-                                            phi_1244_ = false;
-                                            phi_1245_ = _e1109;
+                                            phi_1246_ = ((_e1048 + _e1069) + _e1090);
+                                            phi_1247_ = false;
+                                            phi_1248_ = _e1110;
                                         } else {
-                                            phi_1243_ = f32();
-                                            phi_1244_ = true;
-                                            phi_1245_ = false;
+                                            phi_1246_ = f32();
+                                            phi_1247_ = true;
+                                            phi_1248_ = false;
                                         }
-                                        let _e1113 = phi_1243_;
-                                        let _e1115 = phi_1244_;
-                                        let _e1117 = phi_1245_;
-                                        phi_1246_ = _e1113;
-                                        phi_1247_ = _e1115;
-                                        phi_1248_ = _e1117;
+                                        let _e1114 = phi_1246_;
+                                        let _e1116 = phi_1247_;
+                                        let _e1118 = phi_1248_;
+                                        phi_1249_ = _e1114;
+                                        phi_1250_ = _e1116;
+                                        phi_1251_ = _e1118;
                                     } else {
-                                        phi_1246_ = f32();
-                                        phi_1247_ = true;
-                                        phi_1248_ = false;
+                                        phi_1249_ = f32();
+                                        phi_1250_ = true;
+                                        phi_1251_ = false;
                                     }
-                                    let _e1119 = phi_1246_;
-                                    let _e1121 = phi_1247_;
-                                    let _e1123 = phi_1248_;
-                                    if _e1121 {
-                                        phi_1252_ = false;
+                                    let _e1120 = phi_1249_;
+                                    let _e1122 = phi_1250_;
+                                    let _e1124 = phi_1251_;
+                                    if _e1122 {
+                                        phi_1255_ = false;
                                     } else {
-                                        phi_1252_ = _e1123;
+                                        phi_1255_ = _e1124;
                                     }
-                                    let _e1125 = phi_1252_;
-                                    phi_1253_ = _e1119;
-                                    phi_1254_ = _e1125;
+                                    let _e1126 = phi_1255_;
+                                    phi_1256_ = _e1120;
+                                    phi_1257_ = _e1126;
                                 } else {
-                                    phi_1253_ = _e1104;
-                                    phi_1254_ = true;
+                                    phi_1256_ = _e1105;
+                                    phi_1257_ = true;
                                 }
-                                let _e1127 = phi_1253_;
-                                let _e1129 = phi_1254_;
-                                if _e1129 {
-                                    let _e1130 = (_e1127 == 0f);
-                                    if _e1130 {
-                                        phi_1570_ = lt_bvh_triangle_Intersection();
-                                        phi_1571_ = false;
+                                let _e1128 = phi_1256_;
+                                let _e1130 = phi_1257_;
+                                if _e1130 {
+                                    let _e1131 = (_e1128 == 0f);
+                                    if _e1131 {
+                                        phi_1573_ = lt_bvh_triangle_Intersection();
+                                        phi_1574_ = false;
                                     } else {
-                                        let _e1132 = triangles.member[(0u + _e943)].v0_;
-                                        let _e1134 = (_e1132.x - _e105);
-                                        let _e1136 = (_e1132.y - _e107);
-                                        let _e1138 = (_e1132.z - _e109);
-                                        if (_e333 == 0u) {
-                                            phi_1283_ = vec3<f32>(_e1136, _e1138, _e1134);
+                                        let _e1133 = triangles.member[(0u + _e944)].v0_;
+                                        let _e1135 = (_e1133.x - _e104);
+                                        let _e1137 = (_e1133.y - _e106);
+                                        let _e1139 = (_e1133.z - _e108);
+                                        if (_e334 == 0u) {
+                                            phi_1286_ = vec3<f32>(_e1137, _e1139, _e1135);
                                         } else {
-                                            if (_e333 == 1u) {
-                                                phi_1282_ = vec3<f32>(_e1138, _e1134, _e1136);
+                                            if (_e334 == 1u) {
+                                                phi_1285_ = vec3<f32>(_e1139, _e1135, _e1137);
                                             } else {
-                                                phi_1282_ = (_e1132 - vec3<f32>(_e105, _e107, _e109));
+                                                phi_1285_ = (_e1133 - vec3<f32>(_e104, _e106, _e108));
                                             }
-                                            let _e1146 = phi_1282_;
-                                            phi_1283_ = _e1146;
+                                            let _e1147 = phi_1285_;
+                                            phi_1286_ = _e1147;
                                         }
-                                        let _e1148 = phi_1283_;
-                                        let _e1150 = triangles.member[(0u + _e943)].v1_;
-                                        let _e1152 = triangles.member[(0u + _e943)].v0_;
-                                        let _e1155 = (_e1150.x - _e1152.x);
-                                        let _e1158 = (_e1150.y - _e1152.y);
-                                        let _e1161 = (_e1150.z - _e1152.z);
-                                        if (_e333 == 0u) {
-                                            phi_1309_ = vec3<f32>(_e1158, _e1161, _e1155);
+                                        let _e1149 = phi_1286_;
+                                        let _e1151 = triangles.member[(0u + _e944)].v1_;
+                                        let _e1153 = triangles.member[(0u + _e944)].v0_;
+                                        let _e1156 = (_e1151.x - _e1153.x);
+                                        let _e1159 = (_e1151.y - _e1153.y);
+                                        let _e1162 = (_e1151.z - _e1153.z);
+                                        if (_e334 == 0u) {
+                                            phi_1312_ = vec3<f32>(_e1159, _e1162, _e1156);
                                         } else {
-                                            if (_e333 == 1u) {
-                                                phi_1308_ = vec3<f32>(_e1161, _e1155, _e1158);
+                                            if (_e334 == 1u) {
+                                                phi_1311_ = vec3<f32>(_e1162, _e1156, _e1159);
                                             } else {
-                                                phi_1308_ = (_e1150 - _e1152);
+                                                phi_1311_ = (_e1151 - _e1153);
                                             }
-                                            let _e1168 = phi_1308_;
-                                            phi_1309_ = _e1168;
+                                            let _e1169 = phi_1311_;
+                                            phi_1312_ = _e1169;
                                         }
-                                        let _e1170 = phi_1309_;
-                                        let _e1172 = triangles.member[(0u + _e943)].v2_;
-                                        let _e1174 = triangles.member[(0u + _e943)].v0_;
-                                        let _e1177 = (_e1172.x - _e1174.x);
-                                        let _e1180 = (_e1172.y - _e1174.y);
-                                        let _e1183 = (_e1172.z - _e1174.z);
-                                        if (_e333 == 0u) {
-                                            phi_1335_ = vec3<f32>(_e1180, _e1183, _e1177);
+                                        let _e1171 = phi_1312_;
+                                        let _e1173 = triangles.member[(0u + _e944)].v2_;
+                                        let _e1175 = triangles.member[(0u + _e944)].v0_;
+                                        let _e1178 = (_e1173.x - _e1175.x);
+                                        let _e1181 = (_e1173.y - _e1175.y);
+                                        let _e1184 = (_e1173.z - _e1175.z);
+                                        if (_e334 == 0u) {
+                                            phi_1338_ = vec3<f32>(_e1181, _e1184, _e1178);
                                         } else {
-                                            if (_e333 == 1u) {
-                                                phi_1334_ = vec3<f32>(_e1183, _e1177, _e1180);
+                                            if (_e334 == 1u) {
+                                                phi_1337_ = vec3<f32>(_e1184, _e1178, _e1181);
                                             } else {
-                                                phi_1334_ = (_e1172 - _e1174);
+                                                phi_1337_ = (_e1173 - _e1175);
                                             }
-                                            let _e1190 = phi_1334_;
-                                            phi_1335_ = _e1190;
+                                            let _e1191 = phi_1337_;
+                                            phi_1338_ = _e1191;
                                         }
-                                        let _e1192 = phi_1335_;
-                                        let _e1199 = ((_e1170.y * _e1192.z) - (_e1170.z * _e1192.y));
-                                        let _e1206 = ((_e1170.z * _e1192.x) - (_e1170.x * _e1192.z));
-                                        let _e1213 = ((_e1170.x * _e1192.y) - (_e1170.y * _e1192.x));
-                                        let _e1227 = (((1f / _e341.z) * (((_e1199 * _e1148.x) + (_e1206 * _e1148.y)) + (_e1213 * _e1148.z))) / (((_e1199 * _e344) + (_e1206 * _e347)) + _e1213));
-                                        if (_e1227 > 0f) {
-                                            if (_e1227 < _e113) {
-                                                let _e1231 = triangles.member[(0u + _e943)].v0_;
-                                                let _e1233 = triangles.member[(0u + _e943)].v1_;
-                                                if (_e1231.x < _e1233.x) {
-                                                    phi_1391_ = _e1231.x;
+                                        let _e1193 = phi_1338_;
+                                        let _e1200 = ((_e1171.y * _e1193.z) - (_e1171.z * _e1193.y));
+                                        let _e1207 = ((_e1171.z * _e1193.x) - (_e1171.x * _e1193.z));
+                                        let _e1214 = ((_e1171.x * _e1193.y) - (_e1171.y * _e1193.x));
+                                        let _e1228 = (((1f / _e342.z) * (((_e1200 * _e1149.x) + (_e1207 * _e1149.y)) + (_e1214 * _e1149.z))) / (((_e1200 * _e345) + (_e1207 * _e348)) + _e1214));
+                                        if (_e1228 > 0f) {
+                                            if (_e1228 < _e114) {
+                                                let _e1232 = triangles.member[(0u + _e944)].v0_;
+                                                let _e1234 = triangles.member[(0u + _e944)].v1_;
+                                                if (_e1232.x < _e1234.x) {
+                                                    phi_1394_ = _e1232.x;
                                                 } else {
-                                                    phi_1391_ = _e1233.x;
+                                                    phi_1394_ = _e1234.x;
                                                 }
-                                                let _e1240 = phi_1391_;
-                                                if (_e1231.y < _e1233.y) {
-                                                    phi_1400_ = _e1231.y;
+                                                let _e1241 = phi_1394_;
+                                                if (_e1232.y < _e1234.y) {
+                                                    phi_1403_ = _e1232.y;
                                                 } else {
-                                                    phi_1400_ = _e1233.y;
+                                                    phi_1403_ = _e1234.y;
                                                 }
-                                                let _e1247 = phi_1400_;
-                                                if (_e1231.z < _e1233.z) {
-                                                    phi_1409_ = _e1231.z;
+                                                let _e1248 = phi_1403_;
+                                                if (_e1232.z < _e1234.z) {
+                                                    phi_1412_ = _e1232.z;
                                                 } else {
-                                                    phi_1409_ = _e1233.z;
+                                                    phi_1412_ = _e1234.z;
                                                 }
-                                                let _e1254 = phi_1409_;
-                                                let _e1256 = triangles.member[(0u + _e943)].v2_;
-                                                if (_e1240 < _e1256.x) {
-                                                    phi_1418_ = _e1240;
+                                                let _e1255 = phi_1412_;
+                                                let _e1257 = triangles.member[(0u + _e944)].v2_;
+                                                if (_e1241 < _e1257.x) {
+                                                    phi_1421_ = _e1241;
                                                 } else {
-                                                    phi_1418_ = _e1256.x;
+                                                    phi_1421_ = _e1257.x;
                                                 }
-                                                let _e1261 = phi_1418_;
-                                                if (_e1247 < _e1256.y) {
-                                                    phi_1425_ = _e1247;
+                                                let _e1262 = phi_1421_;
+                                                if (_e1248 < _e1257.y) {
+                                                    phi_1428_ = _e1248;
                                                 } else {
-                                                    phi_1425_ = _e1256.y;
+                                                    phi_1428_ = _e1257.y;
                                                 }
-                                                let _e1266 = phi_1425_;
-                                                if (_e1254 < _e1256.z) {
-                                                    phi_1432_ = _e1254;
+                                                let _e1267 = phi_1428_;
+                                                if (_e1255 < _e1257.z) {
+                                                    phi_1435_ = _e1255;
                                                 } else {
-                                                    phi_1432_ = _e1256.z;
+                                                    phi_1435_ = _e1257.z;
                                                 }
-                                                let _e1271 = phi_1432_;
-                                                let _e1273 = triangles.member[(0u + _e943)].v0_;
-                                                let _e1275 = triangles.member[(0u + _e943)].v1_;
-                                                if (_e1273.x > _e1275.x) {
-                                                    phi_1445_ = _e1273.x;
+                                                let _e1272 = phi_1435_;
+                                                let _e1274 = triangles.member[(0u + _e944)].v0_;
+                                                let _e1276 = triangles.member[(0u + _e944)].v1_;
+                                                if (_e1274.x > _e1276.x) {
+                                                    phi_1448_ = _e1274.x;
                                                 } else {
-                                                    phi_1445_ = _e1275.x;
+                                                    phi_1448_ = _e1276.x;
                                                 }
-                                                let _e1282 = phi_1445_;
-                                                if (_e1273.y > _e1275.y) {
-                                                    phi_1454_ = _e1273.y;
+                                                let _e1283 = phi_1448_;
+                                                if (_e1274.y > _e1276.y) {
+                                                    phi_1457_ = _e1274.y;
                                                 } else {
-                                                    phi_1454_ = _e1275.y;
+                                                    phi_1457_ = _e1276.y;
                                                 }
-                                                let _e1289 = phi_1454_;
-                                                if (_e1273.z > _e1275.z) {
-                                                    phi_1463_ = _e1273.z;
+                                                let _e1290 = phi_1457_;
+                                                if (_e1274.z > _e1276.z) {
+                                                    phi_1466_ = _e1274.z;
                                                 } else {
-                                                    phi_1463_ = _e1275.z;
+                                                    phi_1466_ = _e1276.z;
                                                 }
-                                                let _e1296 = phi_1463_;
-                                                let _e1298 = triangles.member[(0u + _e943)].v2_;
-                                                if (_e1282 > _e1298.x) {
-                                                    phi_1472_ = _e1282;
+                                                let _e1297 = phi_1466_;
+                                                let _e1299 = triangles.member[(0u + _e944)].v2_;
+                                                if (_e1283 > _e1299.x) {
+                                                    phi_1475_ = _e1283;
                                                 } else {
-                                                    phi_1472_ = _e1298.x;
+                                                    phi_1475_ = _e1299.x;
                                                 }
-                                                let _e1303 = phi_1472_;
-                                                if (_e1289 > _e1298.y) {
-                                                    phi_1479_ = _e1289;
+                                                let _e1304 = phi_1475_;
+                                                if (_e1290 > _e1299.y) {
+                                                    phi_1482_ = _e1290;
                                                 } else {
-                                                    phi_1479_ = _e1298.y;
+                                                    phi_1482_ = _e1299.y;
                                                 }
-                                                let _e1308 = phi_1479_;
-                                                if (_e1296 > _e1298.z) {
-                                                    phi_1486_ = _e1296;
+                                                let _e1309 = phi_1482_;
+                                                if (_e1297 > _e1299.z) {
+                                                    phi_1489_ = _e1297;
                                                 } else {
-                                                    phi_1486_ = _e1298.z;
+                                                    phi_1489_ = _e1299.z;
                                                 }
-                                                let _e1313 = phi_1486_;
-                                                let _e1317 = ((_e1261 - _e105) * _e262);
-                                                let _e1318 = ((_e1266 - _e107) * _e272);
-                                                let _e1319 = ((_e1271 - _e109) * _e282);
-                                                let _e1323 = ((_e1303 - _e105) * _e262);
-                                                let _e1324 = ((_e1308 - _e107) * _e272);
-                                                let _e1325 = ((_e1313 - _e109) * _e282);
-                                                if (_e1317 < _e1323) {
-                                                    phi_1503_ = _e1317;
-                                                } else {
-                                                    phi_1503_ = _e1323;
-                                                }
-                                                let _e1328 = phi_1503_;
+                                                let _e1314 = phi_1489_;
+                                                let _e1318 = ((_e1262 - _e104) * _e263);
+                                                let _e1319 = ((_e1267 - _e106) * _e273);
+                                                let _e1320 = ((_e1272 - _e108) * _e283);
+                                                let _e1324 = ((_e1304 - _e104) * _e263);
+                                                let _e1325 = ((_e1309 - _e106) * _e273);
+                                                let _e1326 = ((_e1314 - _e108) * _e283);
                                                 if (_e1318 < _e1324) {
-                                                    phi_1508_ = _e1318;
+                                                    phi_1506_ = _e1318;
                                                 } else {
-                                                    phi_1508_ = _e1324;
+                                                    phi_1506_ = _e1324;
                                                 }
-                                                let _e1331 = phi_1508_;
+                                                let _e1329 = phi_1506_;
                                                 if (_e1319 < _e1325) {
-                                                    phi_1513_ = _e1319;
+                                                    phi_1511_ = _e1319;
                                                 } else {
-                                                    phi_1513_ = _e1325;
+                                                    phi_1511_ = _e1325;
                                                 }
-                                                let _e1334 = phi_1513_;
-                                                if (_e1317 > _e1323) {
-                                                    phi_1521_ = _e1317;
+                                                let _e1332 = phi_1511_;
+                                                if (_e1320 < _e1326) {
+                                                    phi_1516_ = _e1320;
                                                 } else {
-                                                    phi_1521_ = _e1323;
+                                                    phi_1516_ = _e1326;
                                                 }
-                                                let _e1340 = phi_1521_;
+                                                let _e1335 = phi_1516_;
                                                 if (_e1318 > _e1324) {
-                                                    phi_1526_ = _e1318;
+                                                    phi_1524_ = _e1318;
                                                 } else {
-                                                    phi_1526_ = _e1324;
+                                                    phi_1524_ = _e1324;
                                                 }
-                                                let _e1343 = phi_1526_;
+                                                let _e1341 = phi_1524_;
                                                 if (_e1319 > _e1325) {
-                                                    phi_1531_ = _e1319;
+                                                    phi_1529_ = _e1319;
                                                 } else {
-                                                    phi_1531_ = _e1325;
+                                                    phi_1529_ = _e1325;
                                                 }
-                                                let _e1346 = phi_1531_;
-                                                let _e1350 = core_intrinsics_maximum_number_nsz_f32_((_e1328 - _e317), (_e1331 - _e318));
-                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_(_e1350, (_e1334 - _e319));
-                                                let _e1352 = core_intrinsics_minimum_number_nsz_f32_((_e1340 + _e317), (_e1343 + _e318));
-                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_(_e1352, (_e1346 + _e319));
-                                                if (_e1351 > -300000000000000000000000000000000000000f) {
-                                                    phi_1543_ = _e1351;
+                                                let _e1344 = phi_1529_;
+                                                if (_e1320 > _e1326) {
+                                                    phi_1534_ = _e1320;
                                                 } else {
-                                                    phi_1543_ = -300000000000000000000000000000000000000f;
+                                                    phi_1534_ = _e1326;
                                                 }
-                                                let _e1356 = phi_1543_;
-                                                if (_e1353 < 300000000000000000000000000000000000000f) {
-                                                    phi_1548_ = _e1353;
+                                                let _e1347 = phi_1534_;
+                                                let _e1351 = core_intrinsics_maximum_number_nsz_f32_((_e1329 - _e318), (_e1332 - _e319));
+                                                let _e1352 = core_intrinsics_maximum_number_nsz_f32_(_e1351, (_e1335 - _e320));
+                                                let _e1353 = core_intrinsics_minimum_number_nsz_f32_((_e1341 + _e318), (_e1344 + _e319));
+                                                let _e1354 = core_intrinsics_minimum_number_nsz_f32_(_e1353, (_e1347 + _e320));
+                                                if (_e1352 > -300000000000000000000000000000000000000f) {
+                                                    phi_1546_ = _e1352;
                                                 } else {
-                                                    phi_1548_ = 300000000000000000000000000000000000000f;
+                                                    phi_1546_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1359 = phi_1548_;
-                                                if (_e1227 < _e1356) {
-                                                    phi_1553_ = _e1356;
+                                                let _e1357 = phi_1546_;
+                                                if (_e1354 < 300000000000000000000000000000000000000f) {
+                                                    phi_1551_ = _e1354;
                                                 } else {
-                                                    phi_1553_ = _e1227;
+                                                    phi_1551_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1362 = phi_1553_;
-                                                if (_e1362 > _e1359) {
-                                                    phi_1558_ = _e1359;
+                                                let _e1360 = phi_1551_;
+                                                if (_e1228 < _e1357) {
+                                                    phi_1556_ = _e1357;
                                                 } else {
-                                                    phi_1558_ = _e1362;
+                                                    phi_1556_ = _e1228;
                                                 }
-                                                let _e1365 = phi_1558_;
-                                                phi_1563_ = lt_bvh_triangle_Intersection(_e1365, (_e1068 / _e1127), (_e1089 / _e1127), (_e1356 <= _e1359));
-                                                phi_1564_ = false;
+                                                let _e1363 = phi_1556_;
+                                                if (_e1363 > _e1360) {
+                                                    phi_1561_ = _e1360;
+                                                } else {
+                                                    phi_1561_ = _e1363;
+                                                }
+                                                let _e1366 = phi_1561_;
+                                                phi_1566_ = lt_bvh_triangle_Intersection(_e1366, (_e1069 / _e1128), (_e1090 / _e1128), (_e1357 <= _e1360));
+                                                phi_1567_ = false;
                                             } else {
-                                                phi_1563_ = lt_bvh_triangle_Intersection();
-                                                phi_1564_ = true;
+                                                phi_1566_ = lt_bvh_triangle_Intersection();
+                                                phi_1567_ = true;
                                             }
-                                            let _e1371 = phi_1563_;
-                                            let _e1373 = phi_1564_;
-                                            phi_1565_ = _e1371;
-                                            phi_1566_ = _e1373;
+                                            let _e1372 = phi_1566_;
+                                            let _e1374 = phi_1567_;
+                                            phi_1568_ = _e1372;
+                                            phi_1569_ = _e1374;
                                         } else {
-                                            phi_1565_ = lt_bvh_triangle_Intersection();
-                                            phi_1566_ = true;
+                                            phi_1568_ = lt_bvh_triangle_Intersection();
+                                            phi_1569_ = true;
                                         }
-                                        let _e1375 = phi_1565_;
-                                        let _e1377 = phi_1566_;
-                                        if _e1377 {
+                                        let _e1376 = phi_1568_;
+                                        let _e1378 = phi_1569_;
+                                        if _e1378 {
                                         }
-                                        phi_1570_ = _e1375;
-                                        phi_1571_ = _e1377;
+                                        phi_1573_ = _e1376;
+                                        phi_1574_ = _e1378;
                                     }
-                                    let _e1379 = phi_1570_;
-                                    let _e1381 = phi_1571_;
-                                    phi_1572_ = _e1379;
-                                    phi_1573_ = _e1130;
-                                    phi_1574_ = _e1381;
+                                    let _e1380 = phi_1573_;
+                                    let _e1382 = phi_1574_;
+                                    phi_1575_ = _e1380;
+                                    phi_1576_ = _e1131;
+                                    phi_1577_ = _e1382;
                                 } else {
-                                    phi_1572_ = lt_bvh_triangle_Intersection();
-                                    phi_1573_ = true;
-                                    phi_1574_ = false;
+                                    phi_1575_ = lt_bvh_triangle_Intersection();
+                                    phi_1576_ = true;
+                                    phi_1577_ = false;
                                 }
-                                let _e1383 = phi_1572_;
-                                let _e1385 = phi_1573_;
-                                let _e1387 = phi_1574_;
-                                if _e1385 {
-                                    phi_1578_ = true;
+                                let _e1384 = phi_1575_;
+                                let _e1386 = phi_1576_;
+                                let _e1388 = phi_1577_;
+                                if _e1386 {
+                                    phi_1581_ = true;
                                 } else {
-                                    phi_1578_ = _e1387;
+                                    phi_1581_ = _e1388;
                                 }
-                                let _e1389 = phi_1578_;
-                                if _e1389 {
-                                    phi_1582_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1390 = phi_1581_;
+                                if _e1390 {
+                                    phi_1585_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_1582_ = _e1383;
+                                    phi_1585_ = _e1384;
                                 }
-                                let _e1391 = phi_1582_;
-                                if _e1391.is_hit {
-                                    if (_e1391.t > 0f) {
-                                        if (_e1391.t < _e113) {
-                                            let _e1398 = triangles.member[(0u + _e943)].i0_;
-                                            let _e1400 = ((_e1398 & 2147483648u) == 0u);
-                                            if _e1400 {
-                                                phi_1608_ = false;
-                                                phi_1609_ = false;
+                                let _e1392 = phi_1585_;
+                                if _e1392.is_hit {
+                                    if (_e1392.t > 0f) {
+                                        if (_e1392.t < _e114) {
+                                            let _e1399 = triangles.member[(0u + _e944)].i0_;
+                                            let _e1401 = ((_e1399 & 2147483648u) == 0u);
+                                            if _e1401 {
+                                                phi_1611_ = false;
+                                                phi_1612_ = false;
                                             } else {
                                                 if true {
-                                                    phi_1607_ = false;
+                                                    phi_1610_ = false;
                                                 } else {
-                                                    phi_1607_ = true;
+                                                    phi_1610_ = true;
                                                 }
-                                                let _e1402 = phi_1607_;
-                                                phi_1608_ = _e1402;
-                                                phi_1609_ = true;
+                                                let _e1403 = phi_1610_;
+                                                phi_1611_ = _e1403;
+                                                phi_1612_ = true;
                                             }
-                                            let _e1404 = phi_1608_;
-                                            let _e1406 = phi_1609_;
-                                            phi_1610_ = _e1404;
-                                            phi_1611_ = _e1400;
-                                            phi_1612_ = _e1406;
+                                            let _e1405 = phi_1611_;
+                                            let _e1407 = phi_1612_;
+                                            phi_1613_ = _e1405;
+                                            phi_1614_ = _e1401;
+                                            phi_1615_ = _e1407;
                                         } else {
-                                            phi_1610_ = true;
-                                            phi_1611_ = false;
-                                            phi_1612_ = false;
+                                            phi_1613_ = true;
+                                            phi_1614_ = false;
+                                            phi_1615_ = false;
                                         }
-                                        let _e1408 = phi_1610_;
-                                        let _e1410 = phi_1611_;
-                                        let _e1412 = phi_1612_;
-                                        phi_1613_ = _e1408;
-                                        phi_1614_ = _e1410;
-                                        phi_1615_ = _e1412;
+                                        let _e1409 = phi_1613_;
+                                        let _e1411 = phi_1614_;
+                                        let _e1413 = phi_1615_;
+                                        phi_1616_ = _e1409;
+                                        phi_1617_ = _e1411;
+                                        phi_1618_ = _e1413;
                                     } else {
-                                        phi_1613_ = true;
-                                        phi_1614_ = false;
-                                        phi_1615_ = false;
+                                        phi_1616_ = true;
+                                        phi_1617_ = false;
+                                        phi_1618_ = false;
                                     }
-                                    let _e1414 = phi_1613_;
-                                    let _e1416 = phi_1614_;
-                                    let _e1418 = phi_1615_;
-                                    phi_1616_ = _e1414;
-                                    phi_1617_ = _e1416;
-                                    phi_1618_ = _e1418;
+                                    let _e1415 = phi_1616_;
+                                    let _e1417 = phi_1617_;
+                                    let _e1419 = phi_1618_;
+                                    phi_1619_ = _e1415;
+                                    phi_1620_ = _e1417;
+                                    phi_1621_ = _e1419;
                                 } else {
-                                    phi_1616_ = true;
-                                    phi_1617_ = false;
-                                    phi_1618_ = false;
+                                    phi_1619_ = true;
+                                    phi_1620_ = false;
+                                    phi_1621_ = false;
                                 }
-                                let _e1420 = phi_1616_;
-                                let _e1422 = phi_1617_;
-                                let _e1424 = phi_1618_;
-                                if _e1420 {
-                                    phi_1622_ = false;
-                                    phi_1623_ = false;
+                                let _e1421 = phi_1619_;
+                                let _e1423 = phi_1620_;
+                                let _e1425 = phi_1621_;
+                                if _e1421 {
+                                    phi_1625_ = false;
+                                    phi_1626_ = false;
                                 } else {
-                                    phi_1622_ = _e1422;
-                                    phi_1623_ = _e1424;
+                                    phi_1625_ = _e1423;
+                                    phi_1626_ = _e1425;
                                 }
-                                let _e1426 = phi_1622_;
-                                let _e1428 = phi_1623_;
-                                phi_1014_ = (_e934 & (_e934 - 1u));
-                                phi_1624_ = _e1420;
-                                phi_1625_ = _e1426;
-                                phi_1626_ = _e1428;
+                                let _e1427 = phi_1625_;
+                                let _e1429 = phi_1626_;
+                                phi_1017_ = (_e935 & (_e935 - 1u));
+                                phi_1627_ = _e1421;
+                                phi_1628_ = _e1427;
+                                phi_1629_ = _e1429;
                             }
-                            let _e1430 = phi_1014_;
-                            let _e1432 = phi_1624_;
-                            let _e1434 = phi_1625_;
-                            let _e1436 = phi_1626_;
-                            local_6 = _e1434;
-                            local_7 = _e1436;
+                            let _e1431 = phi_1017_;
+                            let _e1433 = phi_1627_;
+                            let _e1435 = phi_1628_;
+                            let _e1437 = phi_1629_;
+                            local_6 = _e1435;
+                            local_7 = _e1437;
                             continue;
                             continuing {
-                                phi_1013_ = _e1430;
-                                break if !(_e1432);
+                                phi_1016_ = _e1431;
+                                break if !(_e1433);
                             }
                         }
-                        let _e1439 = local_4;
-                        if _e1439 {
-                            let _e1441 = local.group_mask;
-                            if ((_e1441 & 4278190080u) == 0u) {
-                                let _e1445 = local.len;
-                                if (_e1445 == 0u) {
-                                    phi_1668_ = false;
+                        let _e1440 = local_4;
+                        if _e1440 {
+                            let _e1442 = local.group_mask;
+                            if ((_e1442 & 4278190080u) == 0u) {
+                                let _e1446 = local.len;
+                                if (_e1446 == 0u) {
+                                    phi_1671_ = false;
                                 } else {
-                                    let _e1449 = local.len;
-                                    local.len = (_e1449 - 1u);
-                                    let _e1452 = local.len;
-                                    if (_e1452 < 32u) {
+                                    let _e1450 = local.len;
+                                    local.len = (_e1450 - 1u);
+                                    let _e1453 = local.len;
+                                    if (_e1453 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1457 = local.first[(0u + _e1452)];
-                                    local.group = _e1457;
-                                    let _e1460 = local.len;
-                                    if (_e1460 < 32u) {
+                                    let _e1458 = local.first[(0u + _e1453)];
+                                    local.group = _e1458;
+                                    let _e1461 = local.len;
+                                    if (_e1461 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1465 = local.mask[(0u + _e1460)];
-                                    local.group_mask = _e1465;
-                                    phi_1668_ = true;
+                                    let _e1466 = local.mask[(0u + _e1461)];
+                                    local.group_mask = _e1466;
+                                    phi_1671_ = true;
                                 }
-                                let _e1468 = phi_1668_;
-                                phi_1669_ = _e1468;
+                                let _e1469 = phi_1671_;
+                                phi_1672_ = _e1469;
                             } else {
-                                phi_1669_ = true;
+                                phi_1672_ = true;
                             }
-                            let _e1470 = phi_1669_;
-                            if _e1470 {
-                                let _e1472 = local.group_mask;
-                                let _e1478 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1472)), 32u, (_e1472 == 0u)));
-                                let _e1482 = local.group_mask;
-                                let _e1496 = local.group_mask;
-                                local.group_mask = (_e1496 & ~((1u << bitcast<u32>((_e1478 & 31u)))));
-                                let _e1499 = local.group;
-                                phi_1700_ = (_e1499 + countOneBits(((_e1482 & ~((4294967295u << bitcast<u32>((((_e1478 - 24u) ^ _e360) & 31u))))) & 255u)));
+                            let _e1471 = phi_1672_;
+                            if _e1471 {
+                                let _e1473 = local.group_mask;
+                                let _e1479 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1473)), 32u, (_e1473 == 0u)));
+                                let _e1483 = local.group_mask;
+                                let _e1497 = local.group_mask;
+                                local.group_mask = (_e1497 & ~((1u << bitcast<u32>((_e1479 & 31u)))));
+                                let _e1500 = local.group;
+                                phi_1703_ = (_e1500 + countOneBits(((_e1483 & ~((4294967295u << bitcast<u32>((((_e1479 - 24u) ^ _e361) & 31u))))) & 255u)));
                             } else {
-                                phi_1700_ = 4294967295u;
+                                phi_1703_ = 4294967295u;
                             }
-                            let _e1502 = phi_1700_;
-                            phi_1701_ = _e1502;
-                            phi_1702_ = false;
-                            phi_1703_ = false;
+                            let _e1503 = phi_1703_;
+                            phi_1704_ = _e1503;
+                            phi_1705_ = false;
+                            phi_1706_ = false;
                         } else {
-                            phi_1701_ = u32();
-                            let _e1743 = local_6;
-                            phi_1702_ = _e1743;
-                            let _e1746 = local_7;
-                            phi_1703_ = _e1746;
+                            phi_1704_ = u32();
+                            let _e1744 = local_6;
+                            phi_1705_ = _e1744;
+                            let _e1747 = local_7;
+                            phi_1706_ = _e1747;
                         }
-                        let _e1504 = phi_1701_;
-                        let _e1506 = phi_1702_;
-                        let _e1508 = phi_1703_;
-                        phi_684_ = _e1504;
-                        let _e1750 = local_8;
-                        phi_1704_ = _e1750;
-                        phi_1705_ = false;
-                        phi_1706_ = _e1506;
-                        phi_1707_ = _e1508;
+                        let _e1505 = phi_1704_;
+                        let _e1507 = phi_1705_;
+                        let _e1509 = phi_1706_;
+                        phi_687_ = _e1505;
+                        let _e1751 = local_8;
+                        phi_1707_ = _e1751;
+                        phi_1708_ = false;
+                        phi_1709_ = _e1507;
+                        phi_1710_ = _e1509;
                     } else {
-                        phi_684_ = u32();
-                        phi_1704_ = false;
-                        phi_1705_ = true;
-                        phi_1706_ = false;
+                        phi_687_ = u32();
                         phi_1707_ = false;
+                        phi_1708_ = true;
+                        phi_1709_ = false;
+                        phi_1710_ = false;
                     }
-                    let _e1510 = phi_684_;
-                    let _e1512 = phi_1704_;
-                    let _e1514 = phi_1705_;
-                    let _e1516 = phi_1706_;
-                    let _e1518 = phi_1707_;
-                    local_5 = _e1514;
-                    local_9 = _e1516;
-                    local_10 = _e1518;
+                    let _e1511 = phi_687_;
+                    let _e1513 = phi_1707_;
+                    let _e1515 = phi_1708_;
+                    let _e1517 = phi_1709_;
+                    let _e1519 = phi_1710_;
+                    local_5 = _e1515;
+                    local_9 = _e1517;
+                    local_10 = _e1519;
                     continue;
                     continuing {
-                        phi_683_ = _e1510;
-                        break if !(_e1512);
+                        phi_686_ = _e1511;
+                        break if !(_e1513);
                     }
                 }
-                let _e1521 = local_5;
-                if _e1521 {
-                    phi_1711_ = false;
-                    phi_1712_ = false;
+                let _e1522 = local_5;
+                if _e1522 {
+                    phi_1714_ = false;
+                    phi_1715_ = false;
                 } else {
-                    let _e1757 = local_9;
-                    phi_1711_ = _e1757;
-                    let _e1760 = local_10;
-                    phi_1712_ = _e1760;
+                    let _e1758 = local_9;
+                    phi_1714_ = _e1758;
+                    let _e1761 = local_10;
+                    phi_1715_ = _e1761;
                 }
-                let _e1523 = phi_1711_;
-                let _e1525 = phi_1712_;
-                if _e1523 {
-                    phi_1716_ = true;
+                let _e1524 = phi_1714_;
+                let _e1526 = phi_1715_;
+                if _e1524 {
+                    phi_1719_ = true;
                 } else {
-                    phi_1716_ = _e1525;
+                    phi_1719_ = _e1526;
                 }
-                let _e1527 = phi_1716_;
-                if _e1527 {
-                    phi_1720_ = true;
+                let _e1528 = phi_1719_;
+                if _e1528 {
+                    phi_1723_ = true;
                 } else {
-                    phi_1720_ = false;
+                    phi_1723_ = false;
                 }
-                let _e1529 = phi_1720_;
-                phi_1721_ = _e1529;
+                let _e1530 = phi_1723_;
+                phi_1724_ = _e1530;
             }
-            let _e1531 = phi_1721_;
-            phi_1722_ = _e1531;
-            phi_1723_ = _e186;
+            let _e1532 = phi_1724_;
+            phi_1725_ = _e1532;
+            phi_1726_ = _e187;
         } else {
-            phi_1722_ = bool();
-            phi_1723_ = true;
+            phi_1725_ = bool();
+            phi_1726_ = true;
         }
-        let _e1533 = phi_1722_;
-        let _e1535 = phi_1723_;
-        if _e1535 {
-            phi_1727_ = false;
+        let _e1534 = phi_1725_;
+        let _e1536 = phi_1726_;
+        if _e1536 {
+            phi_1730_ = false;
         } else {
-            phi_1727_ = _e1533;
+            phi_1730_ = _e1534;
         }
-        let _e1537 = phi_1727_;
-        if _e1537 {
-            phi_1731_ = 0f;
+        let _e1538 = phi_1730_;
+        if _e1538 {
+            phi_1734_ = 0f;
         } else {
-            phi_1731_ = 1f;
+            phi_1734_ = 1f;
         }
-        let _e1539 = phi_1731_;
+        let _e1540 = phi_1734_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        visibility.member[(0u + _e84)] = _e1539;
+        visibility.member[(0u + _e84)] = _e1540;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        let _e1546 = bits.member[(0u + _e84)];
-        if ((_e1546 & 2u) == 0u) {
-            phi_1752_ = (_e1546 & 1u);
+        let _e1547 = bits.member[(0u + _e84)];
+        if ((_e1547 & 2u) == 0u) {
+            phi_1755_ = (_e1547 & 1u);
         } else {
-            phi_1752_ = (_e1546 & 7u);
+            phi_1755_ = (_e1547 & 7u);
         }
-        let _e1552 = phi_1752_;
+        let _e1553 = phi_1755_;
         if (_e84 < _e65) {
         } else {
             return;
         }
-        let _e1556 = visibility.member[(0u + _e84)];
-        if ((_e1552 & 1u) != 0u) {
-            phi_1767_ = (2u | 1u);
+        let _e1557 = visibility.member[(0u + _e84)];
+        if ((_e1553 & 1u) != 0u) {
+            phi_1770_ = (2u | 1u);
         } else {
-            phi_1767_ = 2u;
+            phi_1770_ = 2u;
         }
-        let _e1562 = phi_1767_;
-        if (_e1556 < 0.5f) {
-            phi_1772_ = (_e1562 | 4u);
+        let _e1563 = phi_1770_;
+        if (_e1557 < 0.5f) {
+            phi_1775_ = (_e1563 | 4u);
         } else {
-            phi_1772_ = _e1562;
+            phi_1775_ = _e1563;
         }
-        let _e1565 = phi_1772_;
+        let _e1566 = phi_1775_;
         if (_e84 < _e71) {
         } else {
             return;
         }
-        bits.member[(0u + _e84)] = _e1565;
+        bits.member[(0u + _e84)] = _e1566;
     }
     return;
 }

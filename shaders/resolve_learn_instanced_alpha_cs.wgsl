@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -46,7 +55,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -58,7 +67,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<abi_Vertex>,
 }
 
@@ -73,7 +82,7 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<abi_Material>,
 }
 
@@ -99,7 +108,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -119,7 +128,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_59 {
+struct type_60 {
     member: array<lt_bvh_Node>,
 }
 
@@ -137,7 +146,7 @@ struct lt_bvh_triangle_Intersection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -148,7 +157,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_65 {
+struct type_66 {
     member: abi_ShadowParams,
 }
 
@@ -158,73 +167,73 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(0) 
-var<uniform> p: type_65;
+var<uniform> p: type_66;
 @group(0) @binding(2) 
-var<storage> nodes: type_59;
+var<storage> nodes: type_60;
 @group(0) @binding(3) 
-var<storage> triangles: type_31;
+var<storage> triangles: type_32;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(6) 
 var<storage, read_write> bits: type_13;
 @group(0) @binding(7) 
-var<storage> instances: type_50;
+var<storage> instances: type_51;
 @group(0) @binding(8) 
-var<storage> vertices: type_35;
+var<storage> vertices: type_36;
 @group(0) @binding(9) 
-var<storage> materials: type_39;
+var<storage> materials: type_40;
 @group(0) @binding(10) 
 var<storage> alpha_texels: type_13;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_237_: f32;
-    var phi_242_: f32;
-    var phi_243_: bool;
+    var phi_239_: f32;
     var phi_244_: f32;
     var phi_245_: bool;
-    var phi_249_: f32;
-    var phi_275_: f32;
-    var phi_280_: f32;
-    var phi_281_: bool;
+    var phi_246_: f32;
+    var phi_247_: bool;
+    var phi_251_: f32;
+    var phi_277_: f32;
     var phi_282_: f32;
     var phi_283_: bool;
-    var phi_287_: f32;
-    var phi_295_: f32;
-    var phi_296_: f32;
+    var phi_284_: f32;
+    var phi_285_: bool;
+    var phi_289_: f32;
     var phi_297_: f32;
-    var phi_306_: f32;
-    var phi_307_: f32;
-    var phi_325_: u32;
-    var phi_339_: u32;
-    var phi_346_: u32;
-    var phi_351_: u32;
-    var phi_357_: u32;
-    var phi_362_: u32;
-    var phi_364_: texture_Axis;
-    var phi_392_: f32;
-    var phi_397_: f32;
-    var phi_398_: bool;
+    var phi_298_: f32;
+    var phi_299_: f32;
+    var phi_308_: f32;
+    var phi_309_: f32;
+    var phi_327_: u32;
+    var phi_341_: u32;
+    var phi_348_: u32;
+    var phi_353_: u32;
+    var phi_359_: u32;
+    var phi_364_: u32;
+    var phi_366_: texture_Axis;
+    var phi_394_: f32;
     var phi_399_: f32;
     var phi_400_: bool;
-    var phi_404_: f32;
-    var phi_430_: f32;
-    var phi_435_: f32;
-    var phi_436_: bool;
+    var phi_401_: f32;
+    var phi_402_: bool;
+    var phi_406_: f32;
+    var phi_432_: f32;
     var phi_437_: f32;
     var phi_438_: bool;
-    var phi_442_: f32;
-    var phi_450_: f32;
-    var phi_451_: f32;
+    var phi_439_: f32;
+    var phi_440_: bool;
+    var phi_444_: f32;
     var phi_452_: f32;
-    var phi_461_: f32;
-    var phi_462_: f32;
-    var phi_480_: u32;
-    var phi_494_: u32;
-    var phi_501_: u32;
-    var phi_506_: u32;
-    var phi_512_: u32;
-    var phi_517_: u32;
-    var phi_519_: texture_Axis;
+    var phi_453_: f32;
+    var phi_454_: f32;
+    var phi_463_: f32;
+    var phi_464_: f32;
+    var phi_482_: u32;
+    var phi_496_: u32;
+    var phi_503_: u32;
+    var phi_508_: u32;
+    var phi_514_: u32;
+    var phi_519_: u32;
+    var phi_521_: texture_Axis;
 
     let _e71 = (*param).size;
     let _e72 = (_e71 & 65535u);
@@ -238,286 +247,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e98 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e98 > param_1) {
-                phi_237_ = 1f;
+                phi_239_ = 1f;
             } else {
-                phi_237_ = 0f;
+                phi_239_ = 0f;
             }
-            let _e101 = phi_237_;
+            let _e101 = phi_239_;
             if (param_1 < 8388608f) {
-                phi_242_ = (_e98 - _e101);
-                phi_243_ = false;
+                phi_244_ = (_e98 - _e101);
+                phi_245_ = false;
             } else {
-                phi_242_ = f32();
-                phi_243_ = true;
+                phi_244_ = f32();
+                phi_245_ = true;
             }
-            let _e104 = phi_242_;
-            let _e106 = phi_243_;
-            phi_244_ = _e104;
-            phi_245_ = _e106;
+            let _e104 = phi_244_;
+            let _e106 = phi_245_;
+            phi_246_ = _e104;
+            phi_247_ = _e106;
         } else {
-            phi_244_ = f32();
-            phi_245_ = true;
+            phi_246_ = f32();
+            phi_247_ = true;
         }
-        let _e108 = phi_244_;
-        let _e110 = phi_245_;
+        let _e108 = phi_246_;
+        let _e110 = phi_247_;
         if _e110 {
-            phi_249_ = param_1;
+            phi_251_ = param_1;
         } else {
-            phi_249_ = _e108;
+            phi_251_ = _e108;
         }
-        let _e112 = phi_249_;
-        phi_297_ = (param_1 - _e112);
+        let _e112 = phi_251_;
+        phi_299_ = (param_1 - _e112);
     } else {
         if (_e85 == 1u) {
             let _e115 = (param_1 * 0.5f);
             if (_e115 > -8388608f) {
                 let _e127 = f32(select(0i, select(select(i32(_e115), i32(-2147483648), (_e115 < bitcast<f32>(3472883712u))), 2147483647i, (_e115 > bitcast<f32>(1325400063u))), (_e115 == _e115)));
                 if (_e127 > _e115) {
-                    phi_275_ = 1f;
+                    phi_277_ = 1f;
                 } else {
-                    phi_275_ = 0f;
+                    phi_277_ = 0f;
                 }
-                let _e130 = phi_275_;
+                let _e130 = phi_277_;
                 if (_e115 < 8388608f) {
-                    phi_280_ = (_e127 - _e130);
-                    phi_281_ = false;
+                    phi_282_ = (_e127 - _e130);
+                    phi_283_ = false;
                 } else {
-                    phi_280_ = f32();
-                    phi_281_ = true;
+                    phi_282_ = f32();
+                    phi_283_ = true;
                 }
-                let _e133 = phi_280_;
-                let _e135 = phi_281_;
-                phi_282_ = _e133;
-                phi_283_ = _e135;
+                let _e133 = phi_282_;
+                let _e135 = phi_283_;
+                phi_284_ = _e133;
+                phi_285_ = _e135;
             } else {
-                phi_282_ = f32();
-                phi_283_ = true;
+                phi_284_ = f32();
+                phi_285_ = true;
             }
-            let _e137 = phi_282_;
-            let _e139 = phi_283_;
+            let _e137 = phi_284_;
+            let _e139 = phi_285_;
             if _e139 {
-                phi_287_ = _e115;
+                phi_289_ = _e115;
             } else {
-                phi_287_ = _e137;
+                phi_289_ = _e137;
             }
-            let _e141 = phi_287_;
+            let _e141 = phi_289_;
             let _e143 = (param_1 - (2f * _e141));
             if (_e143 > 1f) {
-                phi_295_ = (2f - _e143);
+                phi_297_ = (2f - _e143);
             } else {
-                phi_295_ = _e143;
+                phi_297_ = _e143;
             }
-            let _e147 = phi_295_;
-            phi_296_ = _e147;
+            let _e147 = phi_297_;
+            phi_298_ = _e147;
         } else {
-            phi_296_ = param_1;
+            phi_298_ = param_1;
         }
-        let _e149 = phi_296_;
-        phi_297_ = _e149;
+        let _e149 = phi_298_;
+        phi_299_ = _e149;
     }
-    let _e151 = phi_297_;
+    let _e151 = phi_299_;
     if (_e151 > 0f) {
         if (_e151 < 1f) {
-            phi_306_ = _e151;
+            phi_308_ = _e151;
         } else {
-            phi_306_ = 1f;
+            phi_308_ = 1f;
         }
-        let _e155 = phi_306_;
-        phi_307_ = _e155;
+        let _e155 = phi_308_;
+        phi_309_ = _e155;
     } else {
-        phi_307_ = 0f;
+        phi_309_ = 0f;
     }
-    let _e157 = phi_307_;
+    let _e157 = phi_309_;
     let _e158 = (_e72 - 1u);
     let _e160 = (_e157 * f32(_e72));
     if _e80 {
         let _e167 = select(select(u32(_e160), 0u, (_e160 < bitcast<f32>(0u))), 4294967295u, (_e160 > bitcast<f32>(1333788671u)));
         if (_e158 < _e167) {
-            phi_325_ = _e158;
+            phi_327_ = _e158;
         } else {
-            phi_325_ = _e167;
+            phi_327_ = _e167;
         }
-        let _e170 = phi_325_;
-        phi_364_ = texture_Axis(_e170, _e170, 0f);
+        let _e170 = phi_327_;
+        phi_366_ = texture_Axis(_e170, _e170, 0f);
     } else {
         let _e172 = (_e160 + 0.5f);
         let _e179 = select(select(u32(_e172), 0u, (_e172 < bitcast<f32>(0u))), 4294967295u, (_e172 > bitcast<f32>(1333788671u)));
         if (_e72 < _e179) {
-            phi_339_ = _e72;
+            phi_341_ = _e72;
         } else {
-            phi_339_ = _e179;
+            phi_341_ = _e179;
         }
-        let _e182 = phi_339_;
+        let _e182 = phi_341_;
         if (_e85 == 0u) {
-            phi_346_ = _e158;
+            phi_348_ = _e158;
         } else {
-            phi_346_ = 0u;
+            phi_348_ = 0u;
         }
-        let _e187 = phi_346_;
+        let _e187 = phi_348_;
         if (_e85 == 0u) {
-            phi_351_ = 0u;
+            phi_353_ = 0u;
         } else {
-            phi_351_ = _e158;
+            phi_353_ = _e158;
         }
-        let _e190 = phi_351_;
+        let _e190 = phi_353_;
         if (_e182 == 0u) {
-            phi_357_ = _e187;
+            phi_359_ = _e187;
         } else {
-            phi_357_ = (_e182 - 1u);
+            phi_359_ = (_e182 - 1u);
         }
-        let _e194 = phi_357_;
+        let _e194 = phi_359_;
         if (_e182 > _e158) {
-            phi_362_ = _e190;
+            phi_364_ = _e190;
         } else {
-            phi_362_ = _e182;
+            phi_364_ = _e182;
         }
-        let _e197 = phi_362_;
-        phi_364_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
+        let _e197 = phi_364_;
+        phi_366_ = texture_Axis(_e194, _e197, (_e172 - f32(_e182)));
     }
-    let _e200 = phi_364_;
+    let _e200 = phi_366_;
     let _e202 = (*param).flags;
     let _e205 = ((_e202 >> bitcast<u32>(6u)) & 3u);
     if (_e205 == 0u) {
         if (param_2 > -8388608f) {
             let _e218 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e218 > param_2) {
-                phi_392_ = 1f;
+                phi_394_ = 1f;
             } else {
-                phi_392_ = 0f;
+                phi_394_ = 0f;
             }
-            let _e221 = phi_392_;
+            let _e221 = phi_394_;
             if (param_2 < 8388608f) {
-                phi_397_ = (_e218 - _e221);
-                phi_398_ = false;
+                phi_399_ = (_e218 - _e221);
+                phi_400_ = false;
             } else {
-                phi_397_ = f32();
-                phi_398_ = true;
+                phi_399_ = f32();
+                phi_400_ = true;
             }
-            let _e224 = phi_397_;
-            let _e226 = phi_398_;
-            phi_399_ = _e224;
-            phi_400_ = _e226;
+            let _e224 = phi_399_;
+            let _e226 = phi_400_;
+            phi_401_ = _e224;
+            phi_402_ = _e226;
         } else {
-            phi_399_ = f32();
-            phi_400_ = true;
+            phi_401_ = f32();
+            phi_402_ = true;
         }
-        let _e228 = phi_399_;
-        let _e230 = phi_400_;
+        let _e228 = phi_401_;
+        let _e230 = phi_402_;
         if _e230 {
-            phi_404_ = param_2;
+            phi_406_ = param_2;
         } else {
-            phi_404_ = _e228;
+            phi_406_ = _e228;
         }
-        let _e232 = phi_404_;
-        phi_452_ = (param_2 - _e232);
+        let _e232 = phi_406_;
+        phi_454_ = (param_2 - _e232);
     } else {
         if (_e205 == 1u) {
             let _e235 = (param_2 * 0.5f);
             if (_e235 > -8388608f) {
                 let _e247 = f32(select(0i, select(select(i32(_e235), i32(-2147483648), (_e235 < bitcast<f32>(3472883712u))), 2147483647i, (_e235 > bitcast<f32>(1325400063u))), (_e235 == _e235)));
                 if (_e247 > _e235) {
-                    phi_430_ = 1f;
+                    phi_432_ = 1f;
                 } else {
-                    phi_430_ = 0f;
+                    phi_432_ = 0f;
                 }
-                let _e250 = phi_430_;
+                let _e250 = phi_432_;
                 if (_e235 < 8388608f) {
-                    phi_435_ = (_e247 - _e250);
-                    phi_436_ = false;
+                    phi_437_ = (_e247 - _e250);
+                    phi_438_ = false;
                 } else {
-                    phi_435_ = f32();
-                    phi_436_ = true;
+                    phi_437_ = f32();
+                    phi_438_ = true;
                 }
-                let _e253 = phi_435_;
-                let _e255 = phi_436_;
-                phi_437_ = _e253;
-                phi_438_ = _e255;
+                let _e253 = phi_437_;
+                let _e255 = phi_438_;
+                phi_439_ = _e253;
+                phi_440_ = _e255;
             } else {
-                phi_437_ = f32();
-                phi_438_ = true;
+                phi_439_ = f32();
+                phi_440_ = true;
             }
-            let _e257 = phi_437_;
-            let _e259 = phi_438_;
+            let _e257 = phi_439_;
+            let _e259 = phi_440_;
             if _e259 {
-                phi_442_ = _e235;
+                phi_444_ = _e235;
             } else {
-                phi_442_ = _e257;
+                phi_444_ = _e257;
             }
-            let _e261 = phi_442_;
+            let _e261 = phi_444_;
             let _e263 = (param_2 - (2f * _e261));
             if (_e263 > 1f) {
-                phi_450_ = (2f - _e263);
+                phi_452_ = (2f - _e263);
             } else {
-                phi_450_ = _e263;
+                phi_452_ = _e263;
             }
-            let _e267 = phi_450_;
-            phi_451_ = _e267;
+            let _e267 = phi_452_;
+            phi_453_ = _e267;
         } else {
-            phi_451_ = param_2;
+            phi_453_ = param_2;
         }
-        let _e269 = phi_451_;
-        phi_452_ = _e269;
+        let _e269 = phi_453_;
+        phi_454_ = _e269;
     }
-    let _e271 = phi_452_;
+    let _e271 = phi_454_;
     if (_e271 > 0f) {
         if (_e271 < 1f) {
-            phi_461_ = _e271;
+            phi_463_ = _e271;
         } else {
-            phi_461_ = 1f;
+            phi_463_ = 1f;
         }
-        let _e275 = phi_461_;
-        phi_462_ = _e275;
+        let _e275 = phi_463_;
+        phi_464_ = _e275;
     } else {
-        phi_462_ = 0f;
+        phi_464_ = 0f;
     }
-    let _e277 = phi_462_;
+    let _e277 = phi_464_;
     let _e278 = (_e76 - 1u);
     let _e280 = (_e277 * f32(_e76));
     if _e80 {
         let _e287 = select(select(u32(_e280), 0u, (_e280 < bitcast<f32>(0u))), 4294967295u, (_e280 > bitcast<f32>(1333788671u)));
         if (_e278 < _e287) {
-            phi_480_ = _e278;
+            phi_482_ = _e278;
         } else {
-            phi_480_ = _e287;
+            phi_482_ = _e287;
         }
-        let _e290 = phi_480_;
-        phi_519_ = texture_Axis(_e290, _e290, 0f);
+        let _e290 = phi_482_;
+        phi_521_ = texture_Axis(_e290, _e290, 0f);
     } else {
         let _e292 = (_e280 + 0.5f);
         let _e299 = select(select(u32(_e292), 0u, (_e292 < bitcast<f32>(0u))), 4294967295u, (_e292 > bitcast<f32>(1333788671u)));
         if (_e76 < _e299) {
-            phi_494_ = _e76;
+            phi_496_ = _e76;
         } else {
-            phi_494_ = _e299;
+            phi_496_ = _e299;
         }
-        let _e302 = phi_494_;
+        let _e302 = phi_496_;
         if (_e205 == 0u) {
-            phi_501_ = _e278;
+            phi_503_ = _e278;
         } else {
-            phi_501_ = 0u;
+            phi_503_ = 0u;
         }
-        let _e307 = phi_501_;
+        let _e307 = phi_503_;
         if (_e205 == 0u) {
-            phi_506_ = 0u;
+            phi_508_ = 0u;
         } else {
-            phi_506_ = _e278;
+            phi_508_ = _e278;
         }
-        let _e310 = phi_506_;
+        let _e310 = phi_508_;
         if (_e302 == 0u) {
-            phi_512_ = _e307;
+            phi_514_ = _e307;
         } else {
-            phi_512_ = (_e302 - 1u);
+            phi_514_ = (_e302 - 1u);
         }
-        let _e314 = phi_512_;
+        let _e314 = phi_514_;
         if (_e302 > _e278) {
-            phi_517_ = _e310;
+            phi_519_ = _e310;
         } else {
-            phi_517_ = _e302;
+            phi_519_ = _e302;
         }
-        let _e317 = phi_517_;
-        phi_519_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
+        let _e317 = phi_519_;
+        phi_521_ = texture_Axis(_e314, _e317, (_e292 - f32(_e302)));
     }
-    let _e320 = phi_519_;
+    let _e320 = phi_521_;
     let _e324 = (*param).offset;
     let _e331 = (*param).offset;
     let _e338 = (*param).offset;
@@ -526,46 +535,46 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_578_: bool;
-    var phi_582_: f32;
+    var phi_580_: bool;
+    var phi_584_: f32;
 
     if (param_3 != param_3) {
-        phi_578_ = true;
+        phi_580_ = true;
     } else {
         let _e70 = (param_4 >= param_3);
         if _e70 {
         }
-        phi_578_ = _e70;
+        phi_580_ = _e70;
     }
-    let _e72 = phi_578_;
+    let _e72 = phi_580_;
     if _e72 {
-        phi_582_ = param_4;
+        phi_584_ = param_4;
     } else {
-        phi_582_ = param_3;
+        phi_584_ = param_3;
     }
-    let _e74 = phi_582_;
+    let _e74 = phi_584_;
     return _e74;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_594_: bool;
-    var phi_598_: f32;
+    var phi_596_: bool;
+    var phi_600_: f32;
 
     if (param_5 != param_5) {
-        phi_594_ = true;
+        phi_596_ = true;
     } else {
         let _e70 = (param_6 <= param_5);
         if _e70 {
         }
-        phi_594_ = _e70;
+        phi_596_ = _e70;
     }
-    let _e72 = phi_594_;
+    let _e72 = phi_596_;
     if _e72 {
-        phi_598_ = param_6;
+        phi_600_ = param_6;
     } else {
-        phi_598_ = param_5;
+        phi_600_ = param_5;
     }
-    let _e74 = phi_598_;
+    let _e74 = phi_600_;
     return _e74;
 }
 
@@ -573,13 +582,10 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_698_: f32;
-    var phi_754_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
+    var phi_701_: f32;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
     var phi_763_: bool;
     var phi_764_: bool;
     var phi_765_: bool;
@@ -595,58 +601,58 @@ fn function_() {
     var phi_775_: bool;
     var phi_776_: bool;
     var phi_777_: bool;
-    var phi_781_: bool;
-    var phi_785_: bool;
-    var phi_855_: f32;
-    var phi_862_: f32;
-    var phi_869_: f32;
-    var phi_876_: f32;
-    var phi_883_: f32;
-    var phi_890_: f32;
-    var phi_907_: f32;
-    var phi_912_: f32;
-    var phi_917_: f32;
-    var phi_938_: u32;
-    var phi_943_: u32;
-    var phi_948_: u32;
-    var phi_1062_: bool;
-    var phi_1063_: bool;
-    var phi_1094_: u32;
-    var phi_1096_: u32;
-    var phi_1177_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1204_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1231_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1237_: u32;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_780_: bool;
+    var phi_784_: bool;
+    var phi_788_: bool;
+    var phi_858_: f32;
+    var phi_865_: f32;
+    var phi_872_: f32;
+    var phi_879_: f32;
+    var phi_886_: f32;
+    var phi_893_: f32;
+    var phi_910_: f32;
+    var phi_915_: f32;
+    var phi_920_: f32;
+    var phi_941_: u32;
+    var phi_946_: u32;
+    var phi_951_: u32;
+    var phi_1065_: bool;
+    var phi_1066_: bool;
+    var phi_1097_: u32;
+    var phi_1099_: u32;
+    var phi_1180_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1207_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1234_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1240_: u32;
-    var phi_1254_: u32;
-    var phi_1264_: u32;
-    var phi_1274_: u32;
-    var phi_1292_: u32;
-    var phi_1302_: u32;
-    var phi_1312_: u32;
-    var phi_1348_: u32;
-    var phi_1361_: u32;
-    var phi_1366_: u32;
-    var phi_1367_: u32;
-    var phi_1368_: u32;
-    var phi_1238_: u32;
+    var phi_1243_: u32;
+    var phi_1257_: u32;
+    var phi_1267_: u32;
+    var phi_1277_: u32;
+    var phi_1295_: u32;
+    var phi_1305_: u32;
+    var phi_1315_: u32;
+    var phi_1351_: u32;
+    var phi_1364_: u32;
+    var phi_1369_: u32;
+    var phi_1370_: u32;
+    var phi_1371_: u32;
     var phi_1241_: u32;
+    var phi_1244_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1426_: u32;
-    var phi_1476_: f32;
-    var phi_1481_: f32;
-    var phi_1486_: f32;
-    var phi_1494_: f32;
-    var phi_1499_: f32;
-    var phi_1504_: f32;
-    var phi_1648_: bool;
-    var phi_1649_: bool;
-    var phi_1650_: bool;
-    var phi_1654_: bool;
-    var phi_1655_: bool;
-    var phi_1656_: bool;
+    var phi_1429_: u32;
+    var phi_1479_: f32;
+    var phi_1484_: f32;
+    var phi_1489_: f32;
+    var phi_1497_: f32;
+    var phi_1502_: f32;
+    var phi_1507_: f32;
+    var phi_1651_: bool;
+    var phi_1652_: bool;
+    var phi_1653_: bool;
     var phi_1657_: bool;
     var phi_1658_: bool;
     var phi_1659_: bool;
@@ -662,139 +668,139 @@ fn function_() {
     var phi_1669_: bool;
     var phi_1670_: bool;
     var phi_1671_: bool;
-    var phi_1675_: bool;
-    var phi_1679_: bool;
-    var phi_1749_: f32;
-    var phi_1756_: f32;
-    var phi_1763_: f32;
-    var phi_1770_: f32;
-    var phi_1777_: f32;
-    var phi_1784_: f32;
-    var phi_1801_: f32;
-    var phi_1806_: f32;
-    var phi_1811_: f32;
-    var phi_1839_: bool;
-    var phi_1840_: bool;
-    var phi_1848_: u32;
-    var phi_1849_: u32;
-    var phi_1860_: vec3<f32>;
-    var phi_1861_: vec3<f32>;
-    var phi_1874_: u32;
-    var phi_1879_: u32;
-    var phi_1884_: u32;
-    var phi_1998_: bool;
-    var phi_1999_: bool;
-    var phi_2030_: u32;
-    var phi_2032_: u32;
-    var phi_2113_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2140_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2167_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2173_: u32;
+    var phi_1672_: bool;
+    var phi_1673_: bool;
+    var phi_1674_: bool;
+    var phi_1678_: bool;
+    var phi_1682_: bool;
+    var phi_1752_: f32;
+    var phi_1759_: f32;
+    var phi_1766_: f32;
+    var phi_1773_: f32;
+    var phi_1780_: f32;
+    var phi_1787_: f32;
+    var phi_1804_: f32;
+    var phi_1809_: f32;
+    var phi_1814_: f32;
+    var phi_1842_: bool;
+    var phi_1843_: bool;
+    var phi_1851_: u32;
+    var phi_1852_: u32;
+    var phi_1863_: vec3<f32>;
+    var phi_1864_: vec3<f32>;
+    var phi_1877_: u32;
+    var phi_1882_: u32;
+    var phi_1887_: u32;
+    var phi_2001_: bool;
+    var phi_2002_: bool;
+    var phi_2033_: u32;
+    var phi_2035_: u32;
+    var phi_2116_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2143_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2170_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_2176_: u32;
-    var phi_2190_: u32;
-    var phi_2200_: u32;
-    var phi_2210_: u32;
-    var phi_2228_: u32;
-    var phi_2238_: u32;
-    var phi_2248_: u32;
-    var phi_2284_: u32;
-    var phi_2297_: u32;
-    var phi_2302_: u32;
-    var phi_2303_: u32;
-    var phi_2304_: u32;
-    var phi_2174_: u32;
+    var phi_2179_: u32;
+    var phi_2193_: u32;
+    var phi_2203_: u32;
+    var phi_2213_: u32;
+    var phi_2231_: u32;
+    var phi_2241_: u32;
+    var phi_2251_: u32;
+    var phi_2287_: u32;
+    var phi_2300_: u32;
+    var phi_2305_: u32;
+    var phi_2306_: u32;
+    var phi_2307_: u32;
     var phi_2177_: u32;
+    var phi_2180_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2362_: u32;
-    var phi_2407_: vec3<f32>;
-    var phi_2408_: vec3<f32>;
-    var phi_2437_: vec3<f32>;
-    var phi_2438_: vec3<f32>;
-    var phi_2467_: vec3<f32>;
-    var phi_2468_: vec3<f32>;
-    var phi_2486_: bool;
-    var phi_2487_: bool;
-    var phi_2491_: f32;
-    var phi_2492_: f32;
-    var phi_2493_: f32;
+    var phi_2365_: u32;
+    var phi_2410_: vec3<f32>;
+    var phi_2411_: vec3<f32>;
+    var phi_2440_: vec3<f32>;
+    var phi_2441_: vec3<f32>;
+    var phi_2470_: vec3<f32>;
+    var phi_2471_: vec3<f32>;
+    var phi_2489_: bool;
+    var phi_2490_: bool;
     var phi_2494_: f32;
-    var phi_2502_: f32;
-    var phi_2512_: bool;
-    var phi_2513_: bool;
-    var phi_2517_: f32;
-    var phi_2518_: f32;
-    var phi_2519_: f32;
+    var phi_2495_: f32;
+    var phi_2496_: f32;
+    var phi_2497_: f32;
+    var phi_2505_: f32;
+    var phi_2515_: bool;
+    var phi_2516_: bool;
     var phi_2520_: f32;
-    var phi_2528_: f32;
-    var phi_2538_: bool;
-    var phi_2539_: bool;
-    var phi_2543_: f32;
-    var phi_2544_: f32;
-    var phi_2545_: f32;
+    var phi_2521_: f32;
+    var phi_2522_: f32;
+    var phi_2523_: f32;
+    var phi_2531_: f32;
+    var phi_2541_: bool;
+    var phi_2542_: bool;
     var phi_2546_: f32;
-    var phi_2554_: f32;
-    var phi_2569_: f32;
-    var phi_2570_: bool;
-    var phi_2571_: f32;
-    var phi_2572_: bool;
-    var phi_2573_: f32;
-    var phi_2574_: bool;
-    var phi_2592_: f32;
-    var phi_2593_: bool;
-    var phi_2594_: bool;
+    var phi_2547_: f32;
+    var phi_2548_: f32;
+    var phi_2549_: f32;
+    var phi_2557_: f32;
+    var phi_2572_: f32;
+    var phi_2573_: bool;
+    var phi_2574_: f32;
+    var phi_2575_: bool;
+    var phi_2576_: f32;
+    var phi_2577_: bool;
     var phi_2595_: f32;
     var phi_2596_: bool;
     var phi_2597_: bool;
-    var phi_2601_: bool;
-    var phi_2602_: f32;
-    var phi_2603_: bool;
-    var phi_2631_: vec3<f32>;
-    var phi_2632_: vec3<f32>;
-    var phi_2657_: vec3<f32>;
-    var phi_2658_: vec3<f32>;
-    var phi_2683_: vec3<f32>;
-    var phi_2684_: vec3<f32>;
-    var phi_2740_: f32;
-    var phi_2749_: f32;
-    var phi_2758_: f32;
-    var phi_2767_: f32;
-    var phi_2774_: f32;
-    var phi_2781_: f32;
-    var phi_2794_: f32;
-    var phi_2803_: f32;
-    var phi_2812_: f32;
-    var phi_2821_: f32;
-    var phi_2828_: f32;
-    var phi_2835_: f32;
-    var phi_2852_: f32;
-    var phi_2857_: f32;
-    var phi_2862_: f32;
-    var phi_2870_: f32;
-    var phi_2875_: f32;
-    var phi_2880_: f32;
-    var phi_2892_: f32;
-    var phi_2897_: f32;
-    var phi_2902_: f32;
-    var phi_2907_: f32;
-    var phi_2912_: lt_bvh_triangle_Intersection;
-    var phi_2913_: bool;
-    var phi_2914_: lt_bvh_triangle_Intersection;
-    var phi_2915_: bool;
-    var phi_2919_: lt_bvh_triangle_Intersection;
-    var phi_2920_: bool;
-    var phi_2921_: lt_bvh_triangle_Intersection;
-    var phi_2922_: bool;
+    var phi_2598_: f32;
+    var phi_2599_: bool;
+    var phi_2600_: bool;
+    var phi_2604_: bool;
+    var phi_2605_: f32;
+    var phi_2606_: bool;
+    var phi_2634_: vec3<f32>;
+    var phi_2635_: vec3<f32>;
+    var phi_2660_: vec3<f32>;
+    var phi_2661_: vec3<f32>;
+    var phi_2686_: vec3<f32>;
+    var phi_2687_: vec3<f32>;
+    var phi_2743_: f32;
+    var phi_2752_: f32;
+    var phi_2761_: f32;
+    var phi_2770_: f32;
+    var phi_2777_: f32;
+    var phi_2784_: f32;
+    var phi_2797_: f32;
+    var phi_2806_: f32;
+    var phi_2815_: f32;
+    var phi_2824_: f32;
+    var phi_2831_: f32;
+    var phi_2838_: f32;
+    var phi_2855_: f32;
+    var phi_2860_: f32;
+    var phi_2865_: f32;
+    var phi_2873_: f32;
+    var phi_2878_: f32;
+    var phi_2883_: f32;
+    var phi_2895_: f32;
+    var phi_2900_: f32;
+    var phi_2905_: f32;
+    var phi_2910_: f32;
+    var phi_2915_: lt_bvh_triangle_Intersection;
+    var phi_2916_: bool;
+    var phi_2917_: lt_bvh_triangle_Intersection;
+    var phi_2918_: bool;
+    var phi_2922_: lt_bvh_triangle_Intersection;
     var phi_2923_: bool;
-    var phi_2927_: bool;
-    var phi_2931_: lt_bvh_triangle_Intersection;
-    var phi_3145_: f32;
-    var phi_3148_: bool;
-    var phi_3149_: bool;
-    var phi_3153_: bool;
-    var phi_3154_: bool;
-    var phi_3155_: bool;
+    var phi_2924_: lt_bvh_triangle_Intersection;
+    var phi_2925_: bool;
+    var phi_2926_: bool;
+    var phi_2930_: bool;
+    var phi_2934_: lt_bvh_triangle_Intersection;
+    var phi_3148_: f32;
+    var phi_3151_: bool;
+    var phi_3152_: bool;
     var phi_3156_: bool;
     var phi_3157_: bool;
     var phi_3158_: bool;
@@ -804,58 +810,61 @@ fn function_() {
     var phi_3162_: bool;
     var phi_3163_: bool;
     var phi_3164_: bool;
-    var phi_3168_: bool;
-    var phi_3169_: bool;
-    var phi_2363_: u32;
-    var phi_3170_: bool;
+    var phi_3165_: bool;
+    var phi_3166_: bool;
+    var phi_3167_: bool;
     var phi_3171_: bool;
     var phi_3172_: bool;
+    var phi_2366_: u32;
+    var phi_3173_: bool;
+    var phi_3174_: bool;
+    var phi_3175_: bool;
     var local_9: bool;
-    var phi_3214_: bool;
-    var phi_3215_: bool;
-    var phi_3246_: u32;
-    var phi_3247_: u32;
-    var phi_3248_: bool;
-    var phi_3249_: bool;
-    var phi_2033_: u32;
-    var phi_3250_: bool;
+    var phi_3217_: bool;
+    var phi_3218_: bool;
+    var phi_3249_: u32;
+    var phi_3250_: u32;
     var phi_3251_: bool;
     var phi_3252_: bool;
+    var phi_2036_: u32;
     var phi_3253_: bool;
+    var phi_3254_: bool;
+    var phi_3255_: bool;
+    var phi_3256_: bool;
     var local_10: bool;
-    var phi_3257_: bool;
-    var phi_3258_: bool;
-    var phi_3262_: bool;
-    var phi_3266_: bool;
-    var phi_3267_: bool;
-    var phi_3268_: bool;
+    var phi_3260_: bool;
+    var phi_3261_: bool;
+    var phi_3265_: bool;
     var phi_3269_: bool;
-    var phi_3273_: bool;
-    var phi_3277_: bool;
-    var phi_3278_: bool;
-    var phi_3279_: bool;
+    var phi_3270_: bool;
+    var phi_3271_: bool;
+    var phi_3272_: bool;
+    var phi_3276_: bool;
     var phi_3280_: bool;
-    var phi_1427_: u32;
-    var phi_3284_: bool;
+    var phi_3281_: bool;
+    var phi_3282_: bool;
+    var phi_3283_: bool;
+    var phi_1430_: u32;
+    var phi_3287_: bool;
     var local_11: bool;
-    var phi_3326_: bool;
-    var phi_3327_: bool;
-    var phi_3358_: u32;
-    var phi_3359_: u32;
-    var phi_1097_: u32;
-    var phi_3360_: bool;
-    var phi_3361_: bool;
+    var phi_3329_: bool;
+    var phi_3330_: bool;
+    var phi_3361_: u32;
+    var phi_3362_: u32;
+    var phi_1100_: u32;
+    var phi_3363_: bool;
+    var phi_3364_: bool;
     var local_12: bool;
-    var phi_3365_: bool;
-    var phi_3369_: bool;
-    var phi_3370_: bool;
-    var phi_3371_: bool;
+    var phi_3368_: bool;
     var phi_3372_: bool;
-    var phi_3376_: bool;
-    var phi_3380_: f32;
-    var phi_3401_: u32;
-    var phi_3416_: u32;
-    var phi_3421_: u32;
+    var phi_3373_: bool;
+    var phi_3374_: bool;
+    var phi_3375_: bool;
+    var phi_3379_: bool;
+    var phi_3383_: f32;
+    var phi_3404_: u32;
+    var phi_3419_: u32;
+    var phi_3424_: u32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -889,1999 +898,1999 @@ fn function_() {
         } else {
             return;
         }
-        let _e121 = p.member.light;
-        let _e123 = samples.member[(0u + _e114)].position;
-        let _e125 = samples.member[(0u + _e114)].normal;
-        let _e127 = samples.member[(0u + _e114)].magnitude;
-        let _e129 = ((8f / 8388608f) * _e127);
-        let _e137 = (_e123.x + (_e125.x * _e129));
-        let _e139 = (_e123.y + (_e125.y * _e129));
-        let _e141 = (_e123.z + (_e125.z * _e129));
-        if (_e121.w == 0f) {
-            phi_698_ = 300000000000000000000000000000000000000f;
+        let _e122 = samples.member[(0u + _e114)].position;
+        let _e124 = samples.member[(0u + _e114)].normal;
+        let _e126 = samples.member[(0u + _e114)].magnitude;
+        let _e128 = ((8f / 8388608f) * _e126);
+        let _e136 = (_e122.x + (_e124.x * _e128));
+        let _e138 = (_e122.y + (_e124.y * _e128));
+        let _e140 = (_e122.z + (_e124.z * _e128));
+        let _e142 = p.member.light.place;
+        if (_e142.w == 0f) {
+            phi_701_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_698_ = 1f;
+            phi_701_ = 1f;
         }
-        let _e145 = phi_698_;
-        let _e153 = (_e121.x - (_e137 * _e121.w));
-        let _e154 = (_e121.y - (_e139 * _e121.w));
-        let _e155 = (_e121.z - (_e141 * _e121.w));
-        let _e159 = abs(_e153);
+        let _e146 = phi_701_;
+        let _e154 = (_e142.x - (_e136 * _e142.w));
+        let _e155 = (_e142.y - (_e138 * _e142.w));
+        let _e156 = (_e142.z - (_e140 * _e142.w));
         let _e160 = abs(_e154);
         let _e161 = abs(_e155);
-        if (abs(_e137) < 1000000000000000f) {
-            if (abs(_e139) < 1000000000000000f) {
-                if (abs(_e141) < 1000000000000000f) {
-                    if (_e159 < 1000000000000000f) {
-                        if (_e160 < 1000000000000000f) {
-                            if (_e161 < 1000000000000000f) {
-                                if (_e159 > 0f) {
-                                    phi_755_ = bool();
-                                    phi_756_ = true;
+        let _e162 = abs(_e156);
+        if (abs(_e136) < 1000000000000000f) {
+            if (abs(_e138) < 1000000000000000f) {
+                if (abs(_e140) < 1000000000000000f) {
+                    if (_e160 < 1000000000000000f) {
+                        if (_e161 < 1000000000000000f) {
+                            if (_e162 < 1000000000000000f) {
+                                if (_e160 > 0f) {
+                                    phi_758_ = bool();
+                                    phi_759_ = true;
                                 } else {
-                                    let _e169 = (_e160 > 0f);
-                                    if _e169 {
-                                        phi_754_ = bool();
+                                    let _e170 = (_e161 > 0f);
+                                    if _e170 {
+                                        phi_757_ = bool();
                                     } else {
-                                        phi_754_ = (_e161 > 0f);
+                                        phi_757_ = (_e162 > 0f);
                                     }
-                                    let _e172 = phi_754_;
-                                    phi_755_ = _e172;
-                                    phi_756_ = _e169;
+                                    let _e173 = phi_757_;
+                                    phi_758_ = _e173;
+                                    phi_759_ = _e170;
                                 }
-                                let _e174 = phi_755_;
-                                let _e176 = phi_756_;
-                                if _e176 {
-                                    phi_760_ = true;
+                                let _e175 = phi_758_;
+                                let _e177 = phi_759_;
+                                if _e177 {
+                                    phi_763_ = true;
                                 } else {
-                                    phi_760_ = _e174;
+                                    phi_763_ = _e175;
                                 }
-                                let _e178 = phi_760_;
-                                phi_761_ = _e178;
-                                phi_762_ = false;
+                                let _e179 = phi_763_;
+                                phi_764_ = _e179;
+                                phi_765_ = false;
                             } else {
-                                phi_761_ = bool();
-                                phi_762_ = true;
+                                phi_764_ = bool();
+                                phi_765_ = true;
                             }
-                            let _e180 = phi_761_;
-                            let _e182 = phi_762_;
-                            phi_763_ = _e180;
-                            phi_764_ = false;
-                            phi_765_ = _e182;
+                            let _e181 = phi_764_;
+                            let _e183 = phi_765_;
+                            phi_766_ = _e181;
+                            phi_767_ = false;
+                            phi_768_ = _e183;
                         } else {
-                            phi_763_ = bool();
-                            phi_764_ = true;
-                            phi_765_ = false;
+                            phi_766_ = bool();
+                            phi_767_ = true;
+                            phi_768_ = false;
                         }
-                        let _e184 = phi_763_;
-                        let _e186 = phi_764_;
-                        let _e188 = phi_765_;
-                        phi_766_ = _e184;
-                        phi_767_ = _e186;
-                        phi_768_ = _e188;
+                        let _e185 = phi_766_;
+                        let _e187 = phi_767_;
+                        let _e189 = phi_768_;
+                        phi_769_ = _e185;
+                        phi_770_ = _e187;
+                        phi_771_ = _e189;
                     } else {
-                        phi_766_ = bool();
-                        phi_767_ = true;
-                        phi_768_ = false;
+                        phi_769_ = bool();
+                        phi_770_ = true;
+                        phi_771_ = false;
                     }
-                    let _e190 = phi_766_;
-                    let _e192 = phi_767_;
-                    let _e194 = phi_768_;
-                    phi_769_ = _e190;
-                    phi_770_ = _e192;
-                    phi_771_ = _e194;
+                    let _e191 = phi_769_;
+                    let _e193 = phi_770_;
+                    let _e195 = phi_771_;
+                    phi_772_ = _e191;
+                    phi_773_ = _e193;
+                    phi_774_ = _e195;
                 } else {
-                    phi_769_ = bool();
-                    phi_770_ = true;
-                    phi_771_ = false;
+                    phi_772_ = bool();
+                    phi_773_ = true;
+                    phi_774_ = false;
                 }
-                let _e196 = phi_769_;
-                let _e198 = phi_770_;
-                let _e200 = phi_771_;
-                phi_772_ = _e196;
-                phi_773_ = _e198;
-                phi_774_ = _e200;
+                let _e197 = phi_772_;
+                let _e199 = phi_773_;
+                let _e201 = phi_774_;
+                phi_775_ = _e197;
+                phi_776_ = _e199;
+                phi_777_ = _e201;
             } else {
-                phi_772_ = bool();
-                phi_773_ = true;
-                phi_774_ = false;
+                phi_775_ = bool();
+                phi_776_ = true;
+                phi_777_ = false;
             }
-            let _e202 = phi_772_;
-            let _e204 = phi_773_;
-            let _e206 = phi_774_;
-            phi_775_ = _e202;
-            phi_776_ = _e204;
-            phi_777_ = _e206;
+            let _e203 = phi_775_;
+            let _e205 = phi_776_;
+            let _e207 = phi_777_;
+            phi_778_ = _e203;
+            phi_779_ = _e205;
+            phi_780_ = _e207;
         } else {
-            phi_775_ = bool();
-            phi_776_ = true;
-            phi_777_ = false;
+            phi_778_ = bool();
+            phi_779_ = true;
+            phi_780_ = false;
         }
-        let _e208 = phi_775_;
-        let _e210 = phi_776_;
-        let _e212 = phi_777_;
-        if _e210 {
-            phi_781_ = true;
+        let _e209 = phi_778_;
+        let _e211 = phi_779_;
+        let _e213 = phi_780_;
+        if _e211 {
+            phi_784_ = true;
         } else {
-            phi_781_ = _e212;
+            phi_784_ = _e213;
         }
-        let _e214 = phi_781_;
-        if _e214 {
-            phi_785_ = false;
+        let _e215 = phi_784_;
+        if _e215 {
+            phi_788_ = false;
         } else {
-            phi_785_ = _e208;
+            phi_788_ = _e209;
         }
-        let _e216 = phi_785_;
-        if _e216 {
-            let _e217 = (_e116 >= _e77);
-            if _e217 {
-                phi_3370_ = bool();
+        let _e217 = phi_788_;
+        if _e217 {
+            let _e218 = (_e116 >= _e77);
+            if _e218 {
+                phi_3373_ = bool();
             } else {
                 if (_e116 < _e77) {
                 } else {
                     return;
                 }
-                let _e223 = nodes.member[(0u + _e116)].frame[0u];
-                let _e227 = nodes.member[(0u + _e116)].frame[1u];
-                let _e231 = nodes.member[(0u + _e116)].frame[2u];
-                let _e235 = nodes.member[(0u + _e116)].frame[0u];
-                let _e239 = nodes.member[(0u + _e116)].frame[1u];
-                let _e243 = nodes.member[(0u + _e116)].frame[2u];
-                let _e247 = nodes.member[(0u + _e116)].frame[3u];
-                let _e281 = core_intrinsics_maximum_number_nsz_f32_(abs(_e153), abs(_e154));
-                let _e282 = core_intrinsics_maximum_number_nsz_f32_(_e281, abs(_e155));
-                let _e283 = (_e282 * 0.0000000000009094947f);
-                if (abs(_e153) < _e283) {
-                    phi_855_ = _e283;
+                let _e224 = nodes.member[(0u + _e116)].frame[0u];
+                let _e228 = nodes.member[(0u + _e116)].frame[1u];
+                let _e232 = nodes.member[(0u + _e116)].frame[2u];
+                let _e236 = nodes.member[(0u + _e116)].frame[0u];
+                let _e240 = nodes.member[(0u + _e116)].frame[1u];
+                let _e244 = nodes.member[(0u + _e116)].frame[2u];
+                let _e248 = nodes.member[(0u + _e116)].frame[3u];
+                let _e282 = core_intrinsics_maximum_number_nsz_f32_(abs(_e154), abs(_e155));
+                let _e283 = core_intrinsics_maximum_number_nsz_f32_(_e282, abs(_e156));
+                let _e284 = (_e283 * 0.0000000000009094947f);
+                if (abs(_e154) < _e284) {
+                    phi_858_ = _e284;
                 } else {
-                    phi_855_ = abs(_e153);
+                    phi_858_ = abs(_e154);
                 }
-                let _e288 = phi_855_;
-                if (_e153 < 0f) {
-                    phi_862_ = (-1f / _e288);
-                } else {
-                    phi_862_ = (1f / _e288);
-                }
-                let _e293 = phi_862_;
-                if (abs(_e154) < _e283) {
-                    phi_869_ = _e283;
-                } else {
-                    phi_869_ = abs(_e154);
-                }
-                let _e298 = phi_869_;
+                let _e289 = phi_858_;
                 if (_e154 < 0f) {
-                    phi_876_ = (-1f / _e298);
+                    phi_865_ = (-1f / _e289);
                 } else {
-                    phi_876_ = (1f / _e298);
+                    phi_865_ = (1f / _e289);
                 }
-                let _e303 = phi_876_;
-                if (abs(_e155) < _e283) {
-                    phi_883_ = _e283;
+                let _e294 = phi_865_;
+                if (abs(_e155) < _e284) {
+                    phi_872_ = _e284;
                 } else {
-                    phi_883_ = abs(_e155);
+                    phi_872_ = abs(_e155);
                 }
-                let _e308 = phi_883_;
+                let _e299 = phi_872_;
                 if (_e155 < 0f) {
-                    phi_890_ = (-1f / _e308);
+                    phi_879_ = (-1f / _e299);
                 } else {
-                    phi_890_ = (1f / _e308);
+                    phi_879_ = (1f / _e299);
                 }
-                let _e313 = phi_890_;
-                let _e317 = abs((bitcast<f32>(_e223) - _e137));
-                let _e318 = abs((bitcast<f32>(_e227) - _e139));
-                let _e319 = abs((bitcast<f32>(_e231) - _e141));
-                let _e323 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e247 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
-                let _e324 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e247 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e139));
-                let _e325 = abs(((bitcast<f32>(_e243) + (bitcast<f32>((((_e247 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e141));
-                if (_e317 > _e323) {
-                    phi_907_ = _e317;
+                let _e304 = phi_879_;
+                if (abs(_e156) < _e284) {
+                    phi_886_ = _e284;
                 } else {
-                    phi_907_ = _e323;
+                    phi_886_ = abs(_e156);
                 }
-                let _e328 = phi_907_;
+                let _e309 = phi_886_;
+                if (_e156 < 0f) {
+                    phi_893_ = (-1f / _e309);
+                } else {
+                    phi_893_ = (1f / _e309);
+                }
+                let _e314 = phi_893_;
+                let _e318 = abs((bitcast<f32>(_e224) - _e136));
+                let _e319 = abs((bitcast<f32>(_e228) - _e138));
+                let _e320 = abs((bitcast<f32>(_e232) - _e140));
+                let _e324 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e248 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
+                let _e325 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e248 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138));
+                let _e326 = abs(((bitcast<f32>(_e244) + (bitcast<f32>((((_e248 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e140));
                 if (_e318 > _e324) {
-                    phi_912_ = _e318;
+                    phi_910_ = _e318;
                 } else {
-                    phi_912_ = _e324;
+                    phi_910_ = _e324;
                 }
-                let _e331 = phi_912_;
+                let _e329 = phi_910_;
                 if (_e319 > _e325) {
-                    phi_917_ = _e319;
+                    phi_915_ = _e319;
                 } else {
-                    phi_917_ = _e325;
+                    phi_915_ = _e325;
                 }
-                let _e334 = phi_917_;
-                let _e335 = core_intrinsics_maximum_number_nsz_f32_(_e328, _e331);
-                let _e336 = core_intrinsics_maximum_number_nsz_f32_(_e335, _e334);
-                let _e340 = (_e336 * 0.0000019073486f);
-                let _e341 = (abs(_e293) * _e340);
-                let _e342 = (abs(_e303) * _e340);
-                let _e343 = (abs(_e313) * _e340);
-                let _e347 = (_e336 * 0.0000009536743f);
-                let _e348 = (abs(_e293) * _e347);
-                let _e349 = (abs(_e303) * _e347);
-                let _e350 = (abs(_e313) * _e347);
-                if (_e293 < 0f) {
-                    phi_938_ = 0u;
+                let _e332 = phi_915_;
+                if (_e320 > _e326) {
+                    phi_920_ = _e320;
                 } else {
-                    phi_938_ = 1u;
+                    phi_920_ = _e326;
                 }
-                let _e353 = phi_938_;
-                if (_e303 < 0f) {
-                    phi_943_ = 0u;
+                let _e335 = phi_920_;
+                let _e336 = core_intrinsics_maximum_number_nsz_f32_(_e329, _e332);
+                let _e337 = core_intrinsics_maximum_number_nsz_f32_(_e336, _e335);
+                let _e341 = (_e337 * 0.0000019073486f);
+                let _e342 = (abs(_e294) * _e341);
+                let _e343 = (abs(_e304) * _e341);
+                let _e344 = (abs(_e314) * _e341);
+                let _e348 = (_e337 * 0.0000009536743f);
+                let _e349 = (abs(_e294) * _e348);
+                let _e350 = (abs(_e304) * _e348);
+                let _e351 = (abs(_e314) * _e348);
+                if (_e294 < 0f) {
+                    phi_941_ = 0u;
                 } else {
-                    phi_943_ = 2u;
+                    phi_941_ = 1u;
                 }
-                let _e356 = phi_943_;
-                if (_e313 < 0f) {
-                    phi_948_ = 0u;
+                let _e354 = phi_941_;
+                if (_e304 < 0f) {
+                    phi_946_ = 0u;
                 } else {
-                    phi_948_ = 4u;
+                    phi_946_ = 2u;
                 }
-                let _e359 = phi_948_;
-                let _e361 = ((_e353 | _e356) | _e359);
-                let _e362 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e116, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e362.first[0], _e362.first[1], _e362.first[2], _e362.first[3], _e362.first[4], _e362.first[5], _e362.first[6], _e362.first[7], _e362.first[8], _e362.first[9], _e362.first[10], _e362.first[11], _e362.first[12], _e362.first[13], _e362.first[14], _e362.first[15], _e362.first[16], _e362.first[17], _e362.first[18], _e362.first[19], _e362.first[20], _e362.first[21], _e362.first[22], _e362.first[23], _e362.first[24], _e362.first[25], _e362.first[26], _e362.first[27], _e362.first[28], _e362.first[29], _e362.first[30], _e362.first[31]), array<u32, 32>(_e362.mask[0], _e362.mask[1], _e362.mask[2], _e362.mask[3], _e362.mask[4], _e362.mask[5], _e362.mask[6], _e362.mask[7], _e362.mask[8], _e362.mask[9], _e362.mask[10], _e362.mask[11], _e362.mask[12], _e362.mask[13], _e362.mask[14], _e362.mask[15], _e362.mask[16], _e362.mask[17], _e362.mask[18], _e362.mask[19], _e362.mask[20], _e362.mask[21], _e362.mask[22], _e362.mask[23], _e362.mask[24], _e362.mask[25], _e362.mask[26], _e362.mask[27], _e362.mask[28], _e362.mask[29], _e362.mask[30], _e362.mask[31]), _e362.len, _e362.group, _e362.group_mask);
-                let _e436 = local_2.group_mask;
-                if ((_e436 & 4278190080u) == 0u) {
-                    let _e440 = local_2.len;
-                    if (_e440 == 0u) {
-                        phi_1062_ = false;
+                let _e357 = phi_946_;
+                if (_e314 < 0f) {
+                    phi_951_ = 0u;
+                } else {
+                    phi_951_ = 4u;
+                }
+                let _e360 = phi_951_;
+                let _e362 = ((_e354 | _e357) | _e360);
+                let _e363 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e116, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e363.first[0], _e363.first[1], _e363.first[2], _e363.first[3], _e363.first[4], _e363.first[5], _e363.first[6], _e363.first[7], _e363.first[8], _e363.first[9], _e363.first[10], _e363.first[11], _e363.first[12], _e363.first[13], _e363.first[14], _e363.first[15], _e363.first[16], _e363.first[17], _e363.first[18], _e363.first[19], _e363.first[20], _e363.first[21], _e363.first[22], _e363.first[23], _e363.first[24], _e363.first[25], _e363.first[26], _e363.first[27], _e363.first[28], _e363.first[29], _e363.first[30], _e363.first[31]), array<u32, 32>(_e363.mask[0], _e363.mask[1], _e363.mask[2], _e363.mask[3], _e363.mask[4], _e363.mask[5], _e363.mask[6], _e363.mask[7], _e363.mask[8], _e363.mask[9], _e363.mask[10], _e363.mask[11], _e363.mask[12], _e363.mask[13], _e363.mask[14], _e363.mask[15], _e363.mask[16], _e363.mask[17], _e363.mask[18], _e363.mask[19], _e363.mask[20], _e363.mask[21], _e363.mask[22], _e363.mask[23], _e363.mask[24], _e363.mask[25], _e363.mask[26], _e363.mask[27], _e363.mask[28], _e363.mask[29], _e363.mask[30], _e363.mask[31]), _e363.len, _e363.group, _e363.group_mask);
+                let _e437 = local_2.group_mask;
+                if ((_e437 & 4278190080u) == 0u) {
+                    let _e441 = local_2.len;
+                    if (_e441 == 0u) {
+                        phi_1065_ = false;
                     } else {
-                        let _e444 = local_2.len;
-                        local_2.len = (_e444 - 1u);
-                        let _e447 = local_2.len;
-                        if (_e447 < 32u) {
+                        let _e445 = local_2.len;
+                        local_2.len = (_e445 - 1u);
+                        let _e448 = local_2.len;
+                        if (_e448 < 32u) {
                         } else {
                             return;
                         }
-                        let _e452 = local_2.first[(0u + _e447)];
-                        local_2.group = _e452;
-                        let _e455 = local_2.len;
-                        if (_e455 < 32u) {
+                        let _e453 = local_2.first[(0u + _e448)];
+                        local_2.group = _e453;
+                        let _e456 = local_2.len;
+                        if (_e456 < 32u) {
                         } else {
                             return;
                         }
-                        let _e460 = local_2.mask[(0u + _e455)];
-                        local_2.group_mask = _e460;
-                        phi_1062_ = true;
+                        let _e461 = local_2.mask[(0u + _e456)];
+                        local_2.group_mask = _e461;
+                        phi_1065_ = true;
                     }
-                    let _e463 = phi_1062_;
-                    phi_1063_ = _e463;
+                    let _e464 = phi_1065_;
+                    phi_1066_ = _e464;
                 } else {
-                    phi_1063_ = true;
+                    phi_1066_ = true;
                 }
-                let _e465 = phi_1063_;
-                if _e465 {
-                    let _e467 = local_2.group_mask;
-                    let _e473 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e467)), 32u, (_e467 == 0u)));
-                    let _e477 = local_2.group_mask;
-                    let _e491 = local_2.group_mask;
-                    local_2.group_mask = (_e491 & ~((1u << bitcast<u32>((_e473 & 31u)))));
-                    let _e494 = local_2.group;
-                    phi_1094_ = (_e494 + countOneBits(((_e477 & ~((4294967295u << bitcast<u32>((((_e473 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e466 = phi_1066_;
+                if _e466 {
+                    let _e468 = local_2.group_mask;
+                    let _e474 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e468)), 32u, (_e468 == 0u)));
+                    let _e478 = local_2.group_mask;
+                    let _e492 = local_2.group_mask;
+                    local_2.group_mask = (_e492 & ~((1u << bitcast<u32>((_e474 & 31u)))));
+                    let _e495 = local_2.group;
+                    phi_1097_ = (_e495 + countOneBits(((_e478 & ~((4294967295u << bitcast<u32>((((_e474 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1094_ = 4294967295u;
+                    phi_1097_ = 4294967295u;
                 }
-                let _e497 = phi_1094_;
-                phi_1096_ = _e497;
+                let _e498 = phi_1097_;
+                phi_1099_ = _e498;
                 loop {
-                    let _e499 = phi_1096_;
-                    if (_e499 != 4294967295u) {
-                        if (_e499 < _e77) {
+                    let _e500 = phi_1099_;
+                    if (_e500 != 4294967295u) {
+                        if (_e500 < _e77) {
                         } else {
                             return;
                         }
-                        let _e506 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e531 = (bitcast<f32>((((_e506 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e293);
-                        let _e532 = (bitcast<f32>((((_e506 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
-                        let _e533 = (bitcast<f32>((((_e506 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e313);
-                        let _e536 = nodes.member[(0u + _e499)].frame[0u];
-                        let _e540 = nodes.member[(0u + _e499)].frame[1u];
-                        let _e544 = nodes.member[(0u + _e499)].frame[2u];
-                        let _e549 = ((bitcast<f32>(_e536) - _e137) * _e293);
-                        let _e550 = ((bitcast<f32>(_e540) - _e139) * _e303);
-                        let _e551 = ((bitcast<f32>(_e544) - _e141) * _e313);
-                        let _e559 = nodes.member[(0u + _e499)].x;
-                        if (_e293 < 0f) {
-                            let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e570.unnamed.root, _e559.w), _e570.unnamed_1);
-                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_bvh_traverse_Tree(_e559.x, _e576.unnamed_1.first_primitive));
-                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e582.unnamed_1.root, _e559.y));
+                        let _e507 = nodes.member[(0u + _e500)].frame[3u];
+                        let _e532 = (bitcast<f32>((((_e507 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e294);
+                        let _e533 = (bitcast<f32>((((_e507 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e304);
+                        let _e534 = (bitcast<f32>((((_e507 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e314);
+                        let _e537 = nodes.member[(0u + _e500)].frame[0u];
+                        let _e541 = nodes.member[(0u + _e500)].frame[1u];
+                        let _e545 = nodes.member[(0u + _e500)].frame[2u];
+                        let _e550 = ((bitcast<f32>(_e537) - _e136) * _e294);
+                        let _e551 = ((bitcast<f32>(_e541) - _e138) * _e304);
+                        let _e552 = ((bitcast<f32>(_e545) - _e140) * _e314);
+                        let _e560 = nodes.member[(0u + _e500)].x;
+                        if (_e294 < 0f) {
+                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e571.unnamed.root, _e560.w), _e571.unnamed_1);
+                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e560.x, _e577.unnamed_1.first_primitive));
+                            phi_1180_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e583.unnamed_1.root, _e560.y));
                         } else {
-                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.unnamed.root, _e559.y), _e598.unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e559.z, _e604.unnamed_1.first_primitive));
-                            phi_1177_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e610.unnamed_1.root, _e559.w));
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.unnamed.root, _e560.y), _e599.unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e560.z, _e605.unnamed_1.first_primitive));
+                            phi_1180_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e611.unnamed_1.root, _e560.w));
                         }
-                        let _e618 = phi_1177_;
-                        let _e628 = nodes.member[(0u + _e499)].y;
-                        if (_e303 < 0f) {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e639.unnamed.root, _e628.w), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e628.x, _e645.unnamed_1.first_primitive));
-                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e651.unnamed_1.root, _e628.y));
+                        let _e619 = phi_1180_;
+                        let _e629 = nodes.member[(0u + _e500)].y;
+                        if (_e304 < 0f) {
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
+                            phi_1207_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
                         } else {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e628.y), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e628.z, _e673.unnamed_1.first_primitive));
-                            phi_1204_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e628.w));
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
+                            phi_1207_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
                         }
-                        let _e687 = phi_1204_;
-                        let _e697 = nodes.member[(0u + _e499)].z;
-                        if (_e313 < 0f) {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e708.unnamed.root, _e697.w), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e697.x, _e714.unnamed_1.first_primitive));
-                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e720.unnamed_1.root, _e697.y));
+                        let _e688 = phi_1207_;
+                        let _e698 = nodes.member[(0u + _e500)].z;
+                        if (_e314 < 0f) {
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
+                            phi_1234_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
                         } else {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e697.y), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e697.z, _e742.unnamed_1.first_primitive));
-                            phi_1231_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e697.w));
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
+                            phi_1234_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
                         }
-                        let _e756 = phi_1231_;
-                        phi_1237_ = 0u;
+                        let _e757 = phi_1234_;
                         phi_1240_ = 0u;
+                        phi_1243_ = 0u;
                         loop {
-                            let _e766 = phi_1237_;
-                            let _e768 = phi_1240_;
-                            local_3 = _e768;
-                            local_4 = _e768;
-                            local_5 = _e768;
-                            let _e769 = (_e766 < 8u);
-                            if _e769 {
-                                let _e771 = (_e766 >> bitcast<u32>(2i));
-                                let _e772 = (_e766 & 3u);
-                                if (_e771 == 0u) {
-                                    phi_1254_ = _e618.unnamed.root;
+                            let _e767 = phi_1240_;
+                            let _e769 = phi_1243_;
+                            local_3 = _e769;
+                            local_4 = _e769;
+                            local_5 = _e769;
+                            let _e770 = (_e767 < 8u);
+                            if _e770 {
+                                let _e772 = (_e767 >> bitcast<u32>(2i));
+                                let _e773 = (_e767 & 3u);
+                                if (_e772 == 0u) {
+                                    phi_1257_ = _e619.unnamed.root;
                                 } else {
-                                    phi_1254_ = _e618.unnamed.first_primitive;
+                                    phi_1257_ = _e619.unnamed.first_primitive;
                                 }
-                                let _e775 = phi_1254_;
-                                if (_e771 == 0u) {
-                                    phi_1264_ = _e687.unnamed.root;
+                                let _e776 = phi_1257_;
+                                if (_e772 == 0u) {
+                                    phi_1267_ = _e688.unnamed.root;
                                 } else {
-                                    phi_1264_ = _e687.unnamed.first_primitive;
+                                    phi_1267_ = _e688.unnamed.first_primitive;
                                 }
-                                let _e784 = phi_1264_;
-                                if (_e771 == 0u) {
-                                    phi_1274_ = _e756.unnamed.root;
+                                let _e785 = phi_1267_;
+                                if (_e772 == 0u) {
+                                    phi_1277_ = _e757.unnamed.root;
                                 } else {
-                                    phi_1274_ = _e756.unnamed.first_primitive;
+                                    phi_1277_ = _e757.unnamed.first_primitive;
                                 }
-                                let _e793 = phi_1274_;
-                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e775 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e341)), ((f32(((_e784 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e342)));
-                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(_e806, ((f32(((_e793 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e343)));
-                                if (_e771 == 0u) {
-                                    phi_1292_ = _e618.unnamed_1.root;
+                                let _e794 = phi_1277_;
+                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e776 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e342)), ((f32(((_e785 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e343)));
+                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(_e807, ((f32(((_e794 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e344)));
+                                if (_e772 == 0u) {
+                                    phi_1295_ = _e619.unnamed_1.root;
                                 } else {
-                                    phi_1292_ = _e618.unnamed_1.first_primitive;
+                                    phi_1295_ = _e619.unnamed_1.first_primitive;
                                 }
-                                let _e810 = phi_1292_;
-                                if (_e771 == 0u) {
-                                    phi_1302_ = _e687.unnamed_1.root;
+                                let _e811 = phi_1295_;
+                                if (_e772 == 0u) {
+                                    phi_1305_ = _e688.unnamed_1.root;
                                 } else {
-                                    phi_1302_ = _e687.unnamed_1.first_primitive;
+                                    phi_1305_ = _e688.unnamed_1.first_primitive;
                                 }
-                                let _e819 = phi_1302_;
-                                if (_e771 == 0u) {
-                                    phi_1312_ = _e756.unnamed_1.root;
+                                let _e820 = phi_1305_;
+                                if (_e772 == 0u) {
+                                    phi_1315_ = _e757.unnamed_1.root;
                                 } else {
-                                    phi_1312_ = _e756.unnamed_1.first_primitive;
+                                    phi_1315_ = _e757.unnamed_1.first_primitive;
                                 }
-                                let _e828 = phi_1312_;
-                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e341)), ((f32(((_e819 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e342)));
-                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e343)));
-                                if (_e807 <= _e842) {
-                                    if (_e807 <= _e145) {
-                                        if (_e842 >= 0f) {
-                                            if (_e771 == 0u) {
-                                                let _e849 = nodes.member[(0u + _e499)].links[2u];
-                                                phi_1348_ = _e849;
+                                let _e829 = phi_1315_;
+                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e811 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e342)), ((f32(((_e820 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e343)));
+                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(_e842, ((f32(((_e829 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e344)));
+                                if (_e808 <= _e843) {
+                                    if (_e808 <= _e146) {
+                                        if (_e843 >= 0f) {
+                                            if (_e772 == 0u) {
+                                                let _e850 = nodes.member[(0u + _e500)].links[2u];
+                                                phi_1351_ = _e850;
                                             } else {
-                                                let _e852 = nodes.member[(0u + _e499)].links[3u];
-                                                phi_1348_ = _e852;
+                                                let _e853 = nodes.member[(0u + _e500)].links[3u];
+                                                phi_1351_ = _e853;
                                             }
-                                            let _e854 = phi_1348_;
-                                            let _e859 = ((_e854 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u);
-                                            let _e860 = (_e859 & 31u);
-                                            if (_e860 >= 24u) {
-                                                phi_1361_ = (24u + ((_e860 - 24u) ^ _e361));
+                                            let _e855 = phi_1351_;
+                                            let _e860 = ((_e855 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u);
+                                            let _e861 = (_e860 & 31u);
+                                            if (_e861 >= 24u) {
+                                                phi_1364_ = (24u + ((_e861 - 24u) ^ _e362));
                                             } else {
-                                                phi_1361_ = _e860;
+                                                phi_1364_ = _e861;
                                             }
-                                            let _e866 = phi_1361_;
-                                            phi_1366_ = (_e768 | ((_e859 >> bitcast<u32>(5i)) << bitcast<u32>((_e866 & 31u))));
+                                            let _e867 = phi_1364_;
+                                            phi_1369_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
                                         } else {
-                                            phi_1366_ = _e768;
+                                            phi_1369_ = _e769;
                                         }
-                                        let _e874 = phi_1366_;
-                                        phi_1367_ = _e874;
+                                        let _e875 = phi_1369_;
+                                        phi_1370_ = _e875;
                                     } else {
-                                        phi_1367_ = _e768;
+                                        phi_1370_ = _e769;
                                     }
-                                    let _e876 = phi_1367_;
-                                    phi_1368_ = _e876;
+                                    let _e877 = phi_1370_;
+                                    phi_1371_ = _e877;
                                 } else {
-                                    phi_1368_ = _e768;
+                                    phi_1371_ = _e769;
                                 }
-                                let _e878 = phi_1368_;
-                                phi_1238_ = (_e766 + 1u);
-                                phi_1241_ = _e878;
+                                let _e879 = phi_1371_;
+                                phi_1241_ = (_e767 + 1u);
+                                phi_1244_ = _e879;
                             } else {
-                                phi_1238_ = u32();
                                 phi_1241_ = u32();
+                                phi_1244_ = u32();
                             }
-                            let _e881 = phi_1238_;
-                            let _e883 = phi_1241_;
+                            let _e882 = phi_1241_;
+                            let _e884 = phi_1244_;
                             continue;
                             continuing {
-                                phi_1237_ = _e881;
-                                phi_1240_ = _e883;
-                                break if !(_e769);
+                                phi_1240_ = _e882;
+                                phi_1243_ = _e884;
+                                break if !(_e770);
                             }
                         }
-                        let _e887 = nodes.member[(0u + _e499)].links[0u];
-                        let _e891 = nodes.member[(0u + _e499)].frame[3u];
-                        let _e895 = local_3;
-                        if ((_e895 & 4278190080u) == 0u) {
+                        let _e888 = nodes.member[(0u + _e500)].links[0u];
+                        let _e892 = nodes.member[(0u + _e500)].frame[3u];
+                        let _e896 = local_3;
+                        if ((_e896 & 4278190080u) == 0u) {
                         } else {
-                            let _e899 = local_2.group_mask;
-                            if ((_e899 & 4278190080u) == 0u) {
+                            let _e900 = local_2.group_mask;
+                            if ((_e900 & 4278190080u) == 0u) {
                             } else {
-                                let _e903 = local_2.len;
-                                if (_e903 < 32u) {
-                                    let _e906 = local_2.group;
-                                    let _e908 = local_2.len;
-                                    if (_e908 < 32u) {
+                                let _e904 = local_2.len;
+                                if (_e904 < 32u) {
+                                    let _e907 = local_2.group;
+                                    let _e909 = local_2.len;
+                                    if (_e909 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e908)] = _e906;
-                                    let _e914 = local_2.group_mask;
-                                    let _e916 = local_2.len;
-                                    if (_e916 < 32u) {
+                                    local_2.first[(0u + _e909)] = _e907;
+                                    let _e915 = local_2.group_mask;
+                                    let _e917 = local_2.len;
+                                    if (_e917 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e916)] = _e914;
-                                    let _e923 = local_2.len;
-                                    local_2.len = (_e923 + 1u);
+                                    local_2.mask[(0u + _e917)] = _e915;
+                                    let _e924 = local_2.len;
+                                    local_2.len = (_e924 + 1u);
                                 }
                             }
-                            local_2.group = (_e116 + _e887);
-                            let _e927 = local_4;
-                            local_2.group_mask = ((_e927 & 4278190080u) | (_e891 >> bitcast<u32>(24i)));
+                            local_2.group = (_e116 + _e888);
+                            let _e928 = local_4;
+                            local_2.group_mask = ((_e928 & 4278190080u) | (_e892 >> bitcast<u32>(24i)));
                         }
-                        let _e932 = local_5;
-                        phi_1426_ = (_e932 & 16777215u);
+                        let _e933 = local_5;
+                        phi_1429_ = (_e933 & 16777215u);
                         loop {
-                            let _e935 = phi_1426_;
-                            let _e936 = (_e935 == 0u);
-                            local_11 = _e936;
-                            local_18 = _e936;
-                            if _e936 {
-                                phi_1427_ = u32();
-                                phi_3284_ = false;
+                            let _e936 = phi_1429_;
+                            let _e937 = (_e936 == 0u);
+                            local_11 = _e937;
+                            local_18 = _e937;
+                            if _e937 {
+                                phi_1430_ = u32();
+                                phi_3287_ = false;
                             } else {
-                                let _e939 = nodes.member[(0u + _e499)].links[1u];
-                                let _e943 = (_e939 + select(firstTrailingBit(_e935), 32u, (_e935 == 0u)));
-                                if (_e943 < arrayLength((&instances.member))) {
+                                let _e940 = nodes.member[(0u + _e500)].links[1u];
+                                let _e944 = (_e940 + select(firstTrailingBit(_e936), 32u, (_e936 == 0u)));
+                                if (_e944 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e950 = instances.member[(0u + _e943)].low_world;
-                                let _e952 = instances.member[(0u + _e943)].high_world;
-                                let _e959 = ((_e950.x - _e137) * _e293);
-                                let _e960 = ((_e950.y - _e139) * _e303);
-                                let _e961 = ((_e950.z - _e141) * _e313);
-                                let _e968 = ((_e952.x - _e137) * _e293);
-                                let _e969 = ((_e952.y - _e139) * _e303);
-                                let _e970 = ((_e952.z - _e141) * _e313);
-                                if (_e959 < _e968) {
-                                    phi_1476_ = _e959;
-                                } else {
-                                    phi_1476_ = _e968;
-                                }
-                                let _e973 = phi_1476_;
+                                let _e951 = instances.member[(0u + _e944)].low_world;
+                                let _e953 = instances.member[(0u + _e944)].high_world;
+                                let _e960 = ((_e951.x - _e136) * _e294);
+                                let _e961 = ((_e951.y - _e138) * _e304);
+                                let _e962 = ((_e951.z - _e140) * _e314);
+                                let _e969 = ((_e953.x - _e136) * _e294);
+                                let _e970 = ((_e953.y - _e138) * _e304);
+                                let _e971 = ((_e953.z - _e140) * _e314);
                                 if (_e960 < _e969) {
-                                    phi_1481_ = _e960;
+                                    phi_1479_ = _e960;
                                 } else {
-                                    phi_1481_ = _e969;
+                                    phi_1479_ = _e969;
                                 }
-                                let _e976 = phi_1481_;
+                                let _e974 = phi_1479_;
                                 if (_e961 < _e970) {
-                                    phi_1486_ = _e961;
+                                    phi_1484_ = _e961;
                                 } else {
-                                    phi_1486_ = _e970;
+                                    phi_1484_ = _e970;
                                 }
-                                let _e979 = phi_1486_;
-                                if (_e959 > _e968) {
-                                    phi_1494_ = _e959;
+                                let _e977 = phi_1484_;
+                                if (_e962 < _e971) {
+                                    phi_1489_ = _e962;
                                 } else {
-                                    phi_1494_ = _e968;
+                                    phi_1489_ = _e971;
                                 }
-                                let _e985 = phi_1494_;
+                                let _e980 = phi_1489_;
                                 if (_e960 > _e969) {
-                                    phi_1499_ = _e960;
+                                    phi_1497_ = _e960;
                                 } else {
-                                    phi_1499_ = _e969;
+                                    phi_1497_ = _e969;
                                 }
-                                let _e988 = phi_1499_;
+                                let _e986 = phi_1497_;
                                 if (_e961 > _e970) {
-                                    phi_1504_ = _e961;
+                                    phi_1502_ = _e961;
                                 } else {
-                                    phi_1504_ = _e970;
+                                    phi_1502_ = _e970;
                                 }
-                                let _e991 = phi_1504_;
-                                let _e995 = core_intrinsics_maximum_number_nsz_f32_((_e973 - _e348), (_e976 - _e349));
-                                let _e996 = core_intrinsics_maximum_number_nsz_f32_(_e995, (_e979 - _e350));
-                                let _e997 = core_intrinsics_minimum_number_nsz_f32_((_e985 + _e348), (_e988 + _e349));
-                                let _e998 = core_intrinsics_minimum_number_nsz_f32_(_e997, (_e991 + _e350));
-                                if (_e996 <= _e998) {
-                                    if (_e996 <= _e145) {
-                                        if (_e998 >= 0f) {
-                                            let _e1004 = instances.member[(0u + _e943)].world_to_object[0u];
-                                            let _e1015 = ((((_e1004.x * _e137) + (_e1004.y * _e139)) + (_e1004.z * _e141)) + (_e1004.w * 1f));
-                                            let _e1017 = instances.member[(0u + _e943)].world_to_object[1u];
-                                            let _e1028 = ((((_e1017.x * _e137) + (_e1017.y * _e139)) + (_e1017.z * _e141)) + (_e1017.w * 1f));
-                                            let _e1030 = instances.member[(0u + _e943)].world_to_object[2u];
-                                            let _e1041 = ((((_e1030.x * _e137) + (_e1030.y * _e139)) + (_e1030.z * _e141)) + (_e1030.w * 1f));
-                                            let _e1044 = instances.member[(0u + _e943)].world_to_object[0u];
-                                            let _e1055 = ((((_e1044.x * _e153) + (_e1044.y * _e154)) + (_e1044.z * _e155)) + (_e1044.w * 0f));
-                                            let _e1057 = instances.member[(0u + _e943)].world_to_object[1u];
-                                            let _e1068 = ((((_e1057.x * _e153) + (_e1057.y * _e154)) + (_e1057.z * _e155)) + (_e1057.w * 0f));
-                                            let _e1070 = instances.member[(0u + _e943)].world_to_object[2u];
-                                            let _e1081 = ((((_e1070.x * _e153) + (_e1070.y * _e154)) + (_e1070.z * _e155)) + (_e1070.w * 0f));
-                                            let _e1084 = instances.member[(0u + _e943)].root;
-                                            let _e1086 = instances.member[(0u + _e943)].first_triangle;
-                                            let _e1090 = abs(_e1055);
-                                            let _e1091 = abs(_e1068);
-                                            let _e1092 = abs(_e1081);
-                                            if (abs(_e1015) < 1000000000000000f) {
-                                                if (abs(_e1028) < 1000000000000000f) {
-                                                    if (abs(_e1041) < 1000000000000000f) {
-                                                        if (_e1090 < 1000000000000000f) {
-                                                            if (_e1091 < 1000000000000000f) {
-                                                                if (_e1092 < 1000000000000000f) {
-                                                                    if (_e1090 > 0f) {
-                                                                        phi_1649_ = bool();
-                                                                        phi_1650_ = true;
+                                let _e989 = phi_1502_;
+                                if (_e962 > _e971) {
+                                    phi_1507_ = _e962;
+                                } else {
+                                    phi_1507_ = _e971;
+                                }
+                                let _e992 = phi_1507_;
+                                let _e996 = core_intrinsics_maximum_number_nsz_f32_((_e974 - _e349), (_e977 - _e350));
+                                let _e997 = core_intrinsics_maximum_number_nsz_f32_(_e996, (_e980 - _e351));
+                                let _e998 = core_intrinsics_minimum_number_nsz_f32_((_e986 + _e349), (_e989 + _e350));
+                                let _e999 = core_intrinsics_minimum_number_nsz_f32_(_e998, (_e992 + _e351));
+                                if (_e997 <= _e999) {
+                                    if (_e997 <= _e146) {
+                                        if (_e999 >= 0f) {
+                                            let _e1005 = instances.member[(0u + _e944)].world_to_object[0u];
+                                            let _e1016 = ((((_e1005.x * _e136) + (_e1005.y * _e138)) + (_e1005.z * _e140)) + (_e1005.w * 1f));
+                                            let _e1018 = instances.member[(0u + _e944)].world_to_object[1u];
+                                            let _e1029 = ((((_e1018.x * _e136) + (_e1018.y * _e138)) + (_e1018.z * _e140)) + (_e1018.w * 1f));
+                                            let _e1031 = instances.member[(0u + _e944)].world_to_object[2u];
+                                            let _e1042 = ((((_e1031.x * _e136) + (_e1031.y * _e138)) + (_e1031.z * _e140)) + (_e1031.w * 1f));
+                                            let _e1045 = instances.member[(0u + _e944)].world_to_object[0u];
+                                            let _e1056 = ((((_e1045.x * _e154) + (_e1045.y * _e155)) + (_e1045.z * _e156)) + (_e1045.w * 0f));
+                                            let _e1058 = instances.member[(0u + _e944)].world_to_object[1u];
+                                            let _e1069 = ((((_e1058.x * _e154) + (_e1058.y * _e155)) + (_e1058.z * _e156)) + (_e1058.w * 0f));
+                                            let _e1071 = instances.member[(0u + _e944)].world_to_object[2u];
+                                            let _e1082 = ((((_e1071.x * _e154) + (_e1071.y * _e155)) + (_e1071.z * _e156)) + (_e1071.w * 0f));
+                                            let _e1085 = instances.member[(0u + _e944)].root;
+                                            let _e1087 = instances.member[(0u + _e944)].first_triangle;
+                                            let _e1091 = abs(_e1056);
+                                            let _e1092 = abs(_e1069);
+                                            let _e1093 = abs(_e1082);
+                                            if (abs(_e1016) < 1000000000000000f) {
+                                                if (abs(_e1029) < 1000000000000000f) {
+                                                    if (abs(_e1042) < 1000000000000000f) {
+                                                        if (_e1091 < 1000000000000000f) {
+                                                            if (_e1092 < 1000000000000000f) {
+                                                                if (_e1093 < 1000000000000000f) {
+                                                                    if (_e1091 > 0f) {
+                                                                        phi_1652_ = bool();
+                                                                        phi_1653_ = true;
                                                                     } else {
-                                                                        let _e1100 = (_e1091 > 0f);
-                                                                        if _e1100 {
-                                                                            phi_1648_ = bool();
+                                                                        let _e1101 = (_e1092 > 0f);
+                                                                        if _e1101 {
+                                                                            phi_1651_ = bool();
                                                                         } else {
-                                                                            phi_1648_ = (_e1092 > 0f);
+                                                                            phi_1651_ = (_e1093 > 0f);
                                                                         }
-                                                                        let _e1103 = phi_1648_;
-                                                                        phi_1649_ = _e1103;
-                                                                        phi_1650_ = _e1100;
+                                                                        let _e1104 = phi_1651_;
+                                                                        phi_1652_ = _e1104;
+                                                                        phi_1653_ = _e1101;
                                                                     }
-                                                                    let _e1105 = phi_1649_;
-                                                                    let _e1107 = phi_1650_;
-                                                                    if _e1107 {
-                                                                        phi_1654_ = true;
+                                                                    let _e1106 = phi_1652_;
+                                                                    let _e1108 = phi_1653_;
+                                                                    if _e1108 {
+                                                                        phi_1657_ = true;
                                                                     } else {
-                                                                        phi_1654_ = _e1105;
+                                                                        phi_1657_ = _e1106;
                                                                     }
-                                                                    let _e1109 = phi_1654_;
-                                                                    phi_1655_ = _e1109;
-                                                                    phi_1656_ = false;
+                                                                    let _e1110 = phi_1657_;
+                                                                    phi_1658_ = _e1110;
+                                                                    phi_1659_ = false;
                                                                 } else {
-                                                                    phi_1655_ = bool();
-                                                                    phi_1656_ = true;
+                                                                    phi_1658_ = bool();
+                                                                    phi_1659_ = true;
                                                                 }
-                                                                let _e1111 = phi_1655_;
-                                                                let _e1113 = phi_1656_;
-                                                                phi_1657_ = _e1111;
-                                                                phi_1658_ = false;
-                                                                phi_1659_ = _e1113;
+                                                                let _e1112 = phi_1658_;
+                                                                let _e1114 = phi_1659_;
+                                                                phi_1660_ = _e1112;
+                                                                phi_1661_ = false;
+                                                                phi_1662_ = _e1114;
                                                             } else {
-                                                                phi_1657_ = bool();
-                                                                phi_1658_ = true;
-                                                                phi_1659_ = false;
+                                                                phi_1660_ = bool();
+                                                                phi_1661_ = true;
+                                                                phi_1662_ = false;
                                                             }
-                                                            let _e1115 = phi_1657_;
-                                                            let _e1117 = phi_1658_;
-                                                            let _e1119 = phi_1659_;
-                                                            phi_1660_ = _e1115;
-                                                            phi_1661_ = _e1117;
-                                                            phi_1662_ = _e1119;
+                                                            let _e1116 = phi_1660_;
+                                                            let _e1118 = phi_1661_;
+                                                            let _e1120 = phi_1662_;
+                                                            phi_1663_ = _e1116;
+                                                            phi_1664_ = _e1118;
+                                                            phi_1665_ = _e1120;
                                                         } else {
-                                                            phi_1660_ = bool();
-                                                            phi_1661_ = true;
-                                                            phi_1662_ = false;
+                                                            phi_1663_ = bool();
+                                                            phi_1664_ = true;
+                                                            phi_1665_ = false;
                                                         }
-                                                        let _e1121 = phi_1660_;
-                                                        let _e1123 = phi_1661_;
-                                                        let _e1125 = phi_1662_;
-                                                        phi_1663_ = _e1121;
-                                                        phi_1664_ = _e1123;
-                                                        phi_1665_ = _e1125;
+                                                        let _e1122 = phi_1663_;
+                                                        let _e1124 = phi_1664_;
+                                                        let _e1126 = phi_1665_;
+                                                        phi_1666_ = _e1122;
+                                                        phi_1667_ = _e1124;
+                                                        phi_1668_ = _e1126;
                                                     } else {
-                                                        phi_1663_ = bool();
-                                                        phi_1664_ = true;
-                                                        phi_1665_ = false;
+                                                        phi_1666_ = bool();
+                                                        phi_1667_ = true;
+                                                        phi_1668_ = false;
                                                     }
-                                                    let _e1127 = phi_1663_;
-                                                    let _e1129 = phi_1664_;
-                                                    let _e1131 = phi_1665_;
-                                                    phi_1666_ = _e1127;
-                                                    phi_1667_ = _e1129;
-                                                    phi_1668_ = _e1131;
+                                                    let _e1128 = phi_1666_;
+                                                    let _e1130 = phi_1667_;
+                                                    let _e1132 = phi_1668_;
+                                                    phi_1669_ = _e1128;
+                                                    phi_1670_ = _e1130;
+                                                    phi_1671_ = _e1132;
                                                 } else {
-                                                    phi_1666_ = bool();
-                                                    phi_1667_ = true;
-                                                    phi_1668_ = false;
+                                                    phi_1669_ = bool();
+                                                    phi_1670_ = true;
+                                                    phi_1671_ = false;
                                                 }
-                                                let _e1133 = phi_1666_;
-                                                let _e1135 = phi_1667_;
-                                                let _e1137 = phi_1668_;
-                                                phi_1669_ = _e1133;
-                                                phi_1670_ = _e1135;
-                                                phi_1671_ = _e1137;
+                                                let _e1134 = phi_1669_;
+                                                let _e1136 = phi_1670_;
+                                                let _e1138 = phi_1671_;
+                                                phi_1672_ = _e1134;
+                                                phi_1673_ = _e1136;
+                                                phi_1674_ = _e1138;
                                             } else {
-                                                phi_1669_ = bool();
-                                                phi_1670_ = true;
-                                                phi_1671_ = false;
+                                                phi_1672_ = bool();
+                                                phi_1673_ = true;
+                                                phi_1674_ = false;
                                             }
-                                            let _e1139 = phi_1669_;
-                                            let _e1141 = phi_1670_;
-                                            let _e1143 = phi_1671_;
-                                            if _e1141 {
-                                                phi_1675_ = true;
+                                            let _e1140 = phi_1672_;
+                                            let _e1142 = phi_1673_;
+                                            let _e1144 = phi_1674_;
+                                            if _e1142 {
+                                                phi_1678_ = true;
                                             } else {
-                                                phi_1675_ = _e1143;
+                                                phi_1678_ = _e1144;
                                             }
-                                            let _e1145 = phi_1675_;
-                                            if _e1145 {
-                                                phi_1679_ = false;
+                                            let _e1146 = phi_1678_;
+                                            if _e1146 {
+                                                phi_1682_ = false;
                                             } else {
-                                                phi_1679_ = _e1139;
+                                                phi_1682_ = _e1140;
                                             }
-                                            let _e1147 = phi_1679_;
-                                            if _e1147 {
-                                                let _e1148 = (_e1084 >= _e77);
-                                                if _e1148 {
-                                                    phi_3267_ = bool();
+                                            let _e1148 = phi_1682_;
+                                            if _e1148 {
+                                                let _e1149 = (_e1085 >= _e77);
+                                                if _e1149 {
+                                                    phi_3270_ = bool();
                                                 } else {
-                                                    if (_e1084 < _e77) {
+                                                    if (_e1085 < _e77) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1154 = nodes.member[(0u + _e1084)].frame[0u];
-                                                    let _e1158 = nodes.member[(0u + _e1084)].frame[1u];
-                                                    let _e1162 = nodes.member[(0u + _e1084)].frame[2u];
-                                                    let _e1166 = nodes.member[(0u + _e1084)].frame[0u];
-                                                    let _e1170 = nodes.member[(0u + _e1084)].frame[1u];
-                                                    let _e1174 = nodes.member[(0u + _e1084)].frame[2u];
-                                                    let _e1178 = nodes.member[(0u + _e1084)].frame[3u];
-                                                    let _e1212 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1055), abs(_e1068));
-                                                    let _e1213 = core_intrinsics_maximum_number_nsz_f32_(_e1212, abs(_e1081));
-                                                    let _e1214 = (_e1213 * 0.0000000000009094947f);
-                                                    if (abs(_e1055) < _e1214) {
-                                                        phi_1749_ = _e1214;
+                                                    let _e1155 = nodes.member[(0u + _e1085)].frame[0u];
+                                                    let _e1159 = nodes.member[(0u + _e1085)].frame[1u];
+                                                    let _e1163 = nodes.member[(0u + _e1085)].frame[2u];
+                                                    let _e1167 = nodes.member[(0u + _e1085)].frame[0u];
+                                                    let _e1171 = nodes.member[(0u + _e1085)].frame[1u];
+                                                    let _e1175 = nodes.member[(0u + _e1085)].frame[2u];
+                                                    let _e1179 = nodes.member[(0u + _e1085)].frame[3u];
+                                                    let _e1213 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1056), abs(_e1069));
+                                                    let _e1214 = core_intrinsics_maximum_number_nsz_f32_(_e1213, abs(_e1082));
+                                                    let _e1215 = (_e1214 * 0.0000000000009094947f);
+                                                    if (abs(_e1056) < _e1215) {
+                                                        phi_1752_ = _e1215;
                                                     } else {
-                                                        phi_1749_ = abs(_e1055);
+                                                        phi_1752_ = abs(_e1056);
                                                     }
-                                                    let _e1219 = phi_1749_;
-                                                    if (_e1055 < 0f) {
-                                                        phi_1756_ = (-1f / _e1219);
+                                                    let _e1220 = phi_1752_;
+                                                    if (_e1056 < 0f) {
+                                                        phi_1759_ = (-1f / _e1220);
                                                     } else {
-                                                        phi_1756_ = (1f / _e1219);
+                                                        phi_1759_ = (1f / _e1220);
                                                     }
-                                                    let _e1224 = phi_1756_;
-                                                    if (abs(_e1068) < _e1214) {
-                                                        phi_1763_ = _e1214;
+                                                    let _e1225 = phi_1759_;
+                                                    if (abs(_e1069) < _e1215) {
+                                                        phi_1766_ = _e1215;
                                                     } else {
-                                                        phi_1763_ = abs(_e1068);
+                                                        phi_1766_ = abs(_e1069);
                                                     }
-                                                    let _e1229 = phi_1763_;
-                                                    if (_e1068 < 0f) {
-                                                        phi_1770_ = (-1f / _e1229);
+                                                    let _e1230 = phi_1766_;
+                                                    if (_e1069 < 0f) {
+                                                        phi_1773_ = (-1f / _e1230);
                                                     } else {
-                                                        phi_1770_ = (1f / _e1229);
+                                                        phi_1773_ = (1f / _e1230);
                                                     }
-                                                    let _e1234 = phi_1770_;
-                                                    if (abs(_e1081) < _e1214) {
-                                                        phi_1777_ = _e1214;
+                                                    let _e1235 = phi_1773_;
+                                                    if (abs(_e1082) < _e1215) {
+                                                        phi_1780_ = _e1215;
                                                     } else {
-                                                        phi_1777_ = abs(_e1081);
+                                                        phi_1780_ = abs(_e1082);
                                                     }
-                                                    let _e1239 = phi_1777_;
-                                                    if (_e1081 < 0f) {
-                                                        phi_1784_ = (-1f / _e1239);
+                                                    let _e1240 = phi_1780_;
+                                                    if (_e1082 < 0f) {
+                                                        phi_1787_ = (-1f / _e1240);
                                                     } else {
-                                                        phi_1784_ = (1f / _e1239);
+                                                        phi_1787_ = (1f / _e1240);
                                                     }
-                                                    let _e1244 = phi_1784_;
-                                                    let _e1248 = abs((bitcast<f32>(_e1154) - _e1015));
-                                                    let _e1249 = abs((bitcast<f32>(_e1158) - _e1028));
-                                                    let _e1250 = abs((bitcast<f32>(_e1162) - _e1041));
-                                                    let _e1254 = abs(((bitcast<f32>(_e1166) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1015));
-                                                    let _e1255 = abs(((bitcast<f32>(_e1170) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1028));
-                                                    let _e1256 = abs(((bitcast<f32>(_e1174) + (bitcast<f32>((((_e1178 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1041));
-                                                    if (_e1248 > _e1254) {
-                                                        phi_1801_ = _e1248;
-                                                    } else {
-                                                        phi_1801_ = _e1254;
-                                                    }
-                                                    let _e1259 = phi_1801_;
+                                                    let _e1245 = phi_1787_;
+                                                    let _e1249 = abs((bitcast<f32>(_e1155) - _e1016));
+                                                    let _e1250 = abs((bitcast<f32>(_e1159) - _e1029));
+                                                    let _e1251 = abs((bitcast<f32>(_e1163) - _e1042));
+                                                    let _e1255 = abs(((bitcast<f32>(_e1167) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1016));
+                                                    let _e1256 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1029));
+                                                    let _e1257 = abs(((bitcast<f32>(_e1175) + (bitcast<f32>((((_e1179 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1042));
                                                     if (_e1249 > _e1255) {
-                                                        phi_1806_ = _e1249;
+                                                        phi_1804_ = _e1249;
                                                     } else {
-                                                        phi_1806_ = _e1255;
+                                                        phi_1804_ = _e1255;
                                                     }
-                                                    let _e1262 = phi_1806_;
+                                                    let _e1260 = phi_1804_;
                                                     if (_e1250 > _e1256) {
-                                                        phi_1811_ = _e1250;
+                                                        phi_1809_ = _e1250;
                                                     } else {
-                                                        phi_1811_ = _e1256;
+                                                        phi_1809_ = _e1256;
                                                     }
-                                                    let _e1265 = phi_1811_;
-                                                    let _e1266 = core_intrinsics_maximum_number_nsz_f32_(_e1259, _e1262);
-                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1266, _e1265);
-                                                    let _e1271 = (_e1267 * 0.0000019073486f);
-                                                    let _e1272 = (abs(_e1224) * _e1271);
-                                                    let _e1273 = (abs(_e1234) * _e1271);
-                                                    let _e1274 = (abs(_e1244) * _e1271);
-                                                    let _e1278 = (_e1267 * 0.0000009536743f);
-                                                    let _e1279 = (abs(_e1224) * _e1278);
-                                                    let _e1280 = (abs(_e1234) * _e1278);
-                                                    let _e1281 = (abs(_e1244) * _e1278);
-                                                    let _e1282 = abs(_e1055);
-                                                    let _e1283 = abs(_e1068);
-                                                    let _e1284 = abs(_e1081);
-                                                    if (_e1282 >= _e1283) {
-                                                        if (_e1282 >= _e1284) {
-                                                            phi_1839_ = false;
+                                                    let _e1263 = phi_1809_;
+                                                    if (_e1251 > _e1257) {
+                                                        phi_1814_ = _e1251;
+                                                    } else {
+                                                        phi_1814_ = _e1257;
+                                                    }
+                                                    let _e1266 = phi_1814_;
+                                                    let _e1267 = core_intrinsics_maximum_number_nsz_f32_(_e1260, _e1263);
+                                                    let _e1268 = core_intrinsics_maximum_number_nsz_f32_(_e1267, _e1266);
+                                                    let _e1272 = (_e1268 * 0.0000019073486f);
+                                                    let _e1273 = (abs(_e1225) * _e1272);
+                                                    let _e1274 = (abs(_e1235) * _e1272);
+                                                    let _e1275 = (abs(_e1245) * _e1272);
+                                                    let _e1279 = (_e1268 * 0.0000009536743f);
+                                                    let _e1280 = (abs(_e1225) * _e1279);
+                                                    let _e1281 = (abs(_e1235) * _e1279);
+                                                    let _e1282 = (abs(_e1245) * _e1279);
+                                                    let _e1283 = abs(_e1056);
+                                                    let _e1284 = abs(_e1069);
+                                                    let _e1285 = abs(_e1082);
+                                                    if (_e1283 >= _e1284) {
+                                                        if (_e1283 >= _e1285) {
+                                                            phi_1842_ = false;
                                                         } else {
-                                                            phi_1839_ = true;
+                                                            phi_1842_ = true;
                                                         }
-                                                        let _e1288 = phi_1839_;
-                                                        phi_1840_ = _e1288;
+                                                        let _e1289 = phi_1842_;
+                                                        phi_1843_ = _e1289;
                                                     } else {
-                                                        phi_1840_ = true;
+                                                        phi_1843_ = true;
                                                     }
-                                                    let _e1290 = phi_1840_;
-                                                    if _e1290 {
-                                                        if (_e1283 >= _e1284) {
-                                                            phi_1848_ = 1u;
+                                                    let _e1291 = phi_1843_;
+                                                    if _e1291 {
+                                                        if (_e1284 >= _e1285) {
+                                                            phi_1851_ = 1u;
                                                         } else {
-                                                            phi_1848_ = 2u;
+                                                            phi_1851_ = 2u;
                                                         }
-                                                        let _e1293 = phi_1848_;
-                                                        phi_1849_ = _e1293;
+                                                        let _e1294 = phi_1851_;
+                                                        phi_1852_ = _e1294;
                                                     } else {
-                                                        phi_1849_ = 0u;
+                                                        phi_1852_ = 0u;
                                                     }
-                                                    let _e1295 = phi_1849_;
-                                                    if (_e1295 == 0u) {
-                                                        phi_1861_ = vec3<f32>(_e1068, _e1081, _e1055);
+                                                    let _e1296 = phi_1852_;
+                                                    if (_e1296 == 0u) {
+                                                        phi_1864_ = vec3<f32>(_e1069, _e1082, _e1056);
                                                     } else {
-                                                        if (_e1295 == 1u) {
-                                                            phi_1860_ = vec3<f32>(_e1081, _e1055, _e1068);
+                                                        if (_e1296 == 1u) {
+                                                            phi_1863_ = vec3<f32>(_e1082, _e1056, _e1069);
                                                         } else {
-                                                            phi_1860_ = vec3<f32>(_e1055, _e1068, _e1081);
+                                                            phi_1863_ = vec3<f32>(_e1056, _e1069, _e1082);
                                                         }
-                                                        let _e1301 = phi_1860_;
-                                                        phi_1861_ = _e1301;
+                                                        let _e1302 = phi_1863_;
+                                                        phi_1864_ = _e1302;
                                                     }
-                                                    let _e1303 = phi_1861_;
-                                                    let _e1306 = (_e1303.x / _e1303.z);
-                                                    let _e1309 = (_e1303.y / _e1303.z);
-                                                    if (_e1224 < 0f) {
-                                                        phi_1874_ = 0u;
+                                                    let _e1304 = phi_1864_;
+                                                    let _e1307 = (_e1304.x / _e1304.z);
+                                                    let _e1310 = (_e1304.y / _e1304.z);
+                                                    if (_e1225 < 0f) {
+                                                        phi_1877_ = 0u;
                                                     } else {
-                                                        phi_1874_ = 1u;
+                                                        phi_1877_ = 1u;
                                                     }
-                                                    let _e1314 = phi_1874_;
-                                                    if (_e1234 < 0f) {
-                                                        phi_1879_ = 0u;
+                                                    let _e1315 = phi_1877_;
+                                                    if (_e1235 < 0f) {
+                                                        phi_1882_ = 0u;
                                                     } else {
-                                                        phi_1879_ = 2u;
+                                                        phi_1882_ = 2u;
                                                     }
-                                                    let _e1317 = phi_1879_;
-                                                    if (_e1244 < 0f) {
-                                                        phi_1884_ = 0u;
+                                                    let _e1318 = phi_1882_;
+                                                    if (_e1245 < 0f) {
+                                                        phi_1887_ = 0u;
                                                     } else {
-                                                        phi_1884_ = 4u;
+                                                        phi_1887_ = 4u;
                                                     }
-                                                    let _e1320 = phi_1884_;
-                                                    let _e1322 = ((_e1314 | _e1317) | _e1320);
-                                                    let _e1323 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1084, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1323.first[0], _e1323.first[1], _e1323.first[2], _e1323.first[3], _e1323.first[4], _e1323.first[5], _e1323.first[6], _e1323.first[7], _e1323.first[8], _e1323.first[9], _e1323.first[10], _e1323.first[11], _e1323.first[12], _e1323.first[13], _e1323.first[14], _e1323.first[15], _e1323.first[16], _e1323.first[17], _e1323.first[18], _e1323.first[19], _e1323.first[20], _e1323.first[21], _e1323.first[22], _e1323.first[23], _e1323.first[24], _e1323.first[25], _e1323.first[26], _e1323.first[27], _e1323.first[28], _e1323.first[29], _e1323.first[30], _e1323.first[31]), array<u32, 32>(_e1323.mask[0], _e1323.mask[1], _e1323.mask[2], _e1323.mask[3], _e1323.mask[4], _e1323.mask[5], _e1323.mask[6], _e1323.mask[7], _e1323.mask[8], _e1323.mask[9], _e1323.mask[10], _e1323.mask[11], _e1323.mask[12], _e1323.mask[13], _e1323.mask[14], _e1323.mask[15], _e1323.mask[16], _e1323.mask[17], _e1323.mask[18], _e1323.mask[19], _e1323.mask[20], _e1323.mask[21], _e1323.mask[22], _e1323.mask[23], _e1323.mask[24], _e1323.mask[25], _e1323.mask[26], _e1323.mask[27], _e1323.mask[28], _e1323.mask[29], _e1323.mask[30], _e1323.mask[31]), _e1323.len, _e1323.group, _e1323.group_mask);
-                                                    let _e1397 = local_1.group_mask;
-                                                    if ((_e1397 & 4278190080u) == 0u) {
-                                                        let _e1401 = local_1.len;
-                                                        if (_e1401 == 0u) {
-                                                            phi_1998_ = false;
+                                                    let _e1321 = phi_1887_;
+                                                    let _e1323 = ((_e1315 | _e1318) | _e1321);
+                                                    let _e1324 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1085, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1324.first[0], _e1324.first[1], _e1324.first[2], _e1324.first[3], _e1324.first[4], _e1324.first[5], _e1324.first[6], _e1324.first[7], _e1324.first[8], _e1324.first[9], _e1324.first[10], _e1324.first[11], _e1324.first[12], _e1324.first[13], _e1324.first[14], _e1324.first[15], _e1324.first[16], _e1324.first[17], _e1324.first[18], _e1324.first[19], _e1324.first[20], _e1324.first[21], _e1324.first[22], _e1324.first[23], _e1324.first[24], _e1324.first[25], _e1324.first[26], _e1324.first[27], _e1324.first[28], _e1324.first[29], _e1324.first[30], _e1324.first[31]), array<u32, 32>(_e1324.mask[0], _e1324.mask[1], _e1324.mask[2], _e1324.mask[3], _e1324.mask[4], _e1324.mask[5], _e1324.mask[6], _e1324.mask[7], _e1324.mask[8], _e1324.mask[9], _e1324.mask[10], _e1324.mask[11], _e1324.mask[12], _e1324.mask[13], _e1324.mask[14], _e1324.mask[15], _e1324.mask[16], _e1324.mask[17], _e1324.mask[18], _e1324.mask[19], _e1324.mask[20], _e1324.mask[21], _e1324.mask[22], _e1324.mask[23], _e1324.mask[24], _e1324.mask[25], _e1324.mask[26], _e1324.mask[27], _e1324.mask[28], _e1324.mask[29], _e1324.mask[30], _e1324.mask[31]), _e1324.len, _e1324.group, _e1324.group_mask);
+                                                    let _e1398 = local_1.group_mask;
+                                                    if ((_e1398 & 4278190080u) == 0u) {
+                                                        let _e1402 = local_1.len;
+                                                        if (_e1402 == 0u) {
+                                                            phi_2001_ = false;
                                                         } else {
-                                                            let _e1405 = local_1.len;
-                                                            local_1.len = (_e1405 - 1u);
-                                                            let _e1408 = local_1.len;
-                                                            if (_e1408 < 32u) {
+                                                            let _e1406 = local_1.len;
+                                                            local_1.len = (_e1406 - 1u);
+                                                            let _e1409 = local_1.len;
+                                                            if (_e1409 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1413 = local_1.first[(0u + _e1408)];
-                                                            local_1.group = _e1413;
-                                                            let _e1416 = local_1.len;
-                                                            if (_e1416 < 32u) {
+                                                            let _e1414 = local_1.first[(0u + _e1409)];
+                                                            local_1.group = _e1414;
+                                                            let _e1417 = local_1.len;
+                                                            if (_e1417 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1421 = local_1.mask[(0u + _e1416)];
-                                                            local_1.group_mask = _e1421;
-                                                            phi_1998_ = true;
+                                                            let _e1422 = local_1.mask[(0u + _e1417)];
+                                                            local_1.group_mask = _e1422;
+                                                            phi_2001_ = true;
                                                         }
-                                                        let _e1424 = phi_1998_;
-                                                        phi_1999_ = _e1424;
+                                                        let _e1425 = phi_2001_;
+                                                        phi_2002_ = _e1425;
                                                     } else {
-                                                        phi_1999_ = true;
+                                                        phi_2002_ = true;
                                                     }
-                                                    let _e1426 = phi_1999_;
-                                                    if _e1426 {
-                                                        let _e1428 = local_1.group_mask;
-                                                        let _e1434 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1428)), 32u, (_e1428 == 0u)));
-                                                        let _e1438 = local_1.group_mask;
-                                                        let _e1452 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1452 & ~((1u << bitcast<u32>((_e1434 & 31u)))));
-                                                        let _e1455 = local_1.group;
-                                                        phi_2030_ = (_e1455 + countOneBits(((_e1438 & ~((4294967295u << bitcast<u32>((((_e1434 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1427 = phi_2002_;
+                                                    if _e1427 {
+                                                        let _e1429 = local_1.group_mask;
+                                                        let _e1435 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1429)), 32u, (_e1429 == 0u)));
+                                                        let _e1439 = local_1.group_mask;
+                                                        let _e1453 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1453 & ~((1u << bitcast<u32>((_e1435 & 31u)))));
+                                                        let _e1456 = local_1.group;
+                                                        phi_2033_ = (_e1456 + countOneBits(((_e1439 & ~((4294967295u << bitcast<u32>((((_e1435 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2030_ = 4294967295u;
+                                                        phi_2033_ = 4294967295u;
                                                     }
-                                                    let _e1458 = phi_2030_;
-                                                    phi_2032_ = _e1458;
+                                                    let _e1459 = phi_2033_;
+                                                    phi_2035_ = _e1459;
                                                     loop {
-                                                        let _e1460 = phi_2032_;
-                                                        if (_e1460 != 4294967295u) {
-                                                            if (_e1460 < _e77) {
+                                                        let _e1461 = phi_2035_;
+                                                        if (_e1461 != 4294967295u) {
+                                                            if (_e1461 < _e77) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1467 = nodes.member[(0u + _e1460)].frame[3u];
-                                                            let _e1492 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1224);
-                                                            let _e1493 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1234);
-                                                            let _e1494 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1244);
-                                                            let _e1497 = nodes.member[(0u + _e1460)].frame[0u];
-                                                            let _e1501 = nodes.member[(0u + _e1460)].frame[1u];
-                                                            let _e1505 = nodes.member[(0u + _e1460)].frame[2u];
-                                                            let _e1510 = ((bitcast<f32>(_e1497) - _e1015) * _e1224);
-                                                            let _e1511 = ((bitcast<f32>(_e1501) - _e1028) * _e1234);
-                                                            let _e1512 = ((bitcast<f32>(_e1505) - _e1041) * _e1244);
-                                                            let _e1520 = nodes.member[(0u + _e1460)].x;
-                                                            if (_e1224 < 0f) {
-                                                                let _e1531 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1520.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1531.unnamed.root, _e1520.w), _e1531.unnamed_1);
-                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1537.unnamed, lt_bvh_traverse_Tree(_e1520.x, _e1537.unnamed_1.first_primitive));
-                                                                phi_2113_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_bvh_traverse_Tree(_e1543.unnamed_1.root, _e1520.y));
+                                                            let _e1468 = nodes.member[(0u + _e1461)].frame[3u];
+                                                            let _e1493 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1225);
+                                                            let _e1494 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1235);
+                                                            let _e1495 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1245);
+                                                            let _e1498 = nodes.member[(0u + _e1461)].frame[0u];
+                                                            let _e1502 = nodes.member[(0u + _e1461)].frame[1u];
+                                                            let _e1506 = nodes.member[(0u + _e1461)].frame[2u];
+                                                            let _e1511 = ((bitcast<f32>(_e1498) - _e1016) * _e1225);
+                                                            let _e1512 = ((bitcast<f32>(_e1502) - _e1029) * _e1235);
+                                                            let _e1513 = ((bitcast<f32>(_e1506) - _e1042) * _e1245);
+                                                            let _e1521 = nodes.member[(0u + _e1461)].x;
+                                                            if (_e1225 < 0f) {
+                                                                let _e1532 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1521.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1532.unnamed.root, _e1521.w), _e1532.unnamed_1);
+                                                                let _e1544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1538.unnamed, lt_bvh_traverse_Tree(_e1521.x, _e1538.unnamed_1.first_primitive));
+                                                                phi_2116_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1544.unnamed, lt_bvh_traverse_Tree(_e1544.unnamed_1.root, _e1521.y));
                                                             } else {
-                                                                let _e1559 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1520.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1559.unnamed.root, _e1520.y), _e1559.unnamed_1);
-                                                                let _e1571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1565.unnamed, lt_bvh_traverse_Tree(_e1520.z, _e1565.unnamed_1.first_primitive));
-                                                                phi_2113_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1571.unnamed, lt_bvh_traverse_Tree(_e1571.unnamed_1.root, _e1520.w));
+                                                                let _e1560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1521.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1560.unnamed.root, _e1521.y), _e1560.unnamed_1);
+                                                                let _e1572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1566.unnamed, lt_bvh_traverse_Tree(_e1521.z, _e1566.unnamed_1.first_primitive));
+                                                                phi_2116_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1572.unnamed, lt_bvh_traverse_Tree(_e1572.unnamed_1.root, _e1521.w));
                                                             }
-                                                            let _e1579 = phi_2113_;
-                                                            let _e1589 = nodes.member[(0u + _e1460)].y;
-                                                            if (_e1234 < 0f) {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1589.w), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1589.x, _e1606.unnamed_1.first_primitive));
-                                                                phi_2140_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1589.y));
+                                                            let _e1580 = phi_2116_;
+                                                            let _e1590 = nodes.member[(0u + _e1461)].y;
+                                                            if (_e1235 < 0f) {
+                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1590.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1601.unnamed.root, _e1590.w), _e1601.unnamed_1);
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_bvh_traverse_Tree(_e1590.x, _e1607.unnamed_1.first_primitive));
+                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_bvh_traverse_Tree(_e1613.unnamed_1.root, _e1590.y));
                                                             } else {
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.unnamed.root, _e1589.y), _e1628.unnamed_1);
-                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1589.z, _e1634.unnamed_1.first_primitive));
-                                                                phi_2140_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_bvh_traverse_Tree(_e1640.unnamed_1.root, _e1589.w));
+                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1590.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1629.unnamed.root, _e1590.y), _e1629.unnamed_1);
+                                                                let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1635.unnamed, lt_bvh_traverse_Tree(_e1590.z, _e1635.unnamed_1.first_primitive));
+                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_bvh_traverse_Tree(_e1641.unnamed_1.root, _e1590.w));
                                                             }
-                                                            let _e1648 = phi_2140_;
-                                                            let _e1658 = nodes.member[(0u + _e1460)].z;
-                                                            if (_e1244 < 0f) {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1658.w), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1658.x, _e1675.unnamed_1.first_primitive));
-                                                                phi_2167_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1658.y));
+                                                            let _e1649 = phi_2143_;
+                                                            let _e1659 = nodes.member[(0u + _e1461)].z;
+                                                            if (_e1245 < 0f) {
+                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1659.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1670.unnamed.root, _e1659.w), _e1670.unnamed_1);
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_bvh_traverse_Tree(_e1659.x, _e1676.unnamed_1.first_primitive));
+                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_bvh_traverse_Tree(_e1682.unnamed_1.root, _e1659.y));
                                                             } else {
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1697.unnamed.root, _e1658.y), _e1697.unnamed_1);
-                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1658.z, _e1703.unnamed_1.first_primitive));
-                                                                phi_2167_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_bvh_traverse_Tree(_e1709.unnamed_1.root, _e1658.w));
+                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1659.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1698.unnamed.root, _e1659.y), _e1698.unnamed_1);
+                                                                let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1704.unnamed, lt_bvh_traverse_Tree(_e1659.z, _e1704.unnamed_1.first_primitive));
+                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_bvh_traverse_Tree(_e1710.unnamed_1.root, _e1659.w));
                                                             }
-                                                            let _e1717 = phi_2167_;
-                                                            phi_2173_ = 0u;
+                                                            let _e1718 = phi_2170_;
                                                             phi_2176_ = 0u;
+                                                            phi_2179_ = 0u;
                                                             loop {
-                                                                let _e1727 = phi_2173_;
-                                                                let _e1729 = phi_2176_;
-                                                                local_6 = _e1729;
-                                                                local_7 = _e1729;
-                                                                local_8 = _e1729;
-                                                                let _e1730 = (_e1727 < 8u);
-                                                                if _e1730 {
-                                                                    let _e1732 = (_e1727 >> bitcast<u32>(2i));
-                                                                    let _e1733 = (_e1727 & 3u);
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2190_ = _e1579.unnamed.root;
+                                                                let _e1728 = phi_2176_;
+                                                                let _e1730 = phi_2179_;
+                                                                local_6 = _e1730;
+                                                                local_7 = _e1730;
+                                                                local_8 = _e1730;
+                                                                let _e1731 = (_e1728 < 8u);
+                                                                if _e1731 {
+                                                                    let _e1733 = (_e1728 >> bitcast<u32>(2i));
+                                                                    let _e1734 = (_e1728 & 3u);
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2193_ = _e1580.unnamed.root;
                                                                     } else {
-                                                                        phi_2190_ = _e1579.unnamed.first_primitive;
+                                                                        phi_2193_ = _e1580.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1736 = phi_2190_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2200_ = _e1648.unnamed.root;
+                                                                    let _e1737 = phi_2193_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2203_ = _e1649.unnamed.root;
                                                                     } else {
-                                                                        phi_2200_ = _e1648.unnamed.first_primitive;
+                                                                        phi_2203_ = _e1649.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1745 = phi_2200_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2210_ = _e1717.unnamed.root;
+                                                                    let _e1746 = phi_2203_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2213_ = _e1718.unnamed.root;
                                                                     } else {
-                                                                        phi_2210_ = _e1717.unnamed.first_primitive;
+                                                                        phi_2213_ = _e1718.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1754 = phi_2210_;
-                                                                    let _e1767 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1736 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 - _e1272)), ((f32(((_e1745 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 - _e1273)));
-                                                                    let _e1768 = core_intrinsics_maximum_number_nsz_f32_(_e1767, ((f32(((_e1754 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1274)));
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2228_ = _e1579.unnamed_1.root;
+                                                                    let _e1755 = phi_2213_;
+                                                                    let _e1768 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1737 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 - _e1273)), ((f32(((_e1746 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1274)));
+                                                                    let _e1769 = core_intrinsics_maximum_number_nsz_f32_(_e1768, ((f32(((_e1755 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1275)));
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2231_ = _e1580.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2228_ = _e1579.unnamed_1.first_primitive;
+                                                                        phi_2231_ = _e1580.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1771 = phi_2228_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2238_ = _e1648.unnamed_1.root;
+                                                                    let _e1772 = phi_2231_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2241_ = _e1649.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2238_ = _e1648.unnamed_1.first_primitive;
+                                                                        phi_2241_ = _e1649.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1780 = phi_2238_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2248_ = _e1717.unnamed_1.root;
+                                                                    let _e1781 = phi_2241_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2251_ = _e1718.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2248_ = _e1717.unnamed_1.first_primitive;
+                                                                        phi_2251_ = _e1718.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1789 = phi_2248_;
-                                                                    let _e1802 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1771 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 + _e1272)), ((f32(((_e1780 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 + _e1273)));
-                                                                    let _e1803 = core_intrinsics_minimum_number_nsz_f32_(_e1802, ((f32(((_e1789 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1274)));
-                                                                    if (_e1768 <= _e1803) {
-                                                                        if (_e1768 <= _e145) {
-                                                                            if (_e1803 >= 0f) {
-                                                                                if (_e1732 == 0u) {
-                                                                                    let _e1810 = nodes.member[(0u + _e1460)].links[2u];
-                                                                                    phi_2284_ = _e1810;
+                                                                    let _e1790 = phi_2251_;
+                                                                    let _e1803 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1772 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 + _e1273)), ((f32(((_e1781 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1274)));
+                                                                    let _e1804 = core_intrinsics_minimum_number_nsz_f32_(_e1803, ((f32(((_e1790 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1275)));
+                                                                    if (_e1769 <= _e1804) {
+                                                                        if (_e1769 <= _e146) {
+                                                                            if (_e1804 >= 0f) {
+                                                                                if (_e1733 == 0u) {
+                                                                                    let _e1811 = nodes.member[(0u + _e1461)].links[2u];
+                                                                                    phi_2287_ = _e1811;
                                                                                 } else {
-                                                                                    let _e1813 = nodes.member[(0u + _e1460)].links[3u];
-                                                                                    phi_2284_ = _e1813;
+                                                                                    let _e1814 = nodes.member[(0u + _e1461)].links[3u];
+                                                                                    phi_2287_ = _e1814;
                                                                                 }
-                                                                                let _e1815 = phi_2284_;
-                                                                                let _e1820 = ((_e1815 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u);
-                                                                                let _e1821 = (_e1820 & 31u);
-                                                                                if (_e1821 >= 24u) {
-                                                                                    phi_2297_ = (24u + ((_e1821 - 24u) ^ _e1322));
+                                                                                let _e1816 = phi_2287_;
+                                                                                let _e1821 = ((_e1816 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u);
+                                                                                let _e1822 = (_e1821 & 31u);
+                                                                                if (_e1822 >= 24u) {
+                                                                                    phi_2300_ = (24u + ((_e1822 - 24u) ^ _e1323));
                                                                                 } else {
-                                                                                    phi_2297_ = _e1821;
+                                                                                    phi_2300_ = _e1822;
                                                                                 }
-                                                                                let _e1827 = phi_2297_;
-                                                                                phi_2302_ = (_e1729 | ((_e1820 >> bitcast<u32>(5i)) << bitcast<u32>((_e1827 & 31u))));
+                                                                                let _e1828 = phi_2300_;
+                                                                                phi_2305_ = (_e1730 | ((_e1821 >> bitcast<u32>(5i)) << bitcast<u32>((_e1828 & 31u))));
                                                                             } else {
-                                                                                phi_2302_ = _e1729;
+                                                                                phi_2305_ = _e1730;
                                                                             }
-                                                                            let _e1835 = phi_2302_;
-                                                                            phi_2303_ = _e1835;
+                                                                            let _e1836 = phi_2305_;
+                                                                            phi_2306_ = _e1836;
                                                                         } else {
-                                                                            phi_2303_ = _e1729;
+                                                                            phi_2306_ = _e1730;
                                                                         }
-                                                                        let _e1837 = phi_2303_;
-                                                                        phi_2304_ = _e1837;
+                                                                        let _e1838 = phi_2306_;
+                                                                        phi_2307_ = _e1838;
                                                                     } else {
-                                                                        phi_2304_ = _e1729;
+                                                                        phi_2307_ = _e1730;
                                                                     }
-                                                                    let _e1839 = phi_2304_;
-                                                                    phi_2174_ = (_e1727 + 1u);
-                                                                    phi_2177_ = _e1839;
+                                                                    let _e1840 = phi_2307_;
+                                                                    phi_2177_ = (_e1728 + 1u);
+                                                                    phi_2180_ = _e1840;
                                                                 } else {
-                                                                    phi_2174_ = u32();
                                                                     phi_2177_ = u32();
+                                                                    phi_2180_ = u32();
                                                                 }
-                                                                let _e1842 = phi_2174_;
-                                                                let _e1844 = phi_2177_;
+                                                                let _e1843 = phi_2177_;
+                                                                let _e1845 = phi_2180_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2173_ = _e1842;
-                                                                    phi_2176_ = _e1844;
-                                                                    break if !(_e1730);
+                                                                    phi_2176_ = _e1843;
+                                                                    phi_2179_ = _e1845;
+                                                                    break if !(_e1731);
                                                                 }
                                                             }
-                                                            let _e1848 = nodes.member[(0u + _e1460)].links[0u];
-                                                            let _e1852 = nodes.member[(0u + _e1460)].frame[3u];
-                                                            let _e1856 = local_6;
-                                                            if ((_e1856 & 4278190080u) == 0u) {
+                                                            let _e1849 = nodes.member[(0u + _e1461)].links[0u];
+                                                            let _e1853 = nodes.member[(0u + _e1461)].frame[3u];
+                                                            let _e1857 = local_6;
+                                                            if ((_e1857 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1860 = local_1.group_mask;
-                                                                if ((_e1860 & 4278190080u) == 0u) {
+                                                                let _e1861 = local_1.group_mask;
+                                                                if ((_e1861 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1864 = local_1.len;
-                                                                    if (_e1864 < 32u) {
-                                                                        let _e1867 = local_1.group;
-                                                                        let _e1869 = local_1.len;
-                                                                        if (_e1869 < 32u) {
+                                                                    let _e1865 = local_1.len;
+                                                                    if (_e1865 < 32u) {
+                                                                        let _e1868 = local_1.group;
+                                                                        let _e1870 = local_1.len;
+                                                                        if (_e1870 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1869)] = _e1867;
-                                                                        let _e1875 = local_1.group_mask;
-                                                                        let _e1877 = local_1.len;
-                                                                        if (_e1877 < 32u) {
+                                                                        local_1.first[(0u + _e1870)] = _e1868;
+                                                                        let _e1876 = local_1.group_mask;
+                                                                        let _e1878 = local_1.len;
+                                                                        if (_e1878 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1877)] = _e1875;
-                                                                        let _e1884 = local_1.len;
-                                                                        local_1.len = (_e1884 + 1u);
+                                                                        local_1.mask[(0u + _e1878)] = _e1876;
+                                                                        let _e1885 = local_1.len;
+                                                                        local_1.len = (_e1885 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1084 + _e1848);
-                                                                let _e1888 = local_7;
-                                                                local_1.group_mask = ((_e1888 & 4278190080u) | (_e1852 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1085 + _e1849);
+                                                                let _e1889 = local_7;
+                                                                local_1.group_mask = ((_e1889 & 4278190080u) | (_e1853 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1893 = local_8;
-                                                            phi_2362_ = (_e1893 & 16777215u);
+                                                            let _e1894 = local_8;
+                                                            phi_2365_ = (_e1894 & 16777215u);
                                                             loop {
-                                                                let _e1896 = phi_2362_;
-                                                                let _e1897 = (_e1896 == 0u);
-                                                                local_9 = _e1897;
-                                                                local_15 = _e1897;
-                                                                if _e1897 {
-                                                                    phi_2363_ = u32();
-                                                                    phi_3170_ = false;
-                                                                    phi_3171_ = false;
-                                                                    phi_3172_ = false;
+                                                                let _e1897 = phi_2365_;
+                                                                let _e1898 = (_e1897 == 0u);
+                                                                local_9 = _e1898;
+                                                                local_15 = _e1898;
+                                                                if _e1898 {
+                                                                    phi_2366_ = u32();
+                                                                    phi_3173_ = false;
+                                                                    phi_3174_ = false;
+                                                                    phi_3175_ = false;
                                                                 } else {
-                                                                    let _e1900 = nodes.member[(0u + _e1460)].links[1u];
-                                                                    let _e1905 = ((_e1086 + _e1900) + select(firstTrailingBit(_e1896), 32u, (_e1896 == 0u)));
-                                                                    if (_e1905 < _e80) {
+                                                                    let _e1901 = nodes.member[(0u + _e1461)].links[1u];
+                                                                    let _e1906 = ((_e1087 + _e1901) + select(firstTrailingBit(_e1897), 32u, (_e1897 == 0u)));
+                                                                    if (_e1906 < _e80) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1912 = triangles.member[(0u + _e1905)].v0_;
-                                                                    let _e1914 = (_e1912.x - _e1015);
-                                                                    let _e1916 = (_e1912.y - _e1028);
-                                                                    let _e1918 = (_e1912.z - _e1041);
-                                                                    if (_e1295 == 0u) {
-                                                                        phi_2408_ = vec3<f32>(_e1916, _e1918, _e1914);
+                                                                    let _e1913 = triangles.member[(0u + _e1906)].v0_;
+                                                                    let _e1915 = (_e1913.x - _e1016);
+                                                                    let _e1917 = (_e1913.y - _e1029);
+                                                                    let _e1919 = (_e1913.z - _e1042);
+                                                                    if (_e1296 == 0u) {
+                                                                        phi_2411_ = vec3<f32>(_e1917, _e1919, _e1915);
                                                                     } else {
-                                                                        if (_e1295 == 1u) {
-                                                                            phi_2407_ = vec3<f32>(_e1918, _e1914, _e1916);
+                                                                        if (_e1296 == 1u) {
+                                                                            phi_2410_ = vec3<f32>(_e1919, _e1915, _e1917);
                                                                         } else {
-                                                                            phi_2407_ = (_e1912 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2410_ = (_e1913 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                         }
-                                                                        let _e1926 = phi_2407_;
-                                                                        phi_2408_ = _e1926;
+                                                                        let _e1927 = phi_2410_;
+                                                                        phi_2411_ = _e1927;
                                                                     }
-                                                                    let _e1928 = phi_2408_;
-                                                                    let _e1932 = (_e1928.x - (_e1306 * _e1928.z));
-                                                                    let _e1936 = (_e1928.y - (_e1309 * _e1928.z));
-                                                                    let _e1938 = triangles.member[(0u + _e1905)].v1_;
-                                                                    let _e1940 = (_e1938.x - _e1015);
-                                                                    let _e1942 = (_e1938.y - _e1028);
-                                                                    let _e1944 = (_e1938.z - _e1041);
-                                                                    if (_e1295 == 0u) {
-                                                                        phi_2438_ = vec3<f32>(_e1942, _e1944, _e1940);
+                                                                    let _e1929 = phi_2411_;
+                                                                    let _e1933 = (_e1929.x - (_e1307 * _e1929.z));
+                                                                    let _e1937 = (_e1929.y - (_e1310 * _e1929.z));
+                                                                    let _e1939 = triangles.member[(0u + _e1906)].v1_;
+                                                                    let _e1941 = (_e1939.x - _e1016);
+                                                                    let _e1943 = (_e1939.y - _e1029);
+                                                                    let _e1945 = (_e1939.z - _e1042);
+                                                                    if (_e1296 == 0u) {
+                                                                        phi_2441_ = vec3<f32>(_e1943, _e1945, _e1941);
                                                                     } else {
-                                                                        if (_e1295 == 1u) {
-                                                                            phi_2437_ = vec3<f32>(_e1944, _e1940, _e1942);
+                                                                        if (_e1296 == 1u) {
+                                                                            phi_2440_ = vec3<f32>(_e1945, _e1941, _e1943);
                                                                         } else {
-                                                                            phi_2437_ = (_e1938 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2440_ = (_e1939 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                         }
-                                                                        let _e1952 = phi_2437_;
-                                                                        phi_2438_ = _e1952;
+                                                                        let _e1953 = phi_2440_;
+                                                                        phi_2441_ = _e1953;
                                                                     }
-                                                                    let _e1954 = phi_2438_;
-                                                                    let _e1958 = (_e1954.x - (_e1306 * _e1954.z));
-                                                                    let _e1962 = (_e1954.y - (_e1309 * _e1954.z));
-                                                                    let _e1964 = triangles.member[(0u + _e1905)].v2_;
-                                                                    let _e1966 = (_e1964.x - _e1015);
-                                                                    let _e1968 = (_e1964.y - _e1028);
-                                                                    let _e1970 = (_e1964.z - _e1041);
-                                                                    if (_e1295 == 0u) {
-                                                                        phi_2468_ = vec3<f32>(_e1968, _e1970, _e1966);
+                                                                    let _e1955 = phi_2441_;
+                                                                    let _e1959 = (_e1955.x - (_e1307 * _e1955.z));
+                                                                    let _e1963 = (_e1955.y - (_e1310 * _e1955.z));
+                                                                    let _e1965 = triangles.member[(0u + _e1906)].v2_;
+                                                                    let _e1967 = (_e1965.x - _e1016);
+                                                                    let _e1969 = (_e1965.y - _e1029);
+                                                                    let _e1971 = (_e1965.z - _e1042);
+                                                                    if (_e1296 == 0u) {
+                                                                        phi_2471_ = vec3<f32>(_e1969, _e1971, _e1967);
                                                                     } else {
-                                                                        if (_e1295 == 1u) {
-                                                                            phi_2467_ = vec3<f32>(_e1970, _e1966, _e1968);
+                                                                        if (_e1296 == 1u) {
+                                                                            phi_2470_ = vec3<f32>(_e1971, _e1967, _e1969);
                                                                         } else {
-                                                                            phi_2467_ = (_e1964 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                            phi_2470_ = (_e1965 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                         }
-                                                                        let _e1978 = phi_2467_;
-                                                                        phi_2468_ = _e1978;
+                                                                        let _e1979 = phi_2470_;
+                                                                        phi_2471_ = _e1979;
                                                                     }
-                                                                    let _e1980 = phi_2468_;
-                                                                    let _e1984 = (_e1980.x - (_e1306 * _e1980.z));
-                                                                    let _e1988 = (_e1980.y - (_e1309 * _e1980.z));
-                                                                    if (_e1958 < _e1984) {
-                                                                        phi_2487_ = true;
+                                                                    let _e1981 = phi_2471_;
+                                                                    let _e1985 = (_e1981.x - (_e1307 * _e1981.z));
+                                                                    let _e1989 = (_e1981.y - (_e1310 * _e1981.z));
+                                                                    if (_e1959 < _e1985) {
+                                                                        phi_2490_ = true;
                                                                     } else {
-                                                                        if (_e1958 == _e1984) {
-                                                                            phi_2486_ = (_e1962 < _e1988);
+                                                                        if (_e1959 == _e1985) {
+                                                                            phi_2489_ = (_e1963 < _e1989);
                                                                         } else {
-                                                                            phi_2486_ = false;
+                                                                            phi_2489_ = false;
                                                                         }
-                                                                        let _e1993 = phi_2486_;
-                                                                        phi_2487_ = _e1993;
+                                                                        let _e1994 = phi_2489_;
+                                                                        phi_2490_ = _e1994;
                                                                     }
-                                                                    let _e1995 = phi_2487_;
-                                                                    if _e1995 {
-                                                                        phi_2491_ = _e1988;
-                                                                        phi_2492_ = _e1984;
-                                                                        phi_2493_ = _e1962;
-                                                                        phi_2494_ = _e1958;
+                                                                    let _e1996 = phi_2490_;
+                                                                    if _e1996 {
+                                                                        phi_2494_ = _e1989;
+                                                                        phi_2495_ = _e1985;
+                                                                        phi_2496_ = _e1963;
+                                                                        phi_2497_ = _e1959;
                                                                     } else {
-                                                                        phi_2491_ = _e1962;
-                                                                        phi_2492_ = _e1958;
-                                                                        phi_2493_ = _e1988;
-                                                                        phi_2494_ = _e1984;
+                                                                        phi_2494_ = _e1963;
+                                                                        phi_2495_ = _e1959;
+                                                                        phi_2496_ = _e1989;
+                                                                        phi_2497_ = _e1985;
                                                                     }
-                                                                    let _e1997 = phi_2491_;
-                                                                    let _e1999 = phi_2492_;
-                                                                    let _e2001 = phi_2493_;
-                                                                    let _e2003 = phi_2494_;
-                                                                    let _e2006 = ((_e2003 * _e1997) - (_e2001 * _e1999));
-                                                                    if _e1995 {
-                                                                        phi_2502_ = -(_e2006);
+                                                                    let _e1998 = phi_2494_;
+                                                                    let _e2000 = phi_2495_;
+                                                                    let _e2002 = phi_2496_;
+                                                                    let _e2004 = phi_2497_;
+                                                                    let _e2007 = ((_e2004 * _e1998) - (_e2002 * _e2000));
+                                                                    if _e1996 {
+                                                                        phi_2505_ = -(_e2007);
                                                                     } else {
-                                                                        phi_2502_ = _e2006;
+                                                                        phi_2505_ = _e2007;
                                                                     }
-                                                                    let _e2009 = phi_2502_;
-                                                                    if (_e1984 < _e1932) {
-                                                                        phi_2513_ = true;
+                                                                    let _e2010 = phi_2505_;
+                                                                    if (_e1985 < _e1933) {
+                                                                        phi_2516_ = true;
                                                                     } else {
-                                                                        if (_e1984 == _e1932) {
-                                                                            phi_2512_ = (_e1988 < _e1936);
+                                                                        if (_e1985 == _e1933) {
+                                                                            phi_2515_ = (_e1989 < _e1937);
                                                                         } else {
-                                                                            phi_2512_ = false;
+                                                                            phi_2515_ = false;
                                                                         }
-                                                                        let _e2014 = phi_2512_;
-                                                                        phi_2513_ = _e2014;
+                                                                        let _e2015 = phi_2515_;
+                                                                        phi_2516_ = _e2015;
                                                                     }
-                                                                    let _e2016 = phi_2513_;
-                                                                    if _e2016 {
-                                                                        phi_2517_ = _e1936;
-                                                                        phi_2518_ = _e1932;
-                                                                        phi_2519_ = _e1988;
-                                                                        phi_2520_ = _e1984;
+                                                                    let _e2017 = phi_2516_;
+                                                                    if _e2017 {
+                                                                        phi_2520_ = _e1937;
+                                                                        phi_2521_ = _e1933;
+                                                                        phi_2522_ = _e1989;
+                                                                        phi_2523_ = _e1985;
                                                                     } else {
-                                                                        phi_2517_ = _e1988;
-                                                                        phi_2518_ = _e1984;
-                                                                        phi_2519_ = _e1936;
-                                                                        phi_2520_ = _e1932;
+                                                                        phi_2520_ = _e1989;
+                                                                        phi_2521_ = _e1985;
+                                                                        phi_2522_ = _e1937;
+                                                                        phi_2523_ = _e1933;
                                                                     }
-                                                                    let _e2018 = phi_2517_;
-                                                                    let _e2020 = phi_2518_;
-                                                                    let _e2022 = phi_2519_;
-                                                                    let _e2024 = phi_2520_;
-                                                                    let _e2027 = ((_e2024 * _e2018) - (_e2022 * _e2020));
-                                                                    if _e2016 {
-                                                                        phi_2528_ = -(_e2027);
+                                                                    let _e2019 = phi_2520_;
+                                                                    let _e2021 = phi_2521_;
+                                                                    let _e2023 = phi_2522_;
+                                                                    let _e2025 = phi_2523_;
+                                                                    let _e2028 = ((_e2025 * _e2019) - (_e2023 * _e2021));
+                                                                    if _e2017 {
+                                                                        phi_2531_ = -(_e2028);
                                                                     } else {
-                                                                        phi_2528_ = _e2027;
+                                                                        phi_2531_ = _e2028;
                                                                     }
-                                                                    let _e2030 = phi_2528_;
-                                                                    if (_e1932 < _e1958) {
-                                                                        phi_2539_ = true;
+                                                                    let _e2031 = phi_2531_;
+                                                                    if (_e1933 < _e1959) {
+                                                                        phi_2542_ = true;
                                                                     } else {
-                                                                        if (_e1932 == _e1958) {
-                                                                            phi_2538_ = (_e1936 < _e1962);
+                                                                        if (_e1933 == _e1959) {
+                                                                            phi_2541_ = (_e1937 < _e1963);
                                                                         } else {
-                                                                            phi_2538_ = false;
+                                                                            phi_2541_ = false;
                                                                         }
-                                                                        let _e2035 = phi_2538_;
-                                                                        phi_2539_ = _e2035;
+                                                                        let _e2036 = phi_2541_;
+                                                                        phi_2542_ = _e2036;
                                                                     }
-                                                                    let _e2037 = phi_2539_;
-                                                                    if _e2037 {
-                                                                        phi_2543_ = _e1962;
-                                                                        phi_2544_ = _e1958;
-                                                                        phi_2545_ = _e1936;
-                                                                        phi_2546_ = _e1932;
+                                                                    let _e2038 = phi_2542_;
+                                                                    if _e2038 {
+                                                                        phi_2546_ = _e1963;
+                                                                        phi_2547_ = _e1959;
+                                                                        phi_2548_ = _e1937;
+                                                                        phi_2549_ = _e1933;
                                                                     } else {
-                                                                        phi_2543_ = _e1936;
-                                                                        phi_2544_ = _e1932;
-                                                                        phi_2545_ = _e1962;
-                                                                        phi_2546_ = _e1958;
+                                                                        phi_2546_ = _e1937;
+                                                                        phi_2547_ = _e1933;
+                                                                        phi_2548_ = _e1963;
+                                                                        phi_2549_ = _e1959;
                                                                     }
-                                                                    let _e2039 = phi_2543_;
-                                                                    let _e2041 = phi_2544_;
-                                                                    let _e2043 = phi_2545_;
-                                                                    let _e2045 = phi_2546_;
-                                                                    let _e2048 = ((_e2045 * _e2039) - (_e2043 * _e2041));
-                                                                    if _e2037 {
-                                                                        phi_2554_ = -(_e2048);
+                                                                    let _e2040 = phi_2546_;
+                                                                    let _e2042 = phi_2547_;
+                                                                    let _e2044 = phi_2548_;
+                                                                    let _e2046 = phi_2549_;
+                                                                    let _e2049 = ((_e2046 * _e2040) - (_e2044 * _e2042));
+                                                                    if _e2038 {
+                                                                        phi_2557_ = -(_e2049);
                                                                     } else {
-                                                                        phi_2554_ = _e2048;
+                                                                        phi_2557_ = _e2049;
                                                                     }
-                                                                    let _e2051 = phi_2554_;
-                                                                    if (_e2009 >= 0f) {
-                                                                        if (_e2030 >= 0f) {
-                                                                            if (_e2051 >= 0f) {
-                                                                                phi_2569_ = ((_e2009 + _e2030) + _e2051);
-                                                                                phi_2570_ = false;
+                                                                    let _e2052 = phi_2557_;
+                                                                    if (_e2010 >= 0f) {
+                                                                        if (_e2031 >= 0f) {
+                                                                            if (_e2052 >= 0f) {
+                                                                                phi_2572_ = ((_e2010 + _e2031) + _e2052);
+                                                                                phi_2573_ = false;
                                                                             } else {
-                                                                                phi_2569_ = f32();
-                                                                                phi_2570_ = true;
+                                                                                phi_2572_ = f32();
+                                                                                phi_2573_ = true;
                                                                             }
-                                                                            let _e2058 = phi_2569_;
-                                                                            let _e2060 = phi_2570_;
-                                                                            phi_2571_ = _e2058;
-                                                                            phi_2572_ = _e2060;
+                                                                            let _e2059 = phi_2572_;
+                                                                            let _e2061 = phi_2573_;
+                                                                            phi_2574_ = _e2059;
+                                                                            phi_2575_ = _e2061;
                                                                         } else {
-                                                                            phi_2571_ = f32();
-                                                                            phi_2572_ = true;
+                                                                            phi_2574_ = f32();
+                                                                            phi_2575_ = true;
                                                                         }
-                                                                        let _e2062 = phi_2571_;
-                                                                        let _e2064 = phi_2572_;
-                                                                        phi_2573_ = _e2062;
-                                                                        phi_2574_ = _e2064;
+                                                                        let _e2063 = phi_2574_;
+                                                                        let _e2065 = phi_2575_;
+                                                                        phi_2576_ = _e2063;
+                                                                        phi_2577_ = _e2065;
                                                                     } else {
-                                                                        phi_2573_ = f32();
-                                                                        phi_2574_ = true;
+                                                                        phi_2576_ = f32();
+                                                                        phi_2577_ = true;
                                                                     }
-                                                                    let _e2066 = phi_2573_;
-                                                                    let _e2068 = phi_2574_;
-                                                                    if _e2068 {
-                                                                        if (_e2009 <= 0f) {
-                                                                            if (_e2030 <= 0f) {
-                                                                                let _e2071 = (_e2051 <= 0f);
-                                                                                if _e2071 {
+                                                                    let _e2067 = phi_2576_;
+                                                                    let _e2069 = phi_2577_;
+                                                                    if _e2069 {
+                                                                        if (_e2010 <= 0f) {
+                                                                            if (_e2031 <= 0f) {
+                                                                                let _e2072 = (_e2052 <= 0f);
+                                                                                if _e2072 {
                                                                                 }
-                                                                                phi_2592_ = ((_e2009 + _e2030) + _e2051);
-                                                                                phi_2593_ = false;
-                                                                                phi_2594_ = _e2071;
+                                                                                phi_2595_ = ((_e2010 + _e2031) + _e2052);
+                                                                                phi_2596_ = false;
+                                                                                phi_2597_ = _e2072;
                                                                             } else {
-                                                                                phi_2592_ = f32();
-                                                                                phi_2593_ = true;
-                                                                                phi_2594_ = false;
+                                                                                phi_2595_ = f32();
+                                                                                phi_2596_ = true;
+                                                                                phi_2597_ = false;
                                                                             }
-                                                                            let _e2075 = phi_2592_;
-                                                                            let _e2077 = phi_2593_;
-                                                                            let _e2079 = phi_2594_;
-                                                                            phi_2595_ = _e2075;
-                                                                            phi_2596_ = _e2077;
-                                                                            phi_2597_ = _e2079;
+                                                                            let _e2076 = phi_2595_;
+                                                                            let _e2078 = phi_2596_;
+                                                                            let _e2080 = phi_2597_;
+                                                                            phi_2598_ = _e2076;
+                                                                            phi_2599_ = _e2078;
+                                                                            phi_2600_ = _e2080;
                                                                         } else {
-                                                                            phi_2595_ = f32();
-                                                                            phi_2596_ = true;
-                                                                            phi_2597_ = false;
+                                                                            phi_2598_ = f32();
+                                                                            phi_2599_ = true;
+                                                                            phi_2600_ = false;
                                                                         }
-                                                                        let _e2081 = phi_2595_;
-                                                                        let _e2083 = phi_2596_;
-                                                                        let _e2085 = phi_2597_;
-                                                                        if _e2083 {
-                                                                            phi_2601_ = false;
+                                                                        let _e2082 = phi_2598_;
+                                                                        let _e2084 = phi_2599_;
+                                                                        let _e2086 = phi_2600_;
+                                                                        if _e2084 {
+                                                                            phi_2604_ = false;
                                                                         } else {
-                                                                            phi_2601_ = _e2085;
+                                                                            phi_2604_ = _e2086;
                                                                         }
-                                                                        let _e2087 = phi_2601_;
-                                                                        phi_2602_ = _e2081;
-                                                                        phi_2603_ = _e2087;
+                                                                        let _e2088 = phi_2604_;
+                                                                        phi_2605_ = _e2082;
+                                                                        phi_2606_ = _e2088;
                                                                     } else {
-                                                                        phi_2602_ = _e2066;
-                                                                        phi_2603_ = true;
+                                                                        phi_2605_ = _e2067;
+                                                                        phi_2606_ = true;
                                                                     }
-                                                                    let _e2089 = phi_2602_;
-                                                                    let _e2091 = phi_2603_;
-                                                                    if _e2091 {
-                                                                        let _e2092 = (_e2089 == 0f);
-                                                                        if _e2092 {
-                                                                            phi_2919_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2920_ = false;
+                                                                    let _e2090 = phi_2605_;
+                                                                    let _e2092 = phi_2606_;
+                                                                    if _e2092 {
+                                                                        let _e2093 = (_e2090 == 0f);
+                                                                        if _e2093 {
+                                                                            phi_2922_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2923_ = false;
                                                                         } else {
-                                                                            let _e2094 = triangles.member[(0u + _e1905)].v0_;
-                                                                            let _e2096 = (_e2094.x - _e1015);
-                                                                            let _e2098 = (_e2094.y - _e1028);
-                                                                            let _e2100 = (_e2094.z - _e1041);
-                                                                            if (_e1295 == 0u) {
-                                                                                phi_2632_ = vec3<f32>(_e2098, _e2100, _e2096);
+                                                                            let _e2095 = triangles.member[(0u + _e1906)].v0_;
+                                                                            let _e2097 = (_e2095.x - _e1016);
+                                                                            let _e2099 = (_e2095.y - _e1029);
+                                                                            let _e2101 = (_e2095.z - _e1042);
+                                                                            if (_e1296 == 0u) {
+                                                                                phi_2635_ = vec3<f32>(_e2099, _e2101, _e2097);
                                                                             } else {
-                                                                                if (_e1295 == 1u) {
-                                                                                    phi_2631_ = vec3<f32>(_e2100, _e2096, _e2098);
+                                                                                if (_e1296 == 1u) {
+                                                                                    phi_2634_ = vec3<f32>(_e2101, _e2097, _e2099);
                                                                                 } else {
-                                                                                    phi_2631_ = (_e2094 - vec3<f32>(_e1015, _e1028, _e1041));
+                                                                                    phi_2634_ = (_e2095 - vec3<f32>(_e1016, _e1029, _e1042));
                                                                                 }
-                                                                                let _e2108 = phi_2631_;
-                                                                                phi_2632_ = _e2108;
+                                                                                let _e2109 = phi_2634_;
+                                                                                phi_2635_ = _e2109;
                                                                             }
-                                                                            let _e2110 = phi_2632_;
-                                                                            let _e2112 = triangles.member[(0u + _e1905)].v1_;
-                                                                            let _e2114 = triangles.member[(0u + _e1905)].v0_;
-                                                                            let _e2117 = (_e2112.x - _e2114.x);
-                                                                            let _e2120 = (_e2112.y - _e2114.y);
-                                                                            let _e2123 = (_e2112.z - _e2114.z);
-                                                                            if (_e1295 == 0u) {
-                                                                                phi_2658_ = vec3<f32>(_e2120, _e2123, _e2117);
+                                                                            let _e2111 = phi_2635_;
+                                                                            let _e2113 = triangles.member[(0u + _e1906)].v1_;
+                                                                            let _e2115 = triangles.member[(0u + _e1906)].v0_;
+                                                                            let _e2118 = (_e2113.x - _e2115.x);
+                                                                            let _e2121 = (_e2113.y - _e2115.y);
+                                                                            let _e2124 = (_e2113.z - _e2115.z);
+                                                                            if (_e1296 == 0u) {
+                                                                                phi_2661_ = vec3<f32>(_e2121, _e2124, _e2118);
                                                                             } else {
-                                                                                if (_e1295 == 1u) {
-                                                                                    phi_2657_ = vec3<f32>(_e2123, _e2117, _e2120);
+                                                                                if (_e1296 == 1u) {
+                                                                                    phi_2660_ = vec3<f32>(_e2124, _e2118, _e2121);
                                                                                 } else {
-                                                                                    phi_2657_ = (_e2112 - _e2114);
+                                                                                    phi_2660_ = (_e2113 - _e2115);
                                                                                 }
-                                                                                let _e2130 = phi_2657_;
-                                                                                phi_2658_ = _e2130;
+                                                                                let _e2131 = phi_2660_;
+                                                                                phi_2661_ = _e2131;
                                                                             }
-                                                                            let _e2132 = phi_2658_;
-                                                                            let _e2134 = triangles.member[(0u + _e1905)].v2_;
-                                                                            let _e2136 = triangles.member[(0u + _e1905)].v0_;
-                                                                            let _e2139 = (_e2134.x - _e2136.x);
-                                                                            let _e2142 = (_e2134.y - _e2136.y);
-                                                                            let _e2145 = (_e2134.z - _e2136.z);
-                                                                            if (_e1295 == 0u) {
-                                                                                phi_2684_ = vec3<f32>(_e2142, _e2145, _e2139);
+                                                                            let _e2133 = phi_2661_;
+                                                                            let _e2135 = triangles.member[(0u + _e1906)].v2_;
+                                                                            let _e2137 = triangles.member[(0u + _e1906)].v0_;
+                                                                            let _e2140 = (_e2135.x - _e2137.x);
+                                                                            let _e2143 = (_e2135.y - _e2137.y);
+                                                                            let _e2146 = (_e2135.z - _e2137.z);
+                                                                            if (_e1296 == 0u) {
+                                                                                phi_2687_ = vec3<f32>(_e2143, _e2146, _e2140);
                                                                             } else {
-                                                                                if (_e1295 == 1u) {
-                                                                                    phi_2683_ = vec3<f32>(_e2145, _e2139, _e2142);
+                                                                                if (_e1296 == 1u) {
+                                                                                    phi_2686_ = vec3<f32>(_e2146, _e2140, _e2143);
                                                                                 } else {
-                                                                                    phi_2683_ = (_e2134 - _e2136);
+                                                                                    phi_2686_ = (_e2135 - _e2137);
                                                                                 }
-                                                                                let _e2152 = phi_2683_;
-                                                                                phi_2684_ = _e2152;
+                                                                                let _e2153 = phi_2686_;
+                                                                                phi_2687_ = _e2153;
                                                                             }
-                                                                            let _e2154 = phi_2684_;
-                                                                            let _e2161 = ((_e2132.y * _e2154.z) - (_e2132.z * _e2154.y));
-                                                                            let _e2168 = ((_e2132.z * _e2154.x) - (_e2132.x * _e2154.z));
-                                                                            let _e2175 = ((_e2132.x * _e2154.y) - (_e2132.y * _e2154.x));
-                                                                            let _e2189 = (((1f / _e1303.z) * (((_e2161 * _e2110.x) + (_e2168 * _e2110.y)) + (_e2175 * _e2110.z))) / (((_e2161 * _e1306) + (_e2168 * _e1309)) + _e2175));
-                                                                            if (_e2189 > 0f) {
-                                                                                if (_e2189 < _e145) {
-                                                                                    let _e2193 = triangles.member[(0u + _e1905)].v0_;
-                                                                                    let _e2195 = triangles.member[(0u + _e1905)].v1_;
-                                                                                    if (_e2193.x < _e2195.x) {
-                                                                                        phi_2740_ = _e2193.x;
+                                                                            let _e2155 = phi_2687_;
+                                                                            let _e2162 = ((_e2133.y * _e2155.z) - (_e2133.z * _e2155.y));
+                                                                            let _e2169 = ((_e2133.z * _e2155.x) - (_e2133.x * _e2155.z));
+                                                                            let _e2176 = ((_e2133.x * _e2155.y) - (_e2133.y * _e2155.x));
+                                                                            let _e2190 = (((1f / _e1304.z) * (((_e2162 * _e2111.x) + (_e2169 * _e2111.y)) + (_e2176 * _e2111.z))) / (((_e2162 * _e1307) + (_e2169 * _e1310)) + _e2176));
+                                                                            if (_e2190 > 0f) {
+                                                                                if (_e2190 < _e146) {
+                                                                                    let _e2194 = triangles.member[(0u + _e1906)].v0_;
+                                                                                    let _e2196 = triangles.member[(0u + _e1906)].v1_;
+                                                                                    if (_e2194.x < _e2196.x) {
+                                                                                        phi_2743_ = _e2194.x;
                                                                                     } else {
-                                                                                        phi_2740_ = _e2195.x;
+                                                                                        phi_2743_ = _e2196.x;
                                                                                     }
-                                                                                    let _e2202 = phi_2740_;
-                                                                                    if (_e2193.y < _e2195.y) {
-                                                                                        phi_2749_ = _e2193.y;
+                                                                                    let _e2203 = phi_2743_;
+                                                                                    if (_e2194.y < _e2196.y) {
+                                                                                        phi_2752_ = _e2194.y;
                                                                                     } else {
-                                                                                        phi_2749_ = _e2195.y;
+                                                                                        phi_2752_ = _e2196.y;
                                                                                     }
-                                                                                    let _e2209 = phi_2749_;
-                                                                                    if (_e2193.z < _e2195.z) {
-                                                                                        phi_2758_ = _e2193.z;
+                                                                                    let _e2210 = phi_2752_;
+                                                                                    if (_e2194.z < _e2196.z) {
+                                                                                        phi_2761_ = _e2194.z;
                                                                                     } else {
-                                                                                        phi_2758_ = _e2195.z;
+                                                                                        phi_2761_ = _e2196.z;
                                                                                     }
-                                                                                    let _e2216 = phi_2758_;
-                                                                                    let _e2218 = triangles.member[(0u + _e1905)].v2_;
-                                                                                    if (_e2202 < _e2218.x) {
-                                                                                        phi_2767_ = _e2202;
+                                                                                    let _e2217 = phi_2761_;
+                                                                                    let _e2219 = triangles.member[(0u + _e1906)].v2_;
+                                                                                    if (_e2203 < _e2219.x) {
+                                                                                        phi_2770_ = _e2203;
                                                                                     } else {
-                                                                                        phi_2767_ = _e2218.x;
+                                                                                        phi_2770_ = _e2219.x;
                                                                                     }
-                                                                                    let _e2223 = phi_2767_;
-                                                                                    if (_e2209 < _e2218.y) {
-                                                                                        phi_2774_ = _e2209;
+                                                                                    let _e2224 = phi_2770_;
+                                                                                    if (_e2210 < _e2219.y) {
+                                                                                        phi_2777_ = _e2210;
                                                                                     } else {
-                                                                                        phi_2774_ = _e2218.y;
+                                                                                        phi_2777_ = _e2219.y;
                                                                                     }
-                                                                                    let _e2228 = phi_2774_;
-                                                                                    if (_e2216 < _e2218.z) {
-                                                                                        phi_2781_ = _e2216;
+                                                                                    let _e2229 = phi_2777_;
+                                                                                    if (_e2217 < _e2219.z) {
+                                                                                        phi_2784_ = _e2217;
                                                                                     } else {
-                                                                                        phi_2781_ = _e2218.z;
+                                                                                        phi_2784_ = _e2219.z;
                                                                                     }
-                                                                                    let _e2233 = phi_2781_;
-                                                                                    let _e2235 = triangles.member[(0u + _e1905)].v0_;
-                                                                                    let _e2237 = triangles.member[(0u + _e1905)].v1_;
-                                                                                    if (_e2235.x > _e2237.x) {
-                                                                                        phi_2794_ = _e2235.x;
+                                                                                    let _e2234 = phi_2784_;
+                                                                                    let _e2236 = triangles.member[(0u + _e1906)].v0_;
+                                                                                    let _e2238 = triangles.member[(0u + _e1906)].v1_;
+                                                                                    if (_e2236.x > _e2238.x) {
+                                                                                        phi_2797_ = _e2236.x;
                                                                                     } else {
-                                                                                        phi_2794_ = _e2237.x;
+                                                                                        phi_2797_ = _e2238.x;
                                                                                     }
-                                                                                    let _e2244 = phi_2794_;
-                                                                                    if (_e2235.y > _e2237.y) {
-                                                                                        phi_2803_ = _e2235.y;
+                                                                                    let _e2245 = phi_2797_;
+                                                                                    if (_e2236.y > _e2238.y) {
+                                                                                        phi_2806_ = _e2236.y;
                                                                                     } else {
-                                                                                        phi_2803_ = _e2237.y;
+                                                                                        phi_2806_ = _e2238.y;
                                                                                     }
-                                                                                    let _e2251 = phi_2803_;
-                                                                                    if (_e2235.z > _e2237.z) {
-                                                                                        phi_2812_ = _e2235.z;
+                                                                                    let _e2252 = phi_2806_;
+                                                                                    if (_e2236.z > _e2238.z) {
+                                                                                        phi_2815_ = _e2236.z;
                                                                                     } else {
-                                                                                        phi_2812_ = _e2237.z;
+                                                                                        phi_2815_ = _e2238.z;
                                                                                     }
-                                                                                    let _e2258 = phi_2812_;
-                                                                                    let _e2260 = triangles.member[(0u + _e1905)].v2_;
-                                                                                    if (_e2244 > _e2260.x) {
-                                                                                        phi_2821_ = _e2244;
+                                                                                    let _e2259 = phi_2815_;
+                                                                                    let _e2261 = triangles.member[(0u + _e1906)].v2_;
+                                                                                    if (_e2245 > _e2261.x) {
+                                                                                        phi_2824_ = _e2245;
                                                                                     } else {
-                                                                                        phi_2821_ = _e2260.x;
+                                                                                        phi_2824_ = _e2261.x;
                                                                                     }
-                                                                                    let _e2265 = phi_2821_;
-                                                                                    if (_e2251 > _e2260.y) {
-                                                                                        phi_2828_ = _e2251;
+                                                                                    let _e2266 = phi_2824_;
+                                                                                    if (_e2252 > _e2261.y) {
+                                                                                        phi_2831_ = _e2252;
                                                                                     } else {
-                                                                                        phi_2828_ = _e2260.y;
+                                                                                        phi_2831_ = _e2261.y;
                                                                                     }
-                                                                                    let _e2270 = phi_2828_;
-                                                                                    if (_e2258 > _e2260.z) {
-                                                                                        phi_2835_ = _e2258;
+                                                                                    let _e2271 = phi_2831_;
+                                                                                    if (_e2259 > _e2261.z) {
+                                                                                        phi_2838_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2835_ = _e2260.z;
+                                                                                        phi_2838_ = _e2261.z;
                                                                                     }
-                                                                                    let _e2275 = phi_2835_;
-                                                                                    let _e2279 = ((_e2223 - _e1015) * _e1224);
-                                                                                    let _e2280 = ((_e2228 - _e1028) * _e1234);
-                                                                                    let _e2281 = ((_e2233 - _e1041) * _e1244);
-                                                                                    let _e2285 = ((_e2265 - _e1015) * _e1224);
-                                                                                    let _e2286 = ((_e2270 - _e1028) * _e1234);
-                                                                                    let _e2287 = ((_e2275 - _e1041) * _e1244);
-                                                                                    if (_e2279 < _e2285) {
-                                                                                        phi_2852_ = _e2279;
-                                                                                    } else {
-                                                                                        phi_2852_ = _e2285;
-                                                                                    }
-                                                                                    let _e2290 = phi_2852_;
+                                                                                    let _e2276 = phi_2838_;
+                                                                                    let _e2280 = ((_e2224 - _e1016) * _e1225);
+                                                                                    let _e2281 = ((_e2229 - _e1029) * _e1235);
+                                                                                    let _e2282 = ((_e2234 - _e1042) * _e1245);
+                                                                                    let _e2286 = ((_e2266 - _e1016) * _e1225);
+                                                                                    let _e2287 = ((_e2271 - _e1029) * _e1235);
+                                                                                    let _e2288 = ((_e2276 - _e1042) * _e1245);
                                                                                     if (_e2280 < _e2286) {
-                                                                                        phi_2857_ = _e2280;
+                                                                                        phi_2855_ = _e2280;
                                                                                     } else {
-                                                                                        phi_2857_ = _e2286;
+                                                                                        phi_2855_ = _e2286;
                                                                                     }
-                                                                                    let _e2293 = phi_2857_;
+                                                                                    let _e2291 = phi_2855_;
                                                                                     if (_e2281 < _e2287) {
-                                                                                        phi_2862_ = _e2281;
+                                                                                        phi_2860_ = _e2281;
                                                                                     } else {
-                                                                                        phi_2862_ = _e2287;
+                                                                                        phi_2860_ = _e2287;
                                                                                     }
-                                                                                    let _e2296 = phi_2862_;
-                                                                                    if (_e2279 > _e2285) {
-                                                                                        phi_2870_ = _e2279;
+                                                                                    let _e2294 = phi_2860_;
+                                                                                    if (_e2282 < _e2288) {
+                                                                                        phi_2865_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2870_ = _e2285;
+                                                                                        phi_2865_ = _e2288;
                                                                                     }
-                                                                                    let _e2302 = phi_2870_;
+                                                                                    let _e2297 = phi_2865_;
                                                                                     if (_e2280 > _e2286) {
-                                                                                        phi_2875_ = _e2280;
+                                                                                        phi_2873_ = _e2280;
                                                                                     } else {
-                                                                                        phi_2875_ = _e2286;
+                                                                                        phi_2873_ = _e2286;
                                                                                     }
-                                                                                    let _e2305 = phi_2875_;
+                                                                                    let _e2303 = phi_2873_;
                                                                                     if (_e2281 > _e2287) {
-                                                                                        phi_2880_ = _e2281;
+                                                                                        phi_2878_ = _e2281;
                                                                                     } else {
-                                                                                        phi_2880_ = _e2287;
+                                                                                        phi_2878_ = _e2287;
                                                                                     }
-                                                                                    let _e2308 = phi_2880_;
-                                                                                    let _e2312 = core_intrinsics_maximum_number_nsz_f32_((_e2290 - _e1279), (_e2293 - _e1280));
-                                                                                    let _e2313 = core_intrinsics_maximum_number_nsz_f32_(_e2312, (_e2296 - _e1281));
-                                                                                    let _e2314 = core_intrinsics_minimum_number_nsz_f32_((_e2302 + _e1279), (_e2305 + _e1280));
-                                                                                    let _e2315 = core_intrinsics_minimum_number_nsz_f32_(_e2314, (_e2308 + _e1281));
-                                                                                    if (_e2313 > _e996) {
-                                                                                        phi_2892_ = _e2313;
+                                                                                    let _e2306 = phi_2878_;
+                                                                                    if (_e2282 > _e2288) {
+                                                                                        phi_2883_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2892_ = _e996;
+                                                                                        phi_2883_ = _e2288;
                                                                                     }
-                                                                                    let _e2318 = phi_2892_;
-                                                                                    if (_e2315 < _e998) {
-                                                                                        phi_2897_ = _e2315;
+                                                                                    let _e2309 = phi_2883_;
+                                                                                    let _e2313 = core_intrinsics_maximum_number_nsz_f32_((_e2291 - _e1280), (_e2294 - _e1281));
+                                                                                    let _e2314 = core_intrinsics_maximum_number_nsz_f32_(_e2313, (_e2297 - _e1282));
+                                                                                    let _e2315 = core_intrinsics_minimum_number_nsz_f32_((_e2303 + _e1280), (_e2306 + _e1281));
+                                                                                    let _e2316 = core_intrinsics_minimum_number_nsz_f32_(_e2315, (_e2309 + _e1282));
+                                                                                    if (_e2314 > _e997) {
+                                                                                        phi_2895_ = _e2314;
                                                                                     } else {
-                                                                                        phi_2897_ = _e998;
+                                                                                        phi_2895_ = _e997;
                                                                                     }
-                                                                                    let _e2321 = phi_2897_;
-                                                                                    if (_e2189 < _e2318) {
-                                                                                        phi_2902_ = _e2318;
+                                                                                    let _e2319 = phi_2895_;
+                                                                                    if (_e2316 < _e999) {
+                                                                                        phi_2900_ = _e2316;
                                                                                     } else {
-                                                                                        phi_2902_ = _e2189;
+                                                                                        phi_2900_ = _e999;
                                                                                     }
-                                                                                    let _e2324 = phi_2902_;
-                                                                                    if (_e2324 > _e2321) {
-                                                                                        phi_2907_ = _e2321;
+                                                                                    let _e2322 = phi_2900_;
+                                                                                    if (_e2190 < _e2319) {
+                                                                                        phi_2905_ = _e2319;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2324;
+                                                                                        phi_2905_ = _e2190;
                                                                                     }
-                                                                                    let _e2327 = phi_2907_;
-                                                                                    phi_2912_ = lt_bvh_triangle_Intersection(_e2327, (_e2030 / _e2089), (_e2051 / _e2089), (_e2318 <= _e2321));
-                                                                                    phi_2913_ = false;
+                                                                                    let _e2325 = phi_2905_;
+                                                                                    if (_e2325 > _e2322) {
+                                                                                        phi_2910_ = _e2322;
+                                                                                    } else {
+                                                                                        phi_2910_ = _e2325;
+                                                                                    }
+                                                                                    let _e2328 = phi_2910_;
+                                                                                    phi_2915_ = lt_bvh_triangle_Intersection(_e2328, (_e2031 / _e2090), (_e2052 / _e2090), (_e2319 <= _e2322));
+                                                                                    phi_2916_ = false;
                                                                                 } else {
-                                                                                    phi_2912_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2913_ = true;
+                                                                                    phi_2915_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2916_ = true;
                                                                                 }
-                                                                                let _e2333 = phi_2912_;
-                                                                                let _e2335 = phi_2913_;
-                                                                                phi_2914_ = _e2333;
-                                                                                phi_2915_ = _e2335;
+                                                                                let _e2334 = phi_2915_;
+                                                                                let _e2336 = phi_2916_;
+                                                                                phi_2917_ = _e2334;
+                                                                                phi_2918_ = _e2336;
                                                                             } else {
-                                                                                phi_2914_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2915_ = true;
+                                                                                phi_2917_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2918_ = true;
                                                                             }
-                                                                            let _e2337 = phi_2914_;
-                                                                            let _e2339 = phi_2915_;
-                                                                            if _e2339 {
+                                                                            let _e2338 = phi_2917_;
+                                                                            let _e2340 = phi_2918_;
+                                                                            if _e2340 {
                                                                             }
-                                                                            phi_2919_ = _e2337;
-                                                                            phi_2920_ = _e2339;
+                                                                            phi_2922_ = _e2338;
+                                                                            phi_2923_ = _e2340;
                                                                         }
-                                                                        let _e2341 = phi_2919_;
-                                                                        let _e2343 = phi_2920_;
-                                                                        phi_2921_ = _e2341;
-                                                                        phi_2922_ = _e2092;
-                                                                        phi_2923_ = _e2343;
+                                                                        let _e2342 = phi_2922_;
+                                                                        let _e2344 = phi_2923_;
+                                                                        phi_2924_ = _e2342;
+                                                                        phi_2925_ = _e2093;
+                                                                        phi_2926_ = _e2344;
                                                                     } else {
-                                                                        phi_2921_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2922_ = true;
-                                                                        phi_2923_ = false;
+                                                                        phi_2924_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2925_ = true;
+                                                                        phi_2926_ = false;
                                                                     }
-                                                                    let _e2345 = phi_2921_;
-                                                                    let _e2347 = phi_2922_;
-                                                                    let _e2349 = phi_2923_;
-                                                                    if _e2347 {
-                                                                        phi_2927_ = true;
+                                                                    let _e2346 = phi_2924_;
+                                                                    let _e2348 = phi_2925_;
+                                                                    let _e2350 = phi_2926_;
+                                                                    if _e2348 {
+                                                                        phi_2930_ = true;
                                                                     } else {
-                                                                        phi_2927_ = _e2349;
+                                                                        phi_2930_ = _e2350;
                                                                     }
-                                                                    let _e2351 = phi_2927_;
-                                                                    if _e2351 {
-                                                                        phi_2931_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2352 = phi_2930_;
+                                                                    if _e2352 {
+                                                                        phi_2934_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2931_ = _e2345;
+                                                                        phi_2934_ = _e2346;
                                                                     }
-                                                                    let _e2353 = phi_2931_;
-                                                                    if _e2353.is_hit {
-                                                                        if (_e2353.t > 0f) {
-                                                                            if (_e2353.t < _e145) {
-                                                                                let _e2360 = triangles.member[(0u + _e1905)].i0_;
-                                                                                let _e2362 = ((_e2360 & 2147483648u) == 0u);
-                                                                                if _e2362 {
-                                                                                    phi_3154_ = false;
-                                                                                    phi_3155_ = false;
+                                                                    let _e2354 = phi_2934_;
+                                                                    if _e2354.is_hit {
+                                                                        if (_e2354.t > 0f) {
+                                                                            if (_e2354.t < _e146) {
+                                                                                let _e2361 = triangles.member[(0u + _e1906)].i0_;
+                                                                                let _e2363 = ((_e2361 & 2147483648u) == 0u);
+                                                                                if _e2363 {
+                                                                                    phi_3157_ = false;
+                                                                                    phi_3158_ = false;
                                                                                 } else {
-                                                                                    if (_e1905 < _e80) {
+                                                                                    if (_e1906 < _e80) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2369 = triangles.member[(0u + _e1905)].i0_;
-                                                                                    let _e2370 = (_e2369 & 2147483647u);
-                                                                                    let _e2372 = triangles.member[(0u + _e1905)].i1_;
-                                                                                    let _e2374 = triangles.member[(0u + _e1905)].i2_;
-                                                                                    if (_e2370 < _e95) {
+                                                                                    let _e2370 = triangles.member[(0u + _e1906)].i0_;
+                                                                                    let _e2371 = (_e2370 & 2147483647u);
+                                                                                    let _e2373 = triangles.member[(0u + _e1906)].i1_;
+                                                                                    let _e2375 = triangles.member[(0u + _e1906)].i2_;
+                                                                                    if (_e2371 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2378 = vertices.member[(0u + _e2370)];
-                                                                                    if (_e2372 < _e95) {
+                                                                                    let _e2379 = vertices.member[(0u + _e2371)];
+                                                                                    if (_e2373 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2382 = vertices.member[(0u + _e2372)];
-                                                                                    if (_e2374 < _e95) {
+                                                                                    let _e2383 = vertices.member[(0u + _e2373)];
+                                                                                    if (_e2375 < _e95) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2386 = vertices.member[(0u + _e2374)];
-                                                                                    let _e2387 = array<abi_Vertex, 3>(_e2378, _e2382, _e2386);
-                                                                                    if (_e2387[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2387 = vertices.member[(0u + _e2375)];
+                                                                                    let _e2388 = array<abi_Vertex, 3>(_e2379, _e2383, _e2387);
+                                                                                    if (_e2388[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2393 = materials.member[(0u + _e2387[0].material)];
-                                                                                    if ((_e2393.flags & 1u) == 1u) {
-                                                                                        let _e2398 = ((1f - _e2353.u) - _e2353.v);
-                                                                                        if (_e2393.cutoff <= 0f) {
-                                                                                            phi_3148_ = true;
+                                                                                    let _e2394 = materials.member[(0u + _e2388[0].material)];
+                                                                                    if ((_e2394.flags & 1u) == 1u) {
+                                                                                        let _e2399 = ((1f - _e2354.u) - _e2354.v);
+                                                                                        if (_e2394.cutoff <= 0f) {
+                                                                                            phi_3151_ = true;
                                                                                         } else {
-                                                                                            let _e2425 = (_e2393.base_color.w * ((((f32((_e2387[0].color >> bitcast<u32>(24i))) * _e2398) + (f32((_e2387[1].color >> bitcast<u32>(24i))) * _e2353.u)) + (f32((_e2387[2].color >> bitcast<u32>(24i))) * _e2353.v)) * (1f / 255f)));
-                                                                                            if (_e2393.alpha_size == 0u) {
-                                                                                                phi_3145_ = _e2425;
+                                                                                            let _e2426 = (_e2394.base_color.w * ((((f32((_e2388[0].color >> bitcast<u32>(24i))) * _e2399) + (f32((_e2388[1].color >> bitcast<u32>(24i))) * _e2354.u)) + (f32((_e2388[2].color >> bitcast<u32>(24i))) * _e2354.v)) * (1f / 255f)));
+                                                                                            if (_e2394.alpha_size == 0u) {
+                                                                                                phi_3148_ = _e2426;
                                                                                             } else {
-                                                                                                local.offset = _e2393.alpha_offset;
-                                                                                                local.size = _e2393.alpha_size;
-                                                                                                local.flags = _e2393.flags;
-                                                                                                let _e2456 = _lt_shaders_texture_TextureView_quad((&local), (((_e2387[0].u * _e2398) + (_e2387[1].u * _e2353.u)) + (_e2387[2].u * _e2353.v)), (((_e2387[0].v * _e2398) + (_e2387[1].v * _e2353.u)) + (_e2387[2].v * _e2353.v)));
-                                                                                                let _e2460 = (_e2456.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2460 < _e101) {
+                                                                                                local.offset = _e2394.alpha_offset;
+                                                                                                local.size = _e2394.alpha_size;
+                                                                                                local.flags = _e2394.flags;
+                                                                                                let _e2457 = _lt_shaders_texture_TextureView_quad((&local), (((_e2388[0].u * _e2399) + (_e2388[1].u * _e2354.u)) + (_e2388[2].u * _e2354.v)), (((_e2388[0].v * _e2399) + (_e2388[1].v * _e2354.u)) + (_e2388[2].v * _e2354.v)));
+                                                                                                let _e2461 = (_e2457.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2461 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2464 = alpha_texels.member[(0u + _e2460)];
-                                                                                                let _e2480 = (_e2456.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2480 < _e101) {
+                                                                                                let _e2465 = alpha_texels.member[(0u + _e2461)];
+                                                                                                let _e2481 = (_e2457.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2481 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2484 = alpha_texels.member[(0u + _e2480)];
-                                                                                                let _e2501 = (_e2456.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2501 < _e101) {
+                                                                                                let _e2485 = alpha_texels.member[(0u + _e2481)];
+                                                                                                let _e2502 = (_e2457.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2502 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2505 = alpha_texels.member[(0u + _e2501)];
-                                                                                                let _e2522 = (_e2456.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2522 < _e101) {
+                                                                                                let _e2506 = alpha_texels.member[(0u + _e2502)];
+                                                                                                let _e2523 = (_e2457.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2523 < _e101) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2526 = alpha_texels.member[(0u + _e2522)];
-                                                                                                phi_3145_ = (_e2425 * (((((f32(((_e2464 >> bitcast<u32>((((_e2456.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.x) + ((f32(((_e2484 >> bitcast<u32>((((_e2456.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.y)) + ((f32(((_e2505 >> bitcast<u32>((((_e2456.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.z)) + ((f32(((_e2526 >> bitcast<u32>((((_e2456.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2456.weights.w)));
+                                                                                                let _e2527 = alpha_texels.member[(0u + _e2523)];
+                                                                                                phi_3148_ = (_e2426 * (((((f32(((_e2465 >> bitcast<u32>((((_e2457.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.x) + ((f32(((_e2485 >> bitcast<u32>((((_e2457.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.y)) + ((f32(((_e2506 >> bitcast<u32>((((_e2457.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.z)) + ((f32(((_e2527 >> bitcast<u32>((((_e2457.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2457.weights.w)));
                                                                                             }
-                                                                                            let _e2542 = phi_3145_;
-                                                                                            phi_3148_ = (_e2542 >= _e2393.cutoff);
+                                                                                            let _e2543 = phi_3148_;
+                                                                                            phi_3151_ = (_e2543 >= _e2394.cutoff);
                                                                                         }
-                                                                                        let _e2546 = phi_3148_;
-                                                                                        phi_3149_ = _e2546;
+                                                                                        let _e2547 = phi_3151_;
+                                                                                        phi_3152_ = _e2547;
                                                                                     } else {
-                                                                                        phi_3149_ = false;
+                                                                                        phi_3152_ = false;
                                                                                     }
-                                                                                    let _e2548 = phi_3149_;
-                                                                                    if _e2548 {
-                                                                                        phi_3153_ = false;
+                                                                                    let _e2549 = phi_3152_;
+                                                                                    if _e2549 {
+                                                                                        phi_3156_ = false;
                                                                                     } else {
-                                                                                        phi_3153_ = true;
+                                                                                        phi_3156_ = true;
                                                                                     }
-                                                                                    let _e2550 = phi_3153_;
-                                                                                    phi_3154_ = _e2550;
-                                                                                    phi_3155_ = _e2548;
+                                                                                    let _e2551 = phi_3156_;
+                                                                                    phi_3157_ = _e2551;
+                                                                                    phi_3158_ = _e2549;
                                                                                 }
-                                                                                let _e2552 = phi_3154_;
-                                                                                let _e2554 = phi_3155_;
-                                                                                phi_3156_ = _e2552;
-                                                                                phi_3157_ = _e2362;
-                                                                                phi_3158_ = _e2554;
+                                                                                let _e2553 = phi_3157_;
+                                                                                let _e2555 = phi_3158_;
+                                                                                phi_3159_ = _e2553;
+                                                                                phi_3160_ = _e2363;
+                                                                                phi_3161_ = _e2555;
                                                                             } else {
-                                                                                phi_3156_ = true;
-                                                                                phi_3157_ = false;
-                                                                                phi_3158_ = false;
+                                                                                phi_3159_ = true;
+                                                                                phi_3160_ = false;
+                                                                                phi_3161_ = false;
                                                                             }
-                                                                            let _e2556 = phi_3156_;
-                                                                            let _e2558 = phi_3157_;
-                                                                            let _e2560 = phi_3158_;
-                                                                            phi_3159_ = _e2556;
-                                                                            phi_3160_ = _e2558;
-                                                                            phi_3161_ = _e2560;
+                                                                            let _e2557 = phi_3159_;
+                                                                            let _e2559 = phi_3160_;
+                                                                            let _e2561 = phi_3161_;
+                                                                            phi_3162_ = _e2557;
+                                                                            phi_3163_ = _e2559;
+                                                                            phi_3164_ = _e2561;
                                                                         } else {
-                                                                            phi_3159_ = true;
-                                                                            phi_3160_ = false;
-                                                                            phi_3161_ = false;
+                                                                            phi_3162_ = true;
+                                                                            phi_3163_ = false;
+                                                                            phi_3164_ = false;
                                                                         }
-                                                                        let _e2562 = phi_3159_;
-                                                                        let _e2564 = phi_3160_;
-                                                                        let _e2566 = phi_3161_;
-                                                                        phi_3162_ = _e2562;
-                                                                        phi_3163_ = _e2564;
-                                                                        phi_3164_ = _e2566;
+                                                                        let _e2563 = phi_3162_;
+                                                                        let _e2565 = phi_3163_;
+                                                                        let _e2567 = phi_3164_;
+                                                                        phi_3165_ = _e2563;
+                                                                        phi_3166_ = _e2565;
+                                                                        phi_3167_ = _e2567;
                                                                     } else {
-                                                                        phi_3162_ = true;
-                                                                        phi_3163_ = false;
-                                                                        phi_3164_ = false;
+                                                                        phi_3165_ = true;
+                                                                        phi_3166_ = false;
+                                                                        phi_3167_ = false;
                                                                     }
-                                                                    let _e2568 = phi_3162_;
-                                                                    let _e2570 = phi_3163_;
-                                                                    let _e2572 = phi_3164_;
-                                                                    if _e2568 {
-                                                                        phi_3168_ = false;
-                                                                        phi_3169_ = false;
+                                                                    let _e2569 = phi_3165_;
+                                                                    let _e2571 = phi_3166_;
+                                                                    let _e2573 = phi_3167_;
+                                                                    if _e2569 {
+                                                                        phi_3171_ = false;
+                                                                        phi_3172_ = false;
                                                                     } else {
-                                                                        phi_3168_ = _e2570;
-                                                                        phi_3169_ = _e2572;
+                                                                        phi_3171_ = _e2571;
+                                                                        phi_3172_ = _e2573;
                                                                     }
-                                                                    let _e2574 = phi_3168_;
-                                                                    let _e2576 = phi_3169_;
-                                                                    phi_2363_ = (_e1896 & (_e1896 - 1u));
-                                                                    phi_3170_ = _e2568;
-                                                                    phi_3171_ = _e2574;
-                                                                    phi_3172_ = _e2576;
+                                                                    let _e2575 = phi_3171_;
+                                                                    let _e2577 = phi_3172_;
+                                                                    phi_2366_ = (_e1897 & (_e1897 - 1u));
+                                                                    phi_3173_ = _e2569;
+                                                                    phi_3174_ = _e2575;
+                                                                    phi_3175_ = _e2577;
                                                                 }
-                                                                let _e2578 = phi_2363_;
-                                                                let _e2580 = phi_3170_;
-                                                                let _e2582 = phi_3171_;
-                                                                let _e2584 = phi_3172_;
-                                                                local_13 = _e2582;
-                                                                local_14 = _e2584;
+                                                                let _e2579 = phi_2366_;
+                                                                let _e2581 = phi_3173_;
+                                                                let _e2583 = phi_3174_;
+                                                                let _e2585 = phi_3175_;
+                                                                local_13 = _e2583;
+                                                                local_14 = _e2585;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2362_ = _e2578;
-                                                                    break if !(_e2580);
+                                                                    phi_2365_ = _e2579;
+                                                                    break if !(_e2581);
                                                                 }
                                                             }
-                                                            let _e2587 = local_9;
-                                                            if _e2587 {
-                                                                let _e2589 = local_1.group_mask;
-                                                                if ((_e2589 & 4278190080u) == 0u) {
-                                                                    let _e2593 = local_1.len;
-                                                                    if (_e2593 == 0u) {
-                                                                        phi_3214_ = false;
+                                                            let _e2588 = local_9;
+                                                            if _e2588 {
+                                                                let _e2590 = local_1.group_mask;
+                                                                if ((_e2590 & 4278190080u) == 0u) {
+                                                                    let _e2594 = local_1.len;
+                                                                    if (_e2594 == 0u) {
+                                                                        phi_3217_ = false;
                                                                     } else {
-                                                                        let _e2597 = local_1.len;
-                                                                        local_1.len = (_e2597 - 1u);
-                                                                        let _e2600 = local_1.len;
-                                                                        if (_e2600 < 32u) {
+                                                                        let _e2598 = local_1.len;
+                                                                        local_1.len = (_e2598 - 1u);
+                                                                        let _e2601 = local_1.len;
+                                                                        if (_e2601 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2605 = local_1.first[(0u + _e2600)];
-                                                                        local_1.group = _e2605;
-                                                                        let _e2608 = local_1.len;
-                                                                        if (_e2608 < 32u) {
+                                                                        let _e2606 = local_1.first[(0u + _e2601)];
+                                                                        local_1.group = _e2606;
+                                                                        let _e2609 = local_1.len;
+                                                                        if (_e2609 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2613 = local_1.mask[(0u + _e2608)];
-                                                                        local_1.group_mask = _e2613;
-                                                                        phi_3214_ = true;
+                                                                        let _e2614 = local_1.mask[(0u + _e2609)];
+                                                                        local_1.group_mask = _e2614;
+                                                                        phi_3217_ = true;
                                                                     }
-                                                                    let _e2616 = phi_3214_;
-                                                                    phi_3215_ = _e2616;
+                                                                    let _e2617 = phi_3217_;
+                                                                    phi_3218_ = _e2617;
                                                                 } else {
-                                                                    phi_3215_ = true;
+                                                                    phi_3218_ = true;
                                                                 }
-                                                                let _e2618 = phi_3215_;
-                                                                if _e2618 {
-                                                                    let _e2620 = local_1.group_mask;
-                                                                    let _e2626 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2620)), 32u, (_e2620 == 0u)));
-                                                                    let _e2630 = local_1.group_mask;
-                                                                    let _e2644 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2644 & ~((1u << bitcast<u32>((_e2626 & 31u)))));
-                                                                    let _e2647 = local_1.group;
-                                                                    phi_3246_ = (_e2647 + countOneBits(((_e2630 & ~((4294967295u << bitcast<u32>((((_e2626 - 24u) ^ _e1322) & 31u))))) & 255u)));
+                                                                let _e2619 = phi_3218_;
+                                                                if _e2619 {
+                                                                    let _e2621 = local_1.group_mask;
+                                                                    let _e2627 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2621)), 32u, (_e2621 == 0u)));
+                                                                    let _e2631 = local_1.group_mask;
+                                                                    let _e2645 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2645 & ~((1u << bitcast<u32>((_e2627 & 31u)))));
+                                                                    let _e2648 = local_1.group;
+                                                                    phi_3249_ = (_e2648 + countOneBits(((_e2631 & ~((4294967295u << bitcast<u32>((((_e2627 - 24u) ^ _e1323) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3246_ = 4294967295u;
+                                                                    phi_3249_ = 4294967295u;
                                                                 }
-                                                                let _e2650 = phi_3246_;
-                                                                phi_3247_ = _e2650;
-                                                                phi_3248_ = false;
-                                                                phi_3249_ = false;
+                                                                let _e2651 = phi_3249_;
+                                                                phi_3250_ = _e2651;
+                                                                phi_3251_ = false;
+                                                                phi_3252_ = false;
                                                             } else {
-                                                                phi_3247_ = u32();
-                                                                let _e3062 = local_13;
-                                                                phi_3248_ = _e3062;
-                                                                let _e3065 = local_14;
-                                                                phi_3249_ = _e3065;
+                                                                phi_3250_ = u32();
+                                                                let _e3063 = local_13;
+                                                                phi_3251_ = _e3063;
+                                                                let _e3066 = local_14;
+                                                                phi_3252_ = _e3066;
                                                             }
-                                                            let _e2652 = phi_3247_;
-                                                            let _e2654 = phi_3248_;
-                                                            let _e2656 = phi_3249_;
-                                                            phi_2033_ = _e2652;
-                                                            let _e3069 = local_15;
-                                                            phi_3250_ = _e3069;
-                                                            phi_3251_ = false;
-                                                            phi_3252_ = _e2654;
-                                                            phi_3253_ = _e2656;
+                                                            let _e2653 = phi_3250_;
+                                                            let _e2655 = phi_3251_;
+                                                            let _e2657 = phi_3252_;
+                                                            phi_2036_ = _e2653;
+                                                            let _e3070 = local_15;
+                                                            phi_3253_ = _e3070;
+                                                            phi_3254_ = false;
+                                                            phi_3255_ = _e2655;
+                                                            phi_3256_ = _e2657;
                                                         } else {
-                                                            phi_2033_ = u32();
-                                                            phi_3250_ = false;
-                                                            phi_3251_ = true;
-                                                            phi_3252_ = false;
+                                                            phi_2036_ = u32();
                                                             phi_3253_ = false;
+                                                            phi_3254_ = true;
+                                                            phi_3255_ = false;
+                                                            phi_3256_ = false;
                                                         }
-                                                        let _e2658 = phi_2033_;
-                                                        let _e2660 = phi_3250_;
-                                                        let _e2662 = phi_3251_;
-                                                        let _e2664 = phi_3252_;
-                                                        let _e2666 = phi_3253_;
-                                                        local_10 = _e2662;
-                                                        local_16 = _e2664;
-                                                        local_17 = _e2666;
+                                                        let _e2659 = phi_2036_;
+                                                        let _e2661 = phi_3253_;
+                                                        let _e2663 = phi_3254_;
+                                                        let _e2665 = phi_3255_;
+                                                        let _e2667 = phi_3256_;
+                                                        local_10 = _e2663;
+                                                        local_16 = _e2665;
+                                                        local_17 = _e2667;
                                                         continue;
                                                         continuing {
-                                                            phi_2032_ = _e2658;
-                                                            break if !(_e2660);
+                                                            phi_2035_ = _e2659;
+                                                            break if !(_e2661);
                                                         }
                                                     }
-                                                    let _e2669 = local_10;
-                                                    if _e2669 {
-                                                        phi_3257_ = false;
-                                                        phi_3258_ = false;
+                                                    let _e2670 = local_10;
+                                                    if _e2670 {
+                                                        phi_3260_ = false;
+                                                        phi_3261_ = false;
                                                     } else {
-                                                        let _e3076 = local_16;
-                                                        phi_3257_ = _e3076;
-                                                        let _e3079 = local_17;
-                                                        phi_3258_ = _e3079;
+                                                        let _e3077 = local_16;
+                                                        phi_3260_ = _e3077;
+                                                        let _e3080 = local_17;
+                                                        phi_3261_ = _e3080;
                                                     }
-                                                    let _e2671 = phi_3257_;
-                                                    let _e2673 = phi_3258_;
-                                                    if _e2671 {
-                                                        phi_3262_ = true;
+                                                    let _e2672 = phi_3260_;
+                                                    let _e2674 = phi_3261_;
+                                                    if _e2672 {
+                                                        phi_3265_ = true;
                                                     } else {
-                                                        phi_3262_ = _e2673;
+                                                        phi_3265_ = _e2674;
                                                     }
-                                                    let _e2675 = phi_3262_;
-                                                    if _e2675 {
-                                                        phi_3266_ = true;
+                                                    let _e2676 = phi_3265_;
+                                                    if _e2676 {
+                                                        phi_3269_ = true;
                                                     } else {
-                                                        phi_3266_ = false;
+                                                        phi_3269_ = false;
                                                     }
-                                                    let _e2677 = phi_3266_;
-                                                    phi_3267_ = _e2677;
+                                                    let _e2678 = phi_3269_;
+                                                    phi_3270_ = _e2678;
                                                 }
-                                                let _e2679 = phi_3267_;
-                                                phi_3268_ = _e2679;
-                                                phi_3269_ = _e1148;
+                                                let _e2680 = phi_3270_;
+                                                phi_3271_ = _e2680;
+                                                phi_3272_ = _e1149;
                                             } else {
-                                                phi_3268_ = bool();
-                                                phi_3269_ = true;
+                                                phi_3271_ = bool();
+                                                phi_3272_ = true;
                                             }
-                                            let _e2681 = phi_3268_;
-                                            let _e2683 = phi_3269_;
-                                            if _e2683 {
-                                                phi_3273_ = false;
+                                            let _e2682 = phi_3271_;
+                                            let _e2684 = phi_3272_;
+                                            if _e2684 {
+                                                phi_3276_ = false;
                                             } else {
-                                                phi_3273_ = _e2681;
+                                                phi_3276_ = _e2682;
                                             }
-                                            let _e2685 = phi_3273_;
-                                            if _e2685 {
-                                                phi_3277_ = false;
+                                            let _e2686 = phi_3276_;
+                                            if _e2686 {
+                                                phi_3280_ = false;
                                             } else {
-                                                phi_3277_ = true;
+                                                phi_3280_ = true;
                                             }
-                                            let _e2687 = phi_3277_;
-                                            phi_3278_ = _e2687;
+                                            let _e2688 = phi_3280_;
+                                            phi_3281_ = _e2688;
                                         } else {
-                                            phi_3278_ = true;
+                                            phi_3281_ = true;
                                         }
-                                        let _e2689 = phi_3278_;
-                                        phi_3279_ = _e2689;
+                                        let _e2690 = phi_3281_;
+                                        phi_3282_ = _e2690;
                                     } else {
-                                        phi_3279_ = true;
+                                        phi_3282_ = true;
                                     }
-                                    let _e2691 = phi_3279_;
-                                    phi_3280_ = _e2691;
+                                    let _e2692 = phi_3282_;
+                                    phi_3283_ = _e2692;
                                 } else {
-                                    phi_3280_ = true;
+                                    phi_3283_ = true;
                                 }
-                                let _e2693 = phi_3280_;
-                                if _e2693 {
+                                let _e2694 = phi_3283_;
+                                if _e2694 {
                                 }
-                                phi_1427_ = (_e935 & (_e935 - 1u));
-                                phi_3284_ = _e2693;
+                                phi_1430_ = (_e936 & (_e936 - 1u));
+                                phi_3287_ = _e2694;
                             }
-                            let _e2695 = phi_1427_;
-                            let _e2697 = phi_3284_;
+                            let _e2696 = phi_1430_;
+                            let _e2698 = phi_3287_;
                             continue;
                             continuing {
-                                phi_1426_ = _e2695;
-                                break if !(_e2697);
+                                phi_1429_ = _e2696;
+                                break if !(_e2698);
                             }
                         }
-                        let _e2700 = local_11;
-                        if _e2700 {
-                            let _e2702 = local_2.group_mask;
-                            if ((_e2702 & 4278190080u) == 0u) {
-                                let _e2706 = local_2.len;
-                                if (_e2706 == 0u) {
-                                    phi_3326_ = false;
+                        let _e2701 = local_11;
+                        if _e2701 {
+                            let _e2703 = local_2.group_mask;
+                            if ((_e2703 & 4278190080u) == 0u) {
+                                let _e2707 = local_2.len;
+                                if (_e2707 == 0u) {
+                                    phi_3329_ = false;
                                 } else {
-                                    let _e2710 = local_2.len;
-                                    local_2.len = (_e2710 - 1u);
-                                    let _e2713 = local_2.len;
-                                    if (_e2713 < 32u) {
+                                    let _e2711 = local_2.len;
+                                    local_2.len = (_e2711 - 1u);
+                                    let _e2714 = local_2.len;
+                                    if (_e2714 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2718 = local_2.first[(0u + _e2713)];
-                                    local_2.group = _e2718;
-                                    let _e2721 = local_2.len;
-                                    if (_e2721 < 32u) {
+                                    let _e2719 = local_2.first[(0u + _e2714)];
+                                    local_2.group = _e2719;
+                                    let _e2722 = local_2.len;
+                                    if (_e2722 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2726 = local_2.mask[(0u + _e2721)];
-                                    local_2.group_mask = _e2726;
-                                    phi_3326_ = true;
+                                    let _e2727 = local_2.mask[(0u + _e2722)];
+                                    local_2.group_mask = _e2727;
+                                    phi_3329_ = true;
                                 }
-                                let _e2729 = phi_3326_;
-                                phi_3327_ = _e2729;
+                                let _e2730 = phi_3329_;
+                                phi_3330_ = _e2730;
                             } else {
-                                phi_3327_ = true;
+                                phi_3330_ = true;
                             }
-                            let _e2731 = phi_3327_;
-                            if _e2731 {
-                                let _e2733 = local_2.group_mask;
-                                let _e2739 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2733)), 32u, (_e2733 == 0u)));
-                                let _e2743 = local_2.group_mask;
-                                let _e2757 = local_2.group_mask;
-                                local_2.group_mask = (_e2757 & ~((1u << bitcast<u32>((_e2739 & 31u)))));
-                                let _e2760 = local_2.group;
-                                phi_3358_ = (_e2760 + countOneBits(((_e2743 & ~((4294967295u << bitcast<u32>((((_e2739 - 24u) ^ _e361) & 31u))))) & 255u)));
+                            let _e2732 = phi_3330_;
+                            if _e2732 {
+                                let _e2734 = local_2.group_mask;
+                                let _e2740 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2734)), 32u, (_e2734 == 0u)));
+                                let _e2744 = local_2.group_mask;
+                                let _e2758 = local_2.group_mask;
+                                local_2.group_mask = (_e2758 & ~((1u << bitcast<u32>((_e2740 & 31u)))));
+                                let _e2761 = local_2.group;
+                                phi_3361_ = (_e2761 + countOneBits(((_e2744 & ~((4294967295u << bitcast<u32>((((_e2740 - 24u) ^ _e362) & 31u))))) & 255u)));
                             } else {
-                                phi_3358_ = 4294967295u;
+                                phi_3361_ = 4294967295u;
                             }
-                            let _e2763 = phi_3358_;
-                            phi_3359_ = _e2763;
+                            let _e2764 = phi_3361_;
+                            phi_3362_ = _e2764;
                         } else {
-                            phi_3359_ = u32();
+                            phi_3362_ = u32();
                         }
-                        let _e2765 = phi_3359_;
-                        phi_1097_ = _e2765;
-                        let _e3100 = local_18;
-                        phi_3360_ = _e3100;
-                        phi_3361_ = false;
+                        let _e2766 = phi_3362_;
+                        phi_1100_ = _e2766;
+                        let _e3101 = local_18;
+                        phi_3363_ = _e3101;
+                        phi_3364_ = false;
                     } else {
-                        phi_1097_ = u32();
-                        phi_3360_ = false;
-                        phi_3361_ = true;
+                        phi_1100_ = u32();
+                        phi_3363_ = false;
+                        phi_3364_ = true;
                     }
-                    let _e2767 = phi_1097_;
-                    let _e2769 = phi_3360_;
-                    let _e2771 = phi_3361_;
-                    local_12 = _e2771;
+                    let _e2768 = phi_1100_;
+                    let _e2770 = phi_3363_;
+                    let _e2772 = phi_3364_;
+                    local_12 = _e2772;
                     continue;
                     continuing {
-                        phi_1096_ = _e2767;
-                        break if !(_e2769);
+                        phi_1099_ = _e2768;
+                        break if !(_e2770);
                     }
                 }
-                let _e2774 = local_12;
-                if _e2774 {
-                    phi_3365_ = false;
+                let _e2775 = local_12;
+                if _e2775 {
+                    phi_3368_ = false;
                 } else {
-                    phi_3365_ = true;
+                    phi_3368_ = true;
                 }
-                let _e2776 = phi_3365_;
-                if _e2776 {
-                    phi_3369_ = true;
+                let _e2777 = phi_3368_;
+                if _e2777 {
+                    phi_3372_ = true;
                 } else {
-                    phi_3369_ = false;
+                    phi_3372_ = false;
                 }
-                let _e2778 = phi_3369_;
-                phi_3370_ = _e2778;
+                let _e2779 = phi_3372_;
+                phi_3373_ = _e2779;
             }
-            let _e2780 = phi_3370_;
-            phi_3371_ = _e2780;
-            phi_3372_ = _e217;
+            let _e2781 = phi_3373_;
+            phi_3374_ = _e2781;
+            phi_3375_ = _e218;
         } else {
-            phi_3371_ = bool();
-            phi_3372_ = true;
+            phi_3374_ = bool();
+            phi_3375_ = true;
         }
-        let _e2782 = phi_3371_;
-        let _e2784 = phi_3372_;
-        if _e2784 {
-            phi_3376_ = false;
+        let _e2783 = phi_3374_;
+        let _e2785 = phi_3375_;
+        if _e2785 {
+            phi_3379_ = false;
         } else {
-            phi_3376_ = _e2782;
+            phi_3379_ = _e2783;
         }
-        let _e2786 = phi_3376_;
-        if _e2786 {
-            phi_3380_ = 0f;
+        let _e2787 = phi_3379_;
+        if _e2787 {
+            phi_3383_ = 0f;
         } else {
-            phi_3380_ = 1f;
+            phi_3383_ = 1f;
         }
-        let _e2788 = phi_3380_;
+        let _e2789 = phi_3383_;
         if (_e114 < _e83) {
         } else {
             return;
         }
-        visibility.member[(0u + _e114)] = _e2788;
+        visibility.member[(0u + _e114)] = _e2789;
         if (_e114 < _e89) {
         } else {
             return;
         }
-        let _e2795 = bits.member[(0u + _e114)];
-        if ((_e2795 & 2u) == 0u) {
-            phi_3401_ = (_e2795 & 1u);
+        let _e2796 = bits.member[(0u + _e114)];
+        if ((_e2796 & 2u) == 0u) {
+            phi_3404_ = (_e2796 & 1u);
         } else {
-            phi_3401_ = (_e2795 & 7u);
+            phi_3404_ = (_e2796 & 7u);
         }
-        let _e2801 = phi_3401_;
+        let _e2802 = phi_3404_;
         if (_e114 < _e83) {
         } else {
             return;
         }
-        let _e2805 = visibility.member[(0u + _e114)];
-        if ((_e2801 & 1u) != 0u) {
-            phi_3416_ = (2u | 1u);
+        let _e2806 = visibility.member[(0u + _e114)];
+        if ((_e2802 & 1u) != 0u) {
+            phi_3419_ = (2u | 1u);
         } else {
-            phi_3416_ = 2u;
+            phi_3419_ = 2u;
         }
-        let _e2811 = phi_3416_;
-        if (_e2805 < 0.5f) {
-            phi_3421_ = (_e2811 | 4u);
+        let _e2812 = phi_3419_;
+        if (_e2806 < 0.5f) {
+            phi_3424_ = (_e2812 | 4u);
         } else {
-            phi_3421_ = _e2811;
+            phi_3424_ = _e2812;
         }
-        let _e2814 = phi_3421_;
+        let _e2815 = phi_3424_;
         if (_e114 < _e89) {
         } else {
             return;
         }
-        bits.member[(0u + _e114)] = _e2814;
+        bits.member[(0u + _e114)] = _e2815;
     }
     return;
 }

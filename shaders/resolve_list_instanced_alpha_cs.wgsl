@@ -1,3 +1,12 @@
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -46,7 +55,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_31 {
+struct type_32 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -58,7 +67,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_35 {
+struct type_36 {
     member: array<abi_Vertex>,
 }
 
@@ -73,7 +82,7 @@ struct abi_Material {
     pad: vec2<u32>,
 }
 
-struct type_39 {
+struct type_40 {
     member: array<abi_Material>,
 }
 
@@ -99,7 +108,7 @@ struct lt_bvh_Instance {
     padding: array<u32, 3>,
 }
 
-struct type_50 {
+struct type_51 {
     member: array<lt_bvh_Instance>,
 }
 
@@ -119,7 +128,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_59 {
+struct type_60 {
     member: array<lt_bvh_Node>,
 }
 
@@ -137,7 +146,7 @@ struct lt_bvh_triangle_Intersection {
 
 struct abi_ShadowParams {
     projection: lt_math_LightProjection,
-    light: vec4<f32>,
+    light: abi_LightParams,
     test: vec4<f32>,
     size: vec2<u32>,
     map_size: u32,
@@ -148,7 +157,7 @@ struct abi_ShadowParams {
     pad0_: u32,
 }
 
-struct type_65 {
+struct type_66 {
     member: abi_ShadowParams,
 }
 
@@ -158,71 +167,71 @@ var<storage> samples: type_9;
 @group(0) @binding(4) 
 var<storage, read_write> visibility: type_17;
 @group(0) @binding(6) 
-var<storage> instances: type_50;
+var<storage> instances: type_51;
 @group(0) @binding(0) 
-var<uniform> p: type_65;
+var<uniform> p: type_66;
 @group(0) @binding(2) 
-var<storage> nodes: type_59;
+var<storage> nodes: type_60;
 @group(0) @binding(3) 
-var<storage> triangles: type_31;
+var<storage> triangles: type_32;
 @group(0) @binding(5) 
 var<storage> list: type_13;
 @group(0) @binding(7) 
-var<storage> vertices: type_35;
+var<storage> vertices: type_36;
 @group(0) @binding(8) 
-var<storage> materials: type_39;
+var<storage> materials: type_40;
 @group(0) @binding(9) 
 var<storage> alpha_texels: type_13;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
-    var phi_234_: f32;
-    var phi_239_: f32;
-    var phi_240_: bool;
+    var phi_236_: f32;
     var phi_241_: f32;
     var phi_242_: bool;
-    var phi_246_: f32;
-    var phi_272_: f32;
-    var phi_277_: f32;
-    var phi_278_: bool;
+    var phi_243_: f32;
+    var phi_244_: bool;
+    var phi_248_: f32;
+    var phi_274_: f32;
     var phi_279_: f32;
     var phi_280_: bool;
-    var phi_284_: f32;
-    var phi_292_: f32;
-    var phi_293_: f32;
+    var phi_281_: f32;
+    var phi_282_: bool;
+    var phi_286_: f32;
     var phi_294_: f32;
-    var phi_303_: f32;
-    var phi_304_: f32;
-    var phi_322_: u32;
-    var phi_336_: u32;
-    var phi_343_: u32;
-    var phi_348_: u32;
-    var phi_354_: u32;
-    var phi_359_: u32;
-    var phi_361_: texture_Axis;
-    var phi_389_: f32;
-    var phi_394_: f32;
-    var phi_395_: bool;
+    var phi_295_: f32;
+    var phi_296_: f32;
+    var phi_305_: f32;
+    var phi_306_: f32;
+    var phi_324_: u32;
+    var phi_338_: u32;
+    var phi_345_: u32;
+    var phi_350_: u32;
+    var phi_356_: u32;
+    var phi_361_: u32;
+    var phi_363_: texture_Axis;
+    var phi_391_: f32;
     var phi_396_: f32;
     var phi_397_: bool;
-    var phi_401_: f32;
-    var phi_427_: f32;
-    var phi_432_: f32;
-    var phi_433_: bool;
+    var phi_398_: f32;
+    var phi_399_: bool;
+    var phi_403_: f32;
+    var phi_429_: f32;
     var phi_434_: f32;
     var phi_435_: bool;
-    var phi_439_: f32;
-    var phi_447_: f32;
-    var phi_448_: f32;
+    var phi_436_: f32;
+    var phi_437_: bool;
+    var phi_441_: f32;
     var phi_449_: f32;
-    var phi_458_: f32;
-    var phi_459_: f32;
-    var phi_477_: u32;
-    var phi_491_: u32;
-    var phi_498_: u32;
-    var phi_503_: u32;
-    var phi_509_: u32;
-    var phi_514_: u32;
-    var phi_516_: texture_Axis;
+    var phi_450_: f32;
+    var phi_451_: f32;
+    var phi_460_: f32;
+    var phi_461_: f32;
+    var phi_479_: u32;
+    var phi_493_: u32;
+    var phi_500_: u32;
+    var phi_505_: u32;
+    var phi_511_: u32;
+    var phi_516_: u32;
+    var phi_518_: texture_Axis;
 
     let _e70 = (*param).size;
     let _e71 = (_e70 & 65535u);
@@ -236,286 +245,286 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
         if (param_1 > -8388608f) {
             let _e97 = f32(select(0i, select(select(i32(param_1), i32(-2147483648), (param_1 < bitcast<f32>(3472883712u))), 2147483647i, (param_1 > bitcast<f32>(1325400063u))), (param_1 == param_1)));
             if (_e97 > param_1) {
-                phi_234_ = 1f;
+                phi_236_ = 1f;
             } else {
-                phi_234_ = 0f;
+                phi_236_ = 0f;
             }
-            let _e100 = phi_234_;
+            let _e100 = phi_236_;
             if (param_1 < 8388608f) {
-                phi_239_ = (_e97 - _e100);
-                phi_240_ = false;
+                phi_241_ = (_e97 - _e100);
+                phi_242_ = false;
             } else {
-                phi_239_ = f32();
-                phi_240_ = true;
+                phi_241_ = f32();
+                phi_242_ = true;
             }
-            let _e103 = phi_239_;
-            let _e105 = phi_240_;
-            phi_241_ = _e103;
-            phi_242_ = _e105;
+            let _e103 = phi_241_;
+            let _e105 = phi_242_;
+            phi_243_ = _e103;
+            phi_244_ = _e105;
         } else {
-            phi_241_ = f32();
-            phi_242_ = true;
+            phi_243_ = f32();
+            phi_244_ = true;
         }
-        let _e107 = phi_241_;
-        let _e109 = phi_242_;
+        let _e107 = phi_243_;
+        let _e109 = phi_244_;
         if _e109 {
-            phi_246_ = param_1;
+            phi_248_ = param_1;
         } else {
-            phi_246_ = _e107;
+            phi_248_ = _e107;
         }
-        let _e111 = phi_246_;
-        phi_294_ = (param_1 - _e111);
+        let _e111 = phi_248_;
+        phi_296_ = (param_1 - _e111);
     } else {
         if (_e84 == 1u) {
             let _e114 = (param_1 * 0.5f);
             if (_e114 > -8388608f) {
                 let _e126 = f32(select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)));
                 if (_e126 > _e114) {
-                    phi_272_ = 1f;
+                    phi_274_ = 1f;
                 } else {
-                    phi_272_ = 0f;
+                    phi_274_ = 0f;
                 }
-                let _e129 = phi_272_;
+                let _e129 = phi_274_;
                 if (_e114 < 8388608f) {
-                    phi_277_ = (_e126 - _e129);
-                    phi_278_ = false;
+                    phi_279_ = (_e126 - _e129);
+                    phi_280_ = false;
                 } else {
-                    phi_277_ = f32();
-                    phi_278_ = true;
+                    phi_279_ = f32();
+                    phi_280_ = true;
                 }
-                let _e132 = phi_277_;
-                let _e134 = phi_278_;
-                phi_279_ = _e132;
-                phi_280_ = _e134;
+                let _e132 = phi_279_;
+                let _e134 = phi_280_;
+                phi_281_ = _e132;
+                phi_282_ = _e134;
             } else {
-                phi_279_ = f32();
-                phi_280_ = true;
+                phi_281_ = f32();
+                phi_282_ = true;
             }
-            let _e136 = phi_279_;
-            let _e138 = phi_280_;
+            let _e136 = phi_281_;
+            let _e138 = phi_282_;
             if _e138 {
-                phi_284_ = _e114;
+                phi_286_ = _e114;
             } else {
-                phi_284_ = _e136;
+                phi_286_ = _e136;
             }
-            let _e140 = phi_284_;
+            let _e140 = phi_286_;
             let _e142 = (param_1 - (2f * _e140));
             if (_e142 > 1f) {
-                phi_292_ = (2f - _e142);
+                phi_294_ = (2f - _e142);
             } else {
-                phi_292_ = _e142;
+                phi_294_ = _e142;
             }
-            let _e146 = phi_292_;
-            phi_293_ = _e146;
+            let _e146 = phi_294_;
+            phi_295_ = _e146;
         } else {
-            phi_293_ = param_1;
+            phi_295_ = param_1;
         }
-        let _e148 = phi_293_;
-        phi_294_ = _e148;
+        let _e148 = phi_295_;
+        phi_296_ = _e148;
     }
-    let _e150 = phi_294_;
+    let _e150 = phi_296_;
     if (_e150 > 0f) {
         if (_e150 < 1f) {
-            phi_303_ = _e150;
+            phi_305_ = _e150;
         } else {
-            phi_303_ = 1f;
+            phi_305_ = 1f;
         }
-        let _e154 = phi_303_;
-        phi_304_ = _e154;
+        let _e154 = phi_305_;
+        phi_306_ = _e154;
     } else {
-        phi_304_ = 0f;
+        phi_306_ = 0f;
     }
-    let _e156 = phi_304_;
+    let _e156 = phi_306_;
     let _e157 = (_e71 - 1u);
     let _e159 = (_e156 * f32(_e71));
     if _e79 {
         let _e166 = select(select(u32(_e159), 0u, (_e159 < bitcast<f32>(0u))), 4294967295u, (_e159 > bitcast<f32>(1333788671u)));
         if (_e157 < _e166) {
-            phi_322_ = _e157;
+            phi_324_ = _e157;
         } else {
-            phi_322_ = _e166;
+            phi_324_ = _e166;
         }
-        let _e169 = phi_322_;
-        phi_361_ = texture_Axis(_e169, _e169, 0f);
+        let _e169 = phi_324_;
+        phi_363_ = texture_Axis(_e169, _e169, 0f);
     } else {
         let _e171 = (_e159 + 0.5f);
         let _e178 = select(select(u32(_e171), 0u, (_e171 < bitcast<f32>(0u))), 4294967295u, (_e171 > bitcast<f32>(1333788671u)));
         if (_e71 < _e178) {
-            phi_336_ = _e71;
+            phi_338_ = _e71;
         } else {
-            phi_336_ = _e178;
+            phi_338_ = _e178;
         }
-        let _e181 = phi_336_;
+        let _e181 = phi_338_;
         if (_e84 == 0u) {
-            phi_343_ = _e157;
+            phi_345_ = _e157;
         } else {
-            phi_343_ = 0u;
+            phi_345_ = 0u;
         }
-        let _e186 = phi_343_;
+        let _e186 = phi_345_;
         if (_e84 == 0u) {
-            phi_348_ = 0u;
+            phi_350_ = 0u;
         } else {
-            phi_348_ = _e157;
+            phi_350_ = _e157;
         }
-        let _e189 = phi_348_;
+        let _e189 = phi_350_;
         if (_e181 == 0u) {
-            phi_354_ = _e186;
+            phi_356_ = _e186;
         } else {
-            phi_354_ = (_e181 - 1u);
+            phi_356_ = (_e181 - 1u);
         }
-        let _e193 = phi_354_;
+        let _e193 = phi_356_;
         if (_e181 > _e157) {
-            phi_359_ = _e189;
+            phi_361_ = _e189;
         } else {
-            phi_359_ = _e181;
+            phi_361_ = _e181;
         }
-        let _e196 = phi_359_;
-        phi_361_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
+        let _e196 = phi_361_;
+        phi_363_ = texture_Axis(_e193, _e196, (_e171 - f32(_e181)));
     }
-    let _e199 = phi_361_;
+    let _e199 = phi_363_;
     let _e201 = (*param).flags;
     let _e204 = ((_e201 >> bitcast<u32>(6u)) & 3u);
     if (_e204 == 0u) {
         if (param_2 > -8388608f) {
             let _e217 = f32(select(0i, select(select(i32(param_2), i32(-2147483648), (param_2 < bitcast<f32>(3472883712u))), 2147483647i, (param_2 > bitcast<f32>(1325400063u))), (param_2 == param_2)));
             if (_e217 > param_2) {
-                phi_389_ = 1f;
+                phi_391_ = 1f;
             } else {
-                phi_389_ = 0f;
+                phi_391_ = 0f;
             }
-            let _e220 = phi_389_;
+            let _e220 = phi_391_;
             if (param_2 < 8388608f) {
-                phi_394_ = (_e217 - _e220);
-                phi_395_ = false;
+                phi_396_ = (_e217 - _e220);
+                phi_397_ = false;
             } else {
-                phi_394_ = f32();
-                phi_395_ = true;
+                phi_396_ = f32();
+                phi_397_ = true;
             }
-            let _e223 = phi_394_;
-            let _e225 = phi_395_;
-            phi_396_ = _e223;
-            phi_397_ = _e225;
+            let _e223 = phi_396_;
+            let _e225 = phi_397_;
+            phi_398_ = _e223;
+            phi_399_ = _e225;
         } else {
-            phi_396_ = f32();
-            phi_397_ = true;
+            phi_398_ = f32();
+            phi_399_ = true;
         }
-        let _e227 = phi_396_;
-        let _e229 = phi_397_;
+        let _e227 = phi_398_;
+        let _e229 = phi_399_;
         if _e229 {
-            phi_401_ = param_2;
+            phi_403_ = param_2;
         } else {
-            phi_401_ = _e227;
+            phi_403_ = _e227;
         }
-        let _e231 = phi_401_;
-        phi_449_ = (param_2 - _e231);
+        let _e231 = phi_403_;
+        phi_451_ = (param_2 - _e231);
     } else {
         if (_e204 == 1u) {
             let _e234 = (param_2 * 0.5f);
             if (_e234 > -8388608f) {
                 let _e246 = f32(select(0i, select(select(i32(_e234), i32(-2147483648), (_e234 < bitcast<f32>(3472883712u))), 2147483647i, (_e234 > bitcast<f32>(1325400063u))), (_e234 == _e234)));
                 if (_e246 > _e234) {
-                    phi_427_ = 1f;
+                    phi_429_ = 1f;
                 } else {
-                    phi_427_ = 0f;
+                    phi_429_ = 0f;
                 }
-                let _e249 = phi_427_;
+                let _e249 = phi_429_;
                 if (_e234 < 8388608f) {
-                    phi_432_ = (_e246 - _e249);
-                    phi_433_ = false;
+                    phi_434_ = (_e246 - _e249);
+                    phi_435_ = false;
                 } else {
-                    phi_432_ = f32();
-                    phi_433_ = true;
+                    phi_434_ = f32();
+                    phi_435_ = true;
                 }
-                let _e252 = phi_432_;
-                let _e254 = phi_433_;
-                phi_434_ = _e252;
-                phi_435_ = _e254;
+                let _e252 = phi_434_;
+                let _e254 = phi_435_;
+                phi_436_ = _e252;
+                phi_437_ = _e254;
             } else {
-                phi_434_ = f32();
-                phi_435_ = true;
+                phi_436_ = f32();
+                phi_437_ = true;
             }
-            let _e256 = phi_434_;
-            let _e258 = phi_435_;
+            let _e256 = phi_436_;
+            let _e258 = phi_437_;
             if _e258 {
-                phi_439_ = _e234;
+                phi_441_ = _e234;
             } else {
-                phi_439_ = _e256;
+                phi_441_ = _e256;
             }
-            let _e260 = phi_439_;
+            let _e260 = phi_441_;
             let _e262 = (param_2 - (2f * _e260));
             if (_e262 > 1f) {
-                phi_447_ = (2f - _e262);
+                phi_449_ = (2f - _e262);
             } else {
-                phi_447_ = _e262;
+                phi_449_ = _e262;
             }
-            let _e266 = phi_447_;
-            phi_448_ = _e266;
+            let _e266 = phi_449_;
+            phi_450_ = _e266;
         } else {
-            phi_448_ = param_2;
+            phi_450_ = param_2;
         }
-        let _e268 = phi_448_;
-        phi_449_ = _e268;
+        let _e268 = phi_450_;
+        phi_451_ = _e268;
     }
-    let _e270 = phi_449_;
+    let _e270 = phi_451_;
     if (_e270 > 0f) {
         if (_e270 < 1f) {
-            phi_458_ = _e270;
+            phi_460_ = _e270;
         } else {
-            phi_458_ = 1f;
+            phi_460_ = 1f;
         }
-        let _e274 = phi_458_;
-        phi_459_ = _e274;
+        let _e274 = phi_460_;
+        phi_461_ = _e274;
     } else {
-        phi_459_ = 0f;
+        phi_461_ = 0f;
     }
-    let _e276 = phi_459_;
+    let _e276 = phi_461_;
     let _e277 = (_e75 - 1u);
     let _e279 = (_e276 * f32(_e75));
     if _e79 {
         let _e286 = select(select(u32(_e279), 0u, (_e279 < bitcast<f32>(0u))), 4294967295u, (_e279 > bitcast<f32>(1333788671u)));
         if (_e277 < _e286) {
-            phi_477_ = _e277;
+            phi_479_ = _e277;
         } else {
-            phi_477_ = _e286;
+            phi_479_ = _e286;
         }
-        let _e289 = phi_477_;
-        phi_516_ = texture_Axis(_e289, _e289, 0f);
+        let _e289 = phi_479_;
+        phi_518_ = texture_Axis(_e289, _e289, 0f);
     } else {
         let _e291 = (_e279 + 0.5f);
         let _e298 = select(select(u32(_e291), 0u, (_e291 < bitcast<f32>(0u))), 4294967295u, (_e291 > bitcast<f32>(1333788671u)));
         if (_e75 < _e298) {
-            phi_491_ = _e75;
+            phi_493_ = _e75;
         } else {
-            phi_491_ = _e298;
+            phi_493_ = _e298;
         }
-        let _e301 = phi_491_;
+        let _e301 = phi_493_;
         if (_e204 == 0u) {
-            phi_498_ = _e277;
+            phi_500_ = _e277;
         } else {
-            phi_498_ = 0u;
+            phi_500_ = 0u;
         }
-        let _e306 = phi_498_;
+        let _e306 = phi_500_;
         if (_e204 == 0u) {
-            phi_503_ = 0u;
+            phi_505_ = 0u;
         } else {
-            phi_503_ = _e277;
+            phi_505_ = _e277;
         }
-        let _e309 = phi_503_;
+        let _e309 = phi_505_;
         if (_e301 == 0u) {
-            phi_509_ = _e306;
+            phi_511_ = _e306;
         } else {
-            phi_509_ = (_e301 - 1u);
+            phi_511_ = (_e301 - 1u);
         }
-        let _e313 = phi_509_;
+        let _e313 = phi_511_;
         if (_e301 > _e277) {
-            phi_514_ = _e309;
+            phi_516_ = _e309;
         } else {
-            phi_514_ = _e301;
+            phi_516_ = _e301;
         }
-        let _e316 = phi_514_;
-        phi_516_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
+        let _e316 = phi_516_;
+        phi_518_ = texture_Axis(_e313, _e316, (_e291 - f32(_e301)));
     }
-    let _e319 = phi_516_;
+    let _e319 = phi_518_;
     let _e323 = (*param).offset;
     let _e330 = (*param).offset;
     let _e337 = (*param).offset;
@@ -524,46 +533,46 @@ fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
-    var phi_575_: bool;
-    var phi_579_: f32;
+    var phi_577_: bool;
+    var phi_581_: f32;
 
     if (param_3 != param_3) {
-        phi_575_ = true;
+        phi_577_ = true;
     } else {
         let _e69 = (param_4 >= param_3);
         if _e69 {
         }
-        phi_575_ = _e69;
+        phi_577_ = _e69;
     }
-    let _e71 = phi_575_;
+    let _e71 = phi_577_;
     if _e71 {
-        phi_579_ = param_4;
+        phi_581_ = param_4;
     } else {
-        phi_579_ = param_3;
+        phi_581_ = param_3;
     }
-    let _e73 = phi_579_;
+    let _e73 = phi_581_;
     return _e73;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_5: f32, param_6: f32) -> f32 {
-    var phi_591_: bool;
-    var phi_595_: f32;
+    var phi_593_: bool;
+    var phi_597_: f32;
 
     if (param_5 != param_5) {
-        phi_591_ = true;
+        phi_593_ = true;
     } else {
         let _e69 = (param_6 <= param_5);
         if _e69 {
         }
-        phi_591_ = _e69;
+        phi_593_ = _e69;
     }
-    let _e71 = phi_591_;
+    let _e71 = phi_593_;
     if _e71 {
-        phi_595_ = param_6;
+        phi_597_ = param_6;
     } else {
-        phi_595_ = param_5;
+        phi_597_ = param_5;
     }
-    let _e73 = phi_595_;
+    let _e73 = phi_597_;
     return _e73;
 }
 
@@ -571,13 +580,10 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_693_: f32;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_757_: bool;
+    var phi_696_: f32;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_754_: bool;
     var phi_758_: bool;
     var phi_759_: bool;
     var phi_760_: bool;
@@ -593,58 +599,58 @@ fn function_() {
     var phi_770_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_776_: bool;
-    var phi_780_: bool;
-    var phi_850_: f32;
-    var phi_857_: f32;
-    var phi_864_: f32;
-    var phi_871_: f32;
-    var phi_878_: f32;
-    var phi_885_: f32;
-    var phi_902_: f32;
-    var phi_907_: f32;
-    var phi_912_: f32;
-    var phi_933_: u32;
-    var phi_938_: u32;
-    var phi_943_: u32;
-    var phi_1057_: bool;
-    var phi_1058_: bool;
-    var phi_1089_: u32;
-    var phi_1091_: u32;
-    var phi_1172_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1199_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1226_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1232_: u32;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_779_: bool;
+    var phi_783_: bool;
+    var phi_853_: f32;
+    var phi_860_: f32;
+    var phi_867_: f32;
+    var phi_874_: f32;
+    var phi_881_: f32;
+    var phi_888_: f32;
+    var phi_905_: f32;
+    var phi_910_: f32;
+    var phi_915_: f32;
+    var phi_936_: u32;
+    var phi_941_: u32;
+    var phi_946_: u32;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1092_: u32;
+    var phi_1094_: u32;
+    var phi_1175_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1202_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1229_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1235_: u32;
-    var phi_1249_: u32;
-    var phi_1259_: u32;
-    var phi_1269_: u32;
-    var phi_1287_: u32;
-    var phi_1297_: u32;
-    var phi_1307_: u32;
-    var phi_1343_: u32;
-    var phi_1356_: u32;
-    var phi_1361_: u32;
-    var phi_1362_: u32;
-    var phi_1363_: u32;
-    var phi_1233_: u32;
+    var phi_1238_: u32;
+    var phi_1252_: u32;
+    var phi_1262_: u32;
+    var phi_1272_: u32;
+    var phi_1290_: u32;
+    var phi_1300_: u32;
+    var phi_1310_: u32;
+    var phi_1346_: u32;
+    var phi_1359_: u32;
+    var phi_1364_: u32;
+    var phi_1365_: u32;
+    var phi_1366_: u32;
     var phi_1236_: u32;
+    var phi_1239_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1421_: u32;
-    var phi_1471_: f32;
-    var phi_1476_: f32;
-    var phi_1481_: f32;
-    var phi_1489_: f32;
-    var phi_1494_: f32;
-    var phi_1499_: f32;
-    var phi_1643_: bool;
-    var phi_1644_: bool;
-    var phi_1645_: bool;
-    var phi_1649_: bool;
-    var phi_1650_: bool;
-    var phi_1651_: bool;
+    var phi_1424_: u32;
+    var phi_1474_: f32;
+    var phi_1479_: f32;
+    var phi_1484_: f32;
+    var phi_1492_: f32;
+    var phi_1497_: f32;
+    var phi_1502_: f32;
+    var phi_1646_: bool;
+    var phi_1647_: bool;
+    var phi_1648_: bool;
     var phi_1652_: bool;
     var phi_1653_: bool;
     var phi_1654_: bool;
@@ -660,139 +666,139 @@ fn function_() {
     var phi_1664_: bool;
     var phi_1665_: bool;
     var phi_1666_: bool;
-    var phi_1670_: bool;
-    var phi_1674_: bool;
-    var phi_1744_: f32;
-    var phi_1751_: f32;
-    var phi_1758_: f32;
-    var phi_1765_: f32;
-    var phi_1772_: f32;
-    var phi_1779_: f32;
-    var phi_1796_: f32;
-    var phi_1801_: f32;
-    var phi_1806_: f32;
-    var phi_1834_: bool;
-    var phi_1835_: bool;
-    var phi_1843_: u32;
-    var phi_1844_: u32;
-    var phi_1855_: vec3<f32>;
-    var phi_1856_: vec3<f32>;
-    var phi_1869_: u32;
-    var phi_1874_: u32;
-    var phi_1879_: u32;
-    var phi_1993_: bool;
-    var phi_1994_: bool;
-    var phi_2025_: u32;
-    var phi_2027_: u32;
-    var phi_2108_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2135_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2162_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2168_: u32;
+    var phi_1667_: bool;
+    var phi_1668_: bool;
+    var phi_1669_: bool;
+    var phi_1673_: bool;
+    var phi_1677_: bool;
+    var phi_1747_: f32;
+    var phi_1754_: f32;
+    var phi_1761_: f32;
+    var phi_1768_: f32;
+    var phi_1775_: f32;
+    var phi_1782_: f32;
+    var phi_1799_: f32;
+    var phi_1804_: f32;
+    var phi_1809_: f32;
+    var phi_1837_: bool;
+    var phi_1838_: bool;
+    var phi_1846_: u32;
+    var phi_1847_: u32;
+    var phi_1858_: vec3<f32>;
+    var phi_1859_: vec3<f32>;
+    var phi_1872_: u32;
+    var phi_1877_: u32;
+    var phi_1882_: u32;
+    var phi_1996_: bool;
+    var phi_1997_: bool;
+    var phi_2028_: u32;
+    var phi_2030_: u32;
+    var phi_2111_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2138_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2165_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_2171_: u32;
-    var phi_2185_: u32;
-    var phi_2195_: u32;
-    var phi_2205_: u32;
-    var phi_2223_: u32;
-    var phi_2233_: u32;
-    var phi_2243_: u32;
-    var phi_2279_: u32;
-    var phi_2292_: u32;
-    var phi_2297_: u32;
-    var phi_2298_: u32;
-    var phi_2299_: u32;
-    var phi_2169_: u32;
+    var phi_2174_: u32;
+    var phi_2188_: u32;
+    var phi_2198_: u32;
+    var phi_2208_: u32;
+    var phi_2226_: u32;
+    var phi_2236_: u32;
+    var phi_2246_: u32;
+    var phi_2282_: u32;
+    var phi_2295_: u32;
+    var phi_2300_: u32;
+    var phi_2301_: u32;
+    var phi_2302_: u32;
     var phi_2172_: u32;
+    var phi_2175_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2357_: u32;
-    var phi_2402_: vec3<f32>;
-    var phi_2403_: vec3<f32>;
-    var phi_2432_: vec3<f32>;
-    var phi_2433_: vec3<f32>;
-    var phi_2462_: vec3<f32>;
-    var phi_2463_: vec3<f32>;
-    var phi_2481_: bool;
-    var phi_2482_: bool;
-    var phi_2486_: f32;
-    var phi_2487_: f32;
-    var phi_2488_: f32;
+    var phi_2360_: u32;
+    var phi_2405_: vec3<f32>;
+    var phi_2406_: vec3<f32>;
+    var phi_2435_: vec3<f32>;
+    var phi_2436_: vec3<f32>;
+    var phi_2465_: vec3<f32>;
+    var phi_2466_: vec3<f32>;
+    var phi_2484_: bool;
+    var phi_2485_: bool;
     var phi_2489_: f32;
-    var phi_2497_: f32;
-    var phi_2507_: bool;
-    var phi_2508_: bool;
-    var phi_2512_: f32;
-    var phi_2513_: f32;
-    var phi_2514_: f32;
+    var phi_2490_: f32;
+    var phi_2491_: f32;
+    var phi_2492_: f32;
+    var phi_2500_: f32;
+    var phi_2510_: bool;
+    var phi_2511_: bool;
     var phi_2515_: f32;
-    var phi_2523_: f32;
-    var phi_2533_: bool;
-    var phi_2534_: bool;
-    var phi_2538_: f32;
-    var phi_2539_: f32;
-    var phi_2540_: f32;
+    var phi_2516_: f32;
+    var phi_2517_: f32;
+    var phi_2518_: f32;
+    var phi_2526_: f32;
+    var phi_2536_: bool;
+    var phi_2537_: bool;
     var phi_2541_: f32;
-    var phi_2549_: f32;
-    var phi_2564_: f32;
-    var phi_2565_: bool;
-    var phi_2566_: f32;
-    var phi_2567_: bool;
-    var phi_2568_: f32;
-    var phi_2569_: bool;
-    var phi_2587_: f32;
-    var phi_2588_: bool;
-    var phi_2589_: bool;
+    var phi_2542_: f32;
+    var phi_2543_: f32;
+    var phi_2544_: f32;
+    var phi_2552_: f32;
+    var phi_2567_: f32;
+    var phi_2568_: bool;
+    var phi_2569_: f32;
+    var phi_2570_: bool;
+    var phi_2571_: f32;
+    var phi_2572_: bool;
     var phi_2590_: f32;
     var phi_2591_: bool;
     var phi_2592_: bool;
-    var phi_2596_: bool;
-    var phi_2597_: f32;
-    var phi_2598_: bool;
-    var phi_2626_: vec3<f32>;
-    var phi_2627_: vec3<f32>;
-    var phi_2652_: vec3<f32>;
-    var phi_2653_: vec3<f32>;
-    var phi_2678_: vec3<f32>;
-    var phi_2679_: vec3<f32>;
-    var phi_2735_: f32;
-    var phi_2744_: f32;
-    var phi_2753_: f32;
-    var phi_2762_: f32;
-    var phi_2769_: f32;
-    var phi_2776_: f32;
-    var phi_2789_: f32;
-    var phi_2798_: f32;
-    var phi_2807_: f32;
-    var phi_2816_: f32;
-    var phi_2823_: f32;
-    var phi_2830_: f32;
-    var phi_2847_: f32;
-    var phi_2852_: f32;
-    var phi_2857_: f32;
-    var phi_2865_: f32;
-    var phi_2870_: f32;
-    var phi_2875_: f32;
-    var phi_2887_: f32;
-    var phi_2892_: f32;
-    var phi_2897_: f32;
-    var phi_2902_: f32;
-    var phi_2907_: lt_bvh_triangle_Intersection;
-    var phi_2908_: bool;
-    var phi_2909_: lt_bvh_triangle_Intersection;
-    var phi_2910_: bool;
-    var phi_2914_: lt_bvh_triangle_Intersection;
-    var phi_2915_: bool;
-    var phi_2916_: lt_bvh_triangle_Intersection;
-    var phi_2917_: bool;
+    var phi_2593_: f32;
+    var phi_2594_: bool;
+    var phi_2595_: bool;
+    var phi_2599_: bool;
+    var phi_2600_: f32;
+    var phi_2601_: bool;
+    var phi_2629_: vec3<f32>;
+    var phi_2630_: vec3<f32>;
+    var phi_2655_: vec3<f32>;
+    var phi_2656_: vec3<f32>;
+    var phi_2681_: vec3<f32>;
+    var phi_2682_: vec3<f32>;
+    var phi_2738_: f32;
+    var phi_2747_: f32;
+    var phi_2756_: f32;
+    var phi_2765_: f32;
+    var phi_2772_: f32;
+    var phi_2779_: f32;
+    var phi_2792_: f32;
+    var phi_2801_: f32;
+    var phi_2810_: f32;
+    var phi_2819_: f32;
+    var phi_2826_: f32;
+    var phi_2833_: f32;
+    var phi_2850_: f32;
+    var phi_2855_: f32;
+    var phi_2860_: f32;
+    var phi_2868_: f32;
+    var phi_2873_: f32;
+    var phi_2878_: f32;
+    var phi_2890_: f32;
+    var phi_2895_: f32;
+    var phi_2900_: f32;
+    var phi_2905_: f32;
+    var phi_2910_: lt_bvh_triangle_Intersection;
+    var phi_2911_: bool;
+    var phi_2912_: lt_bvh_triangle_Intersection;
+    var phi_2913_: bool;
+    var phi_2917_: lt_bvh_triangle_Intersection;
     var phi_2918_: bool;
-    var phi_2922_: bool;
-    var phi_2926_: lt_bvh_triangle_Intersection;
-    var phi_3140_: f32;
-    var phi_3143_: bool;
-    var phi_3144_: bool;
-    var phi_3148_: bool;
-    var phi_3149_: bool;
-    var phi_3150_: bool;
+    var phi_2919_: lt_bvh_triangle_Intersection;
+    var phi_2920_: bool;
+    var phi_2921_: bool;
+    var phi_2925_: bool;
+    var phi_2929_: lt_bvh_triangle_Intersection;
+    var phi_3143_: f32;
+    var phi_3146_: bool;
+    var phi_3147_: bool;
     var phi_3151_: bool;
     var phi_3152_: bool;
     var phi_3153_: bool;
@@ -802,55 +808,58 @@ fn function_() {
     var phi_3157_: bool;
     var phi_3158_: bool;
     var phi_3159_: bool;
-    var phi_3163_: bool;
-    var phi_3164_: bool;
-    var phi_2358_: u32;
-    var phi_3165_: bool;
+    var phi_3160_: bool;
+    var phi_3161_: bool;
+    var phi_3162_: bool;
     var phi_3166_: bool;
     var phi_3167_: bool;
+    var phi_2361_: u32;
+    var phi_3168_: bool;
+    var phi_3169_: bool;
+    var phi_3170_: bool;
     var local_9: bool;
-    var phi_3209_: bool;
-    var phi_3210_: bool;
-    var phi_3241_: u32;
-    var phi_3242_: u32;
-    var phi_3243_: bool;
-    var phi_3244_: bool;
-    var phi_2028_: u32;
-    var phi_3245_: bool;
+    var phi_3212_: bool;
+    var phi_3213_: bool;
+    var phi_3244_: u32;
+    var phi_3245_: u32;
     var phi_3246_: bool;
     var phi_3247_: bool;
+    var phi_2031_: u32;
     var phi_3248_: bool;
+    var phi_3249_: bool;
+    var phi_3250_: bool;
+    var phi_3251_: bool;
     var local_10: bool;
-    var phi_3252_: bool;
-    var phi_3253_: bool;
-    var phi_3257_: bool;
-    var phi_3261_: bool;
-    var phi_3262_: bool;
-    var phi_3263_: bool;
+    var phi_3255_: bool;
+    var phi_3256_: bool;
+    var phi_3260_: bool;
     var phi_3264_: bool;
-    var phi_3268_: bool;
-    var phi_3272_: bool;
-    var phi_3273_: bool;
-    var phi_3274_: bool;
+    var phi_3265_: bool;
+    var phi_3266_: bool;
+    var phi_3267_: bool;
+    var phi_3271_: bool;
     var phi_3275_: bool;
-    var phi_1422_: u32;
-    var phi_3279_: bool;
+    var phi_3276_: bool;
+    var phi_3277_: bool;
+    var phi_3278_: bool;
+    var phi_1425_: u32;
+    var phi_3282_: bool;
     var local_11: bool;
-    var phi_3321_: bool;
-    var phi_3322_: bool;
-    var phi_3353_: u32;
-    var phi_3354_: u32;
-    var phi_1092_: u32;
-    var phi_3355_: bool;
-    var phi_3356_: bool;
+    var phi_3324_: bool;
+    var phi_3325_: bool;
+    var phi_3356_: u32;
+    var phi_3357_: u32;
+    var phi_1095_: u32;
+    var phi_3358_: bool;
+    var phi_3359_: bool;
     var local_12: bool;
-    var phi_3360_: bool;
-    var phi_3364_: bool;
-    var phi_3365_: bool;
-    var phi_3366_: bool;
+    var phi_3363_: bool;
     var phi_3367_: bool;
-    var phi_3371_: bool;
-    var phi_3375_: f32;
+    var phi_3368_: bool;
+    var phi_3369_: bool;
+    var phi_3370_: bool;
+    var phi_3374_: bool;
+    var phi_3378_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -882,1966 +891,1966 @@ fn function_() {
         } else {
             return;
         }
-        let _e117 = p.member.light;
-        let _e119 = samples.member[(0u + _e110)].position;
-        let _e121 = samples.member[(0u + _e110)].normal;
-        let _e123 = samples.member[(0u + _e110)].magnitude;
-        let _e125 = ((8f / 8388608f) * _e123);
-        let _e133 = (_e119.x + (_e121.x * _e125));
-        let _e135 = (_e119.y + (_e121.y * _e125));
-        let _e137 = (_e119.z + (_e121.z * _e125));
-        if (_e117.w == 0f) {
-            phi_693_ = 300000000000000000000000000000000000000f;
+        let _e118 = samples.member[(0u + _e110)].position;
+        let _e120 = samples.member[(0u + _e110)].normal;
+        let _e122 = samples.member[(0u + _e110)].magnitude;
+        let _e124 = ((8f / 8388608f) * _e122);
+        let _e132 = (_e118.x + (_e120.x * _e124));
+        let _e134 = (_e118.y + (_e120.y * _e124));
+        let _e136 = (_e118.z + (_e120.z * _e124));
+        let _e138 = p.member.light.place;
+        if (_e138.w == 0f) {
+            phi_696_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_693_ = 1f;
+            phi_696_ = 1f;
         }
-        let _e141 = phi_693_;
-        let _e149 = (_e117.x - (_e133 * _e117.w));
-        let _e150 = (_e117.y - (_e135 * _e117.w));
-        let _e151 = (_e117.z - (_e137 * _e117.w));
-        let _e155 = abs(_e149);
+        let _e142 = phi_696_;
+        let _e150 = (_e138.x - (_e132 * _e138.w));
+        let _e151 = (_e138.y - (_e134 * _e138.w));
+        let _e152 = (_e138.z - (_e136 * _e138.w));
         let _e156 = abs(_e150);
         let _e157 = abs(_e151);
-        if (abs(_e133) < 1000000000000000f) {
-            if (abs(_e135) < 1000000000000000f) {
-                if (abs(_e137) < 1000000000000000f) {
-                    if (_e155 < 1000000000000000f) {
-                        if (_e156 < 1000000000000000f) {
-                            if (_e157 < 1000000000000000f) {
-                                if (_e155 > 0f) {
-                                    phi_750_ = bool();
-                                    phi_751_ = true;
+        let _e158 = abs(_e152);
+        if (abs(_e132) < 1000000000000000f) {
+            if (abs(_e134) < 1000000000000000f) {
+                if (abs(_e136) < 1000000000000000f) {
+                    if (_e156 < 1000000000000000f) {
+                        if (_e157 < 1000000000000000f) {
+                            if (_e158 < 1000000000000000f) {
+                                if (_e156 > 0f) {
+                                    phi_753_ = bool();
+                                    phi_754_ = true;
                                 } else {
-                                    let _e165 = (_e156 > 0f);
-                                    if _e165 {
-                                        phi_749_ = bool();
+                                    let _e166 = (_e157 > 0f);
+                                    if _e166 {
+                                        phi_752_ = bool();
                                     } else {
-                                        phi_749_ = (_e157 > 0f);
+                                        phi_752_ = (_e158 > 0f);
                                     }
-                                    let _e168 = phi_749_;
-                                    phi_750_ = _e168;
-                                    phi_751_ = _e165;
+                                    let _e169 = phi_752_;
+                                    phi_753_ = _e169;
+                                    phi_754_ = _e166;
                                 }
-                                let _e170 = phi_750_;
-                                let _e172 = phi_751_;
-                                if _e172 {
-                                    phi_755_ = true;
+                                let _e171 = phi_753_;
+                                let _e173 = phi_754_;
+                                if _e173 {
+                                    phi_758_ = true;
                                 } else {
-                                    phi_755_ = _e170;
+                                    phi_758_ = _e171;
                                 }
-                                let _e174 = phi_755_;
-                                phi_756_ = _e174;
-                                phi_757_ = false;
+                                let _e175 = phi_758_;
+                                phi_759_ = _e175;
+                                phi_760_ = false;
                             } else {
-                                phi_756_ = bool();
-                                phi_757_ = true;
+                                phi_759_ = bool();
+                                phi_760_ = true;
                             }
-                            let _e176 = phi_756_;
-                            let _e178 = phi_757_;
-                            phi_758_ = _e176;
-                            phi_759_ = false;
-                            phi_760_ = _e178;
+                            let _e177 = phi_759_;
+                            let _e179 = phi_760_;
+                            phi_761_ = _e177;
+                            phi_762_ = false;
+                            phi_763_ = _e179;
                         } else {
-                            phi_758_ = bool();
-                            phi_759_ = true;
-                            phi_760_ = false;
+                            phi_761_ = bool();
+                            phi_762_ = true;
+                            phi_763_ = false;
                         }
-                        let _e180 = phi_758_;
-                        let _e182 = phi_759_;
-                        let _e184 = phi_760_;
-                        phi_761_ = _e180;
-                        phi_762_ = _e182;
-                        phi_763_ = _e184;
+                        let _e181 = phi_761_;
+                        let _e183 = phi_762_;
+                        let _e185 = phi_763_;
+                        phi_764_ = _e181;
+                        phi_765_ = _e183;
+                        phi_766_ = _e185;
                     } else {
-                        phi_761_ = bool();
-                        phi_762_ = true;
-                        phi_763_ = false;
+                        phi_764_ = bool();
+                        phi_765_ = true;
+                        phi_766_ = false;
                     }
-                    let _e186 = phi_761_;
-                    let _e188 = phi_762_;
-                    let _e190 = phi_763_;
-                    phi_764_ = _e186;
-                    phi_765_ = _e188;
-                    phi_766_ = _e190;
+                    let _e187 = phi_764_;
+                    let _e189 = phi_765_;
+                    let _e191 = phi_766_;
+                    phi_767_ = _e187;
+                    phi_768_ = _e189;
+                    phi_769_ = _e191;
                 } else {
-                    phi_764_ = bool();
-                    phi_765_ = true;
-                    phi_766_ = false;
+                    phi_767_ = bool();
+                    phi_768_ = true;
+                    phi_769_ = false;
                 }
-                let _e192 = phi_764_;
-                let _e194 = phi_765_;
-                let _e196 = phi_766_;
-                phi_767_ = _e192;
-                phi_768_ = _e194;
-                phi_769_ = _e196;
+                let _e193 = phi_767_;
+                let _e195 = phi_768_;
+                let _e197 = phi_769_;
+                phi_770_ = _e193;
+                phi_771_ = _e195;
+                phi_772_ = _e197;
             } else {
-                phi_767_ = bool();
-                phi_768_ = true;
-                phi_769_ = false;
+                phi_770_ = bool();
+                phi_771_ = true;
+                phi_772_ = false;
             }
-            let _e198 = phi_767_;
-            let _e200 = phi_768_;
-            let _e202 = phi_769_;
-            phi_770_ = _e198;
-            phi_771_ = _e200;
-            phi_772_ = _e202;
+            let _e199 = phi_770_;
+            let _e201 = phi_771_;
+            let _e203 = phi_772_;
+            phi_773_ = _e199;
+            phi_774_ = _e201;
+            phi_775_ = _e203;
         } else {
-            phi_770_ = bool();
-            phi_771_ = true;
-            phi_772_ = false;
+            phi_773_ = bool();
+            phi_774_ = true;
+            phi_775_ = false;
         }
-        let _e204 = phi_770_;
-        let _e206 = phi_771_;
-        let _e208 = phi_772_;
-        if _e206 {
-            phi_776_ = true;
+        let _e205 = phi_773_;
+        let _e207 = phi_774_;
+        let _e209 = phi_775_;
+        if _e207 {
+            phi_779_ = true;
         } else {
-            phi_776_ = _e208;
+            phi_779_ = _e209;
         }
-        let _e210 = phi_776_;
-        if _e210 {
-            phi_780_ = false;
+        let _e211 = phi_779_;
+        if _e211 {
+            phi_783_ = false;
         } else {
-            phi_780_ = _e204;
+            phi_783_ = _e205;
         }
-        let _e212 = phi_780_;
-        if _e212 {
-            let _e213 = (_e112 >= _e76);
-            if _e213 {
-                phi_3365_ = bool();
+        let _e213 = phi_783_;
+        if _e213 {
+            let _e214 = (_e112 >= _e76);
+            if _e214 {
+                phi_3368_ = bool();
             } else {
                 if (_e112 < _e76) {
                 } else {
                     return;
                 }
-                let _e219 = nodes.member[(0u + _e112)].frame[0u];
-                let _e223 = nodes.member[(0u + _e112)].frame[1u];
-                let _e227 = nodes.member[(0u + _e112)].frame[2u];
-                let _e231 = nodes.member[(0u + _e112)].frame[0u];
-                let _e235 = nodes.member[(0u + _e112)].frame[1u];
-                let _e239 = nodes.member[(0u + _e112)].frame[2u];
-                let _e243 = nodes.member[(0u + _e112)].frame[3u];
-                let _e277 = core_intrinsics_maximum_number_nsz_f32_(abs(_e149), abs(_e150));
-                let _e278 = core_intrinsics_maximum_number_nsz_f32_(_e277, abs(_e151));
-                let _e279 = (_e278 * 0.0000000000009094947f);
-                if (abs(_e149) < _e279) {
-                    phi_850_ = _e279;
+                let _e220 = nodes.member[(0u + _e112)].frame[0u];
+                let _e224 = nodes.member[(0u + _e112)].frame[1u];
+                let _e228 = nodes.member[(0u + _e112)].frame[2u];
+                let _e232 = nodes.member[(0u + _e112)].frame[0u];
+                let _e236 = nodes.member[(0u + _e112)].frame[1u];
+                let _e240 = nodes.member[(0u + _e112)].frame[2u];
+                let _e244 = nodes.member[(0u + _e112)].frame[3u];
+                let _e278 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150), abs(_e151));
+                let _e279 = core_intrinsics_maximum_number_nsz_f32_(_e278, abs(_e152));
+                let _e280 = (_e279 * 0.0000000000009094947f);
+                if (abs(_e150) < _e280) {
+                    phi_853_ = _e280;
                 } else {
-                    phi_850_ = abs(_e149);
+                    phi_853_ = abs(_e150);
                 }
-                let _e284 = phi_850_;
-                if (_e149 < 0f) {
-                    phi_857_ = (-1f / _e284);
-                } else {
-                    phi_857_ = (1f / _e284);
-                }
-                let _e289 = phi_857_;
-                if (abs(_e150) < _e279) {
-                    phi_864_ = _e279;
-                } else {
-                    phi_864_ = abs(_e150);
-                }
-                let _e294 = phi_864_;
+                let _e285 = phi_853_;
                 if (_e150 < 0f) {
-                    phi_871_ = (-1f / _e294);
+                    phi_860_ = (-1f / _e285);
                 } else {
-                    phi_871_ = (1f / _e294);
+                    phi_860_ = (1f / _e285);
                 }
-                let _e299 = phi_871_;
-                if (abs(_e151) < _e279) {
-                    phi_878_ = _e279;
+                let _e290 = phi_860_;
+                if (abs(_e151) < _e280) {
+                    phi_867_ = _e280;
                 } else {
-                    phi_878_ = abs(_e151);
+                    phi_867_ = abs(_e151);
                 }
-                let _e304 = phi_878_;
+                let _e295 = phi_867_;
                 if (_e151 < 0f) {
-                    phi_885_ = (-1f / _e304);
+                    phi_874_ = (-1f / _e295);
                 } else {
-                    phi_885_ = (1f / _e304);
+                    phi_874_ = (1f / _e295);
                 }
-                let _e309 = phi_885_;
-                let _e313 = abs((bitcast<f32>(_e219) - _e133));
-                let _e314 = abs((bitcast<f32>(_e223) - _e135));
-                let _e315 = abs((bitcast<f32>(_e227) - _e137));
-                let _e319 = abs(((bitcast<f32>(_e231) + (bitcast<f32>((((_e243 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e133));
-                let _e320 = abs(((bitcast<f32>(_e235) + (bitcast<f32>((((_e243 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e135));
-                let _e321 = abs(((bitcast<f32>(_e239) + (bitcast<f32>((((_e243 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
-                if (_e313 > _e319) {
-                    phi_902_ = _e313;
+                let _e300 = phi_874_;
+                if (abs(_e152) < _e280) {
+                    phi_881_ = _e280;
                 } else {
-                    phi_902_ = _e319;
+                    phi_881_ = abs(_e152);
                 }
-                let _e324 = phi_902_;
+                let _e305 = phi_881_;
+                if (_e152 < 0f) {
+                    phi_888_ = (-1f / _e305);
+                } else {
+                    phi_888_ = (1f / _e305);
+                }
+                let _e310 = phi_888_;
+                let _e314 = abs((bitcast<f32>(_e220) - _e132));
+                let _e315 = abs((bitcast<f32>(_e224) - _e134));
+                let _e316 = abs((bitcast<f32>(_e228) - _e136));
+                let _e320 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e244 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e132));
+                let _e321 = abs(((bitcast<f32>(_e236) + (bitcast<f32>((((_e244 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e134));
+                let _e322 = abs(((bitcast<f32>(_e240) + (bitcast<f32>((((_e244 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
                 if (_e314 > _e320) {
-                    phi_907_ = _e314;
+                    phi_905_ = _e314;
                 } else {
-                    phi_907_ = _e320;
+                    phi_905_ = _e320;
                 }
-                let _e327 = phi_907_;
+                let _e325 = phi_905_;
                 if (_e315 > _e321) {
-                    phi_912_ = _e315;
+                    phi_910_ = _e315;
                 } else {
-                    phi_912_ = _e321;
+                    phi_910_ = _e321;
                 }
-                let _e330 = phi_912_;
-                let _e331 = core_intrinsics_maximum_number_nsz_f32_(_e324, _e327);
-                let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e331, _e330);
-                let _e336 = (_e332 * 0.0000019073486f);
-                let _e337 = (abs(_e289) * _e336);
-                let _e338 = (abs(_e299) * _e336);
-                let _e339 = (abs(_e309) * _e336);
-                let _e343 = (_e332 * 0.0000009536743f);
-                let _e344 = (abs(_e289) * _e343);
-                let _e345 = (abs(_e299) * _e343);
-                let _e346 = (abs(_e309) * _e343);
-                if (_e289 < 0f) {
-                    phi_933_ = 0u;
+                let _e328 = phi_910_;
+                if (_e316 > _e322) {
+                    phi_915_ = _e316;
                 } else {
-                    phi_933_ = 1u;
+                    phi_915_ = _e322;
                 }
-                let _e349 = phi_933_;
-                if (_e299 < 0f) {
-                    phi_938_ = 0u;
+                let _e331 = phi_915_;
+                let _e332 = core_intrinsics_maximum_number_nsz_f32_(_e325, _e328);
+                let _e333 = core_intrinsics_maximum_number_nsz_f32_(_e332, _e331);
+                let _e337 = (_e333 * 0.0000019073486f);
+                let _e338 = (abs(_e290) * _e337);
+                let _e339 = (abs(_e300) * _e337);
+                let _e340 = (abs(_e310) * _e337);
+                let _e344 = (_e333 * 0.0000009536743f);
+                let _e345 = (abs(_e290) * _e344);
+                let _e346 = (abs(_e300) * _e344);
+                let _e347 = (abs(_e310) * _e344);
+                if (_e290 < 0f) {
+                    phi_936_ = 0u;
                 } else {
-                    phi_938_ = 2u;
+                    phi_936_ = 1u;
                 }
-                let _e352 = phi_938_;
-                if (_e309 < 0f) {
-                    phi_943_ = 0u;
+                let _e350 = phi_936_;
+                if (_e300 < 0f) {
+                    phi_941_ = 0u;
                 } else {
-                    phi_943_ = 4u;
+                    phi_941_ = 2u;
                 }
-                let _e355 = phi_943_;
-                let _e357 = ((_e349 | _e352) | _e355);
-                let _e358 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e358.first[0], _e358.first[1], _e358.first[2], _e358.first[3], _e358.first[4], _e358.first[5], _e358.first[6], _e358.first[7], _e358.first[8], _e358.first[9], _e358.first[10], _e358.first[11], _e358.first[12], _e358.first[13], _e358.first[14], _e358.first[15], _e358.first[16], _e358.first[17], _e358.first[18], _e358.first[19], _e358.first[20], _e358.first[21], _e358.first[22], _e358.first[23], _e358.first[24], _e358.first[25], _e358.first[26], _e358.first[27], _e358.first[28], _e358.first[29], _e358.first[30], _e358.first[31]), array<u32, 32>(_e358.mask[0], _e358.mask[1], _e358.mask[2], _e358.mask[3], _e358.mask[4], _e358.mask[5], _e358.mask[6], _e358.mask[7], _e358.mask[8], _e358.mask[9], _e358.mask[10], _e358.mask[11], _e358.mask[12], _e358.mask[13], _e358.mask[14], _e358.mask[15], _e358.mask[16], _e358.mask[17], _e358.mask[18], _e358.mask[19], _e358.mask[20], _e358.mask[21], _e358.mask[22], _e358.mask[23], _e358.mask[24], _e358.mask[25], _e358.mask[26], _e358.mask[27], _e358.mask[28], _e358.mask[29], _e358.mask[30], _e358.mask[31]), _e358.len, _e358.group, _e358.group_mask);
-                let _e432 = local_2.group_mask;
-                if ((_e432 & 4278190080u) == 0u) {
-                    let _e436 = local_2.len;
-                    if (_e436 == 0u) {
-                        phi_1057_ = false;
+                let _e353 = phi_941_;
+                if (_e310 < 0f) {
+                    phi_946_ = 0u;
+                } else {
+                    phi_946_ = 4u;
+                }
+                let _e356 = phi_946_;
+                let _e358 = ((_e350 | _e353) | _e356);
+                let _e359 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e359.first[0], _e359.first[1], _e359.first[2], _e359.first[3], _e359.first[4], _e359.first[5], _e359.first[6], _e359.first[7], _e359.first[8], _e359.first[9], _e359.first[10], _e359.first[11], _e359.first[12], _e359.first[13], _e359.first[14], _e359.first[15], _e359.first[16], _e359.first[17], _e359.first[18], _e359.first[19], _e359.first[20], _e359.first[21], _e359.first[22], _e359.first[23], _e359.first[24], _e359.first[25], _e359.first[26], _e359.first[27], _e359.first[28], _e359.first[29], _e359.first[30], _e359.first[31]), array<u32, 32>(_e359.mask[0], _e359.mask[1], _e359.mask[2], _e359.mask[3], _e359.mask[4], _e359.mask[5], _e359.mask[6], _e359.mask[7], _e359.mask[8], _e359.mask[9], _e359.mask[10], _e359.mask[11], _e359.mask[12], _e359.mask[13], _e359.mask[14], _e359.mask[15], _e359.mask[16], _e359.mask[17], _e359.mask[18], _e359.mask[19], _e359.mask[20], _e359.mask[21], _e359.mask[22], _e359.mask[23], _e359.mask[24], _e359.mask[25], _e359.mask[26], _e359.mask[27], _e359.mask[28], _e359.mask[29], _e359.mask[30], _e359.mask[31]), _e359.len, _e359.group, _e359.group_mask);
+                let _e433 = local_2.group_mask;
+                if ((_e433 & 4278190080u) == 0u) {
+                    let _e437 = local_2.len;
+                    if (_e437 == 0u) {
+                        phi_1060_ = false;
                     } else {
-                        let _e440 = local_2.len;
-                        local_2.len = (_e440 - 1u);
-                        let _e443 = local_2.len;
-                        if (_e443 < 32u) {
+                        let _e441 = local_2.len;
+                        local_2.len = (_e441 - 1u);
+                        let _e444 = local_2.len;
+                        if (_e444 < 32u) {
                         } else {
                             return;
                         }
-                        let _e448 = local_2.first[(0u + _e443)];
-                        local_2.group = _e448;
-                        let _e451 = local_2.len;
-                        if (_e451 < 32u) {
+                        let _e449 = local_2.first[(0u + _e444)];
+                        local_2.group = _e449;
+                        let _e452 = local_2.len;
+                        if (_e452 < 32u) {
                         } else {
                             return;
                         }
-                        let _e456 = local_2.mask[(0u + _e451)];
-                        local_2.group_mask = _e456;
-                        phi_1057_ = true;
+                        let _e457 = local_2.mask[(0u + _e452)];
+                        local_2.group_mask = _e457;
+                        phi_1060_ = true;
                     }
-                    let _e459 = phi_1057_;
-                    phi_1058_ = _e459;
+                    let _e460 = phi_1060_;
+                    phi_1061_ = _e460;
                 } else {
-                    phi_1058_ = true;
+                    phi_1061_ = true;
                 }
-                let _e461 = phi_1058_;
-                if _e461 {
-                    let _e463 = local_2.group_mask;
-                    let _e469 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e463)), 32u, (_e463 == 0u)));
-                    let _e473 = local_2.group_mask;
-                    let _e487 = local_2.group_mask;
-                    local_2.group_mask = (_e487 & ~((1u << bitcast<u32>((_e469 & 31u)))));
-                    let _e490 = local_2.group;
-                    phi_1089_ = (_e490 + countOneBits(((_e473 & ~((4294967295u << bitcast<u32>((((_e469 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e462 = phi_1061_;
+                if _e462 {
+                    let _e464 = local_2.group_mask;
+                    let _e470 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e464)), 32u, (_e464 == 0u)));
+                    let _e474 = local_2.group_mask;
+                    let _e488 = local_2.group_mask;
+                    local_2.group_mask = (_e488 & ~((1u << bitcast<u32>((_e470 & 31u)))));
+                    let _e491 = local_2.group;
+                    phi_1092_ = (_e491 + countOneBits(((_e474 & ~((4294967295u << bitcast<u32>((((_e470 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1089_ = 4294967295u;
+                    phi_1092_ = 4294967295u;
                 }
-                let _e493 = phi_1089_;
-                phi_1091_ = _e493;
+                let _e494 = phi_1092_;
+                phi_1094_ = _e494;
                 loop {
-                    let _e495 = phi_1091_;
-                    if (_e495 != 4294967295u) {
-                        if (_e495 < _e76) {
+                    let _e496 = phi_1094_;
+                    if (_e496 != 4294967295u) {
+                        if (_e496 < _e76) {
                         } else {
                             return;
                         }
-                        let _e502 = nodes.member[(0u + _e495)].frame[3u];
-                        let _e527 = (bitcast<f32>((((_e502 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e289);
-                        let _e528 = (bitcast<f32>((((_e502 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e299);
-                        let _e529 = (bitcast<f32>((((_e502 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e309);
-                        let _e532 = nodes.member[(0u + _e495)].frame[0u];
-                        let _e536 = nodes.member[(0u + _e495)].frame[1u];
-                        let _e540 = nodes.member[(0u + _e495)].frame[2u];
-                        let _e545 = ((bitcast<f32>(_e532) - _e133) * _e289);
-                        let _e546 = ((bitcast<f32>(_e536) - _e135) * _e299);
-                        let _e547 = ((bitcast<f32>(_e540) - _e137) * _e309);
-                        let _e555 = nodes.member[(0u + _e495)].x;
-                        if (_e289 < 0f) {
-                            let _e566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e566.unnamed.root, _e555.w), _e566.unnamed_1);
-                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e572.unnamed, lt_bvh_traverse_Tree(_e555.x, _e572.unnamed_1.first_primitive));
-                            phi_1172_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
+                        let _e503 = nodes.member[(0u + _e496)].frame[3u];
+                        let _e528 = (bitcast<f32>((((_e503 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e290);
+                        let _e529 = (bitcast<f32>((((_e503 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e300);
+                        let _e530 = (bitcast<f32>((((_e503 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e310);
+                        let _e533 = nodes.member[(0u + _e496)].frame[0u];
+                        let _e537 = nodes.member[(0u + _e496)].frame[1u];
+                        let _e541 = nodes.member[(0u + _e496)].frame[2u];
+                        let _e546 = ((bitcast<f32>(_e533) - _e132) * _e290);
+                        let _e547 = ((bitcast<f32>(_e537) - _e134) * _e300);
+                        let _e548 = ((bitcast<f32>(_e541) - _e136) * _e310);
+                        let _e556 = nodes.member[(0u + _e496)].x;
+                        if (_e290 < 0f) {
+                            let _e567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e556.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e573 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e567.unnamed.root, _e556.w), _e567.unnamed_1);
+                            let _e579 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e573.unnamed, lt_bvh_traverse_Tree(_e556.x, _e573.unnamed_1.first_primitive));
+                            phi_1175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e579.unnamed, lt_bvh_traverse_Tree(_e579.unnamed_1.root, _e556.y));
                         } else {
-                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e555.y), _e594.unnamed_1);
-                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e555.z, _e600.unnamed_1.first_primitive));
-                            phi_1172_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
+                            let _e595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e556.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e595.unnamed.root, _e556.y), _e595.unnamed_1);
+                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e601.unnamed, lt_bvh_traverse_Tree(_e556.z, _e601.unnamed_1.first_primitive));
+                            phi_1175_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e607.unnamed_1.root, _e556.w));
                         }
-                        let _e614 = phi_1172_;
-                        let _e624 = nodes.member[(0u + _e495)].y;
-                        if (_e299 < 0f) {
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.unnamed.root, _e624.w), _e635.unnamed_1);
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e624.x, _e641.unnamed_1.first_primitive));
-                            phi_1199_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
+                        let _e615 = phi_1175_;
+                        let _e625 = nodes.member[(0u + _e496)].y;
+                        if (_e300 < 0f) {
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.unnamed.root, _e625.w), _e636.unnamed_1);
+                            let _e648 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e625.x, _e642.unnamed_1.first_primitive));
+                            phi_1202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e648.unnamed, lt_bvh_traverse_Tree(_e648.unnamed_1.root, _e625.y));
                         } else {
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e624.y), _e663.unnamed_1);
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e624.z, _e669.unnamed_1.first_primitive));
-                            phi_1199_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e664.unnamed.root, _e625.y), _e664.unnamed_1);
+                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_bvh_traverse_Tree(_e625.z, _e670.unnamed_1.first_primitive));
+                            phi_1202_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e676.unnamed_1.root, _e625.w));
                         }
-                        let _e683 = phi_1199_;
-                        let _e693 = nodes.member[(0u + _e495)].z;
-                        if (_e309 < 0f) {
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e693.w), _e704.unnamed_1);
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e693.x, _e710.unnamed_1.first_primitive));
-                            phi_1226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
+                        let _e684 = phi_1202_;
+                        let _e694 = nodes.member[(0u + _e496)].z;
+                        if (_e310 < 0f) {
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.unnamed.root, _e694.w), _e705.unnamed_1);
+                            let _e717 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e694.x, _e711.unnamed_1.first_primitive));
+                            phi_1229_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e717.unnamed, lt_bvh_traverse_Tree(_e717.unnamed_1.root, _e694.y));
                         } else {
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e693.y), _e732.unnamed_1);
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e693.z, _e738.unnamed_1.first_primitive));
-                            phi_1226_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e733.unnamed.root, _e694.y), _e733.unnamed_1);
+                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e694.z, _e739.unnamed_1.first_primitive));
+                            phi_1229_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e745.unnamed_1.root, _e694.w));
                         }
-                        let _e752 = phi_1226_;
-                        phi_1232_ = 0u;
+                        let _e753 = phi_1229_;
                         phi_1235_ = 0u;
+                        phi_1238_ = 0u;
                         loop {
-                            let _e762 = phi_1232_;
-                            let _e764 = phi_1235_;
-                            local_3 = _e764;
-                            local_4 = _e764;
-                            local_5 = _e764;
-                            let _e765 = (_e762 < 8u);
-                            if _e765 {
-                                let _e767 = (_e762 >> bitcast<u32>(2i));
-                                let _e768 = (_e762 & 3u);
-                                if (_e767 == 0u) {
-                                    phi_1249_ = _e614.unnamed.root;
+                            let _e763 = phi_1235_;
+                            let _e765 = phi_1238_;
+                            local_3 = _e765;
+                            local_4 = _e765;
+                            local_5 = _e765;
+                            let _e766 = (_e763 < 8u);
+                            if _e766 {
+                                let _e768 = (_e763 >> bitcast<u32>(2i));
+                                let _e769 = (_e763 & 3u);
+                                if (_e768 == 0u) {
+                                    phi_1252_ = _e615.unnamed.root;
                                 } else {
-                                    phi_1249_ = _e614.unnamed.first_primitive;
+                                    phi_1252_ = _e615.unnamed.first_primitive;
                                 }
-                                let _e771 = phi_1249_;
-                                if (_e767 == 0u) {
-                                    phi_1259_ = _e683.unnamed.root;
+                                let _e772 = phi_1252_;
+                                if (_e768 == 0u) {
+                                    phi_1262_ = _e684.unnamed.root;
                                 } else {
-                                    phi_1259_ = _e683.unnamed.first_primitive;
+                                    phi_1262_ = _e684.unnamed.first_primitive;
                                 }
-                                let _e780 = phi_1259_;
-                                if (_e767 == 0u) {
-                                    phi_1269_ = _e752.unnamed.root;
+                                let _e781 = phi_1262_;
+                                if (_e768 == 0u) {
+                                    phi_1272_ = _e753.unnamed.root;
                                 } else {
-                                    phi_1269_ = _e752.unnamed.first_primitive;
+                                    phi_1272_ = _e753.unnamed.first_primitive;
                                 }
-                                let _e789 = phi_1269_;
-                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e771 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e337)), ((f32(((_e780 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e338)));
-                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(_e802, ((f32(((_e789 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e339)));
-                                if (_e767 == 0u) {
-                                    phi_1287_ = _e614.unnamed_1.root;
+                                let _e790 = phi_1272_;
+                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e772 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e338)), ((f32(((_e781 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e339)));
+                                let _e804 = core_intrinsics_maximum_number_nsz_f32_(_e803, ((f32(((_e790 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e530) + (_e548 - _e340)));
+                                if (_e768 == 0u) {
+                                    phi_1290_ = _e615.unnamed_1.root;
                                 } else {
-                                    phi_1287_ = _e614.unnamed_1.first_primitive;
+                                    phi_1290_ = _e615.unnamed_1.first_primitive;
                                 }
-                                let _e806 = phi_1287_;
-                                if (_e767 == 0u) {
-                                    phi_1297_ = _e683.unnamed_1.root;
+                                let _e807 = phi_1290_;
+                                if (_e768 == 0u) {
+                                    phi_1300_ = _e684.unnamed_1.root;
                                 } else {
-                                    phi_1297_ = _e683.unnamed_1.first_primitive;
+                                    phi_1300_ = _e684.unnamed_1.first_primitive;
                                 }
-                                let _e815 = phi_1297_;
-                                if (_e767 == 0u) {
-                                    phi_1307_ = _e752.unnamed_1.root;
+                                let _e816 = phi_1300_;
+                                if (_e768 == 0u) {
+                                    phi_1310_ = _e753.unnamed_1.root;
                                 } else {
-                                    phi_1307_ = _e752.unnamed_1.first_primitive;
+                                    phi_1310_ = _e753.unnamed_1.first_primitive;
                                 }
-                                let _e824 = phi_1307_;
-                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e337)), ((f32(((_e815 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e338)));
-                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e339)));
-                                if (_e803 <= _e838) {
-                                    if (_e803 <= _e141) {
-                                        if (_e838 >= 0f) {
-                                            if (_e767 == 0u) {
-                                                let _e845 = nodes.member[(0u + _e495)].links[2u];
-                                                phi_1343_ = _e845;
+                                let _e825 = phi_1310_;
+                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e807 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e338)), ((f32(((_e816 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e339)));
+                                let _e839 = core_intrinsics_minimum_number_nsz_f32_(_e838, ((f32(((_e825 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u)) * _e530) + (_e548 + _e340)));
+                                if (_e804 <= _e839) {
+                                    if (_e804 <= _e142) {
+                                        if (_e839 >= 0f) {
+                                            if (_e768 == 0u) {
+                                                let _e846 = nodes.member[(0u + _e496)].links[2u];
+                                                phi_1346_ = _e846;
                                             } else {
-                                                let _e848 = nodes.member[(0u + _e495)].links[3u];
-                                                phi_1343_ = _e848;
+                                                let _e849 = nodes.member[(0u + _e496)].links[3u];
+                                                phi_1346_ = _e849;
                                             }
-                                            let _e850 = phi_1343_;
-                                            let _e855 = ((_e850 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u);
-                                            let _e856 = (_e855 & 31u);
-                                            if (_e856 >= 24u) {
-                                                phi_1356_ = (24u + ((_e856 - 24u) ^ _e357));
+                                            let _e851 = phi_1346_;
+                                            let _e856 = ((_e851 >> bitcast<u32>(((_e769 * 8u) & 31u))) & 255u);
+                                            let _e857 = (_e856 & 31u);
+                                            if (_e857 >= 24u) {
+                                                phi_1359_ = (24u + ((_e857 - 24u) ^ _e358));
                                             } else {
-                                                phi_1356_ = _e856;
+                                                phi_1359_ = _e857;
                                             }
-                                            let _e862 = phi_1356_;
-                                            phi_1361_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
+                                            let _e863 = phi_1359_;
+                                            phi_1364_ = (_e765 | ((_e856 >> bitcast<u32>(5i)) << bitcast<u32>((_e863 & 31u))));
                                         } else {
-                                            phi_1361_ = _e764;
+                                            phi_1364_ = _e765;
                                         }
-                                        let _e870 = phi_1361_;
-                                        phi_1362_ = _e870;
+                                        let _e871 = phi_1364_;
+                                        phi_1365_ = _e871;
                                     } else {
-                                        phi_1362_ = _e764;
+                                        phi_1365_ = _e765;
                                     }
-                                    let _e872 = phi_1362_;
-                                    phi_1363_ = _e872;
+                                    let _e873 = phi_1365_;
+                                    phi_1366_ = _e873;
                                 } else {
-                                    phi_1363_ = _e764;
+                                    phi_1366_ = _e765;
                                 }
-                                let _e874 = phi_1363_;
-                                phi_1233_ = (_e762 + 1u);
-                                phi_1236_ = _e874;
+                                let _e875 = phi_1366_;
+                                phi_1236_ = (_e763 + 1u);
+                                phi_1239_ = _e875;
                             } else {
-                                phi_1233_ = u32();
                                 phi_1236_ = u32();
+                                phi_1239_ = u32();
                             }
-                            let _e877 = phi_1233_;
-                            let _e879 = phi_1236_;
+                            let _e878 = phi_1236_;
+                            let _e880 = phi_1239_;
                             continue;
                             continuing {
-                                phi_1232_ = _e877;
-                                phi_1235_ = _e879;
-                                break if !(_e765);
+                                phi_1235_ = _e878;
+                                phi_1238_ = _e880;
+                                break if !(_e766);
                             }
                         }
-                        let _e883 = nodes.member[(0u + _e495)].links[0u];
-                        let _e887 = nodes.member[(0u + _e495)].frame[3u];
-                        let _e891 = local_3;
-                        if ((_e891 & 4278190080u) == 0u) {
+                        let _e884 = nodes.member[(0u + _e496)].links[0u];
+                        let _e888 = nodes.member[(0u + _e496)].frame[3u];
+                        let _e892 = local_3;
+                        if ((_e892 & 4278190080u) == 0u) {
                         } else {
-                            let _e895 = local_2.group_mask;
-                            if ((_e895 & 4278190080u) == 0u) {
+                            let _e896 = local_2.group_mask;
+                            if ((_e896 & 4278190080u) == 0u) {
                             } else {
-                                let _e899 = local_2.len;
-                                if (_e899 < 32u) {
-                                    let _e902 = local_2.group;
-                                    let _e904 = local_2.len;
-                                    if (_e904 < 32u) {
+                                let _e900 = local_2.len;
+                                if (_e900 < 32u) {
+                                    let _e903 = local_2.group;
+                                    let _e905 = local_2.len;
+                                    if (_e905 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e904)] = _e902;
-                                    let _e910 = local_2.group_mask;
-                                    let _e912 = local_2.len;
-                                    if (_e912 < 32u) {
+                                    local_2.first[(0u + _e905)] = _e903;
+                                    let _e911 = local_2.group_mask;
+                                    let _e913 = local_2.len;
+                                    if (_e913 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e912)] = _e910;
-                                    let _e919 = local_2.len;
-                                    local_2.len = (_e919 + 1u);
+                                    local_2.mask[(0u + _e913)] = _e911;
+                                    let _e920 = local_2.len;
+                                    local_2.len = (_e920 + 1u);
                                 }
                             }
-                            local_2.group = (_e112 + _e883);
-                            let _e923 = local_4;
-                            local_2.group_mask = ((_e923 & 4278190080u) | (_e887 >> bitcast<u32>(24i)));
+                            local_2.group = (_e112 + _e884);
+                            let _e924 = local_4;
+                            local_2.group_mask = ((_e924 & 4278190080u) | (_e888 >> bitcast<u32>(24i)));
                         }
-                        let _e928 = local_5;
-                        phi_1421_ = (_e928 & 16777215u);
+                        let _e929 = local_5;
+                        phi_1424_ = (_e929 & 16777215u);
                         loop {
-                            let _e931 = phi_1421_;
-                            let _e932 = (_e931 == 0u);
-                            local_11 = _e932;
-                            local_18 = _e932;
-                            if _e932 {
-                                phi_1422_ = u32();
-                                phi_3279_ = false;
+                            let _e932 = phi_1424_;
+                            let _e933 = (_e932 == 0u);
+                            local_11 = _e933;
+                            local_18 = _e933;
+                            if _e933 {
+                                phi_1425_ = u32();
+                                phi_3282_ = false;
                             } else {
-                                let _e935 = nodes.member[(0u + _e495)].links[1u];
-                                let _e939 = (_e935 + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
-                                if (_e939 < arrayLength((&instances.member))) {
+                                let _e936 = nodes.member[(0u + _e496)].links[1u];
+                                let _e940 = (_e936 + select(firstTrailingBit(_e932), 32u, (_e932 == 0u)));
+                                if (_e940 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e946 = instances.member[(0u + _e939)].low_world;
-                                let _e948 = instances.member[(0u + _e939)].high_world;
-                                let _e955 = ((_e946.x - _e133) * _e289);
-                                let _e956 = ((_e946.y - _e135) * _e299);
-                                let _e957 = ((_e946.z - _e137) * _e309);
-                                let _e964 = ((_e948.x - _e133) * _e289);
-                                let _e965 = ((_e948.y - _e135) * _e299);
-                                let _e966 = ((_e948.z - _e137) * _e309);
-                                if (_e955 < _e964) {
-                                    phi_1471_ = _e955;
-                                } else {
-                                    phi_1471_ = _e964;
-                                }
-                                let _e969 = phi_1471_;
+                                let _e947 = instances.member[(0u + _e940)].low_world;
+                                let _e949 = instances.member[(0u + _e940)].high_world;
+                                let _e956 = ((_e947.x - _e132) * _e290);
+                                let _e957 = ((_e947.y - _e134) * _e300);
+                                let _e958 = ((_e947.z - _e136) * _e310);
+                                let _e965 = ((_e949.x - _e132) * _e290);
+                                let _e966 = ((_e949.y - _e134) * _e300);
+                                let _e967 = ((_e949.z - _e136) * _e310);
                                 if (_e956 < _e965) {
-                                    phi_1476_ = _e956;
+                                    phi_1474_ = _e956;
                                 } else {
-                                    phi_1476_ = _e965;
+                                    phi_1474_ = _e965;
                                 }
-                                let _e972 = phi_1476_;
+                                let _e970 = phi_1474_;
                                 if (_e957 < _e966) {
-                                    phi_1481_ = _e957;
+                                    phi_1479_ = _e957;
                                 } else {
-                                    phi_1481_ = _e966;
+                                    phi_1479_ = _e966;
                                 }
-                                let _e975 = phi_1481_;
-                                if (_e955 > _e964) {
-                                    phi_1489_ = _e955;
+                                let _e973 = phi_1479_;
+                                if (_e958 < _e967) {
+                                    phi_1484_ = _e958;
                                 } else {
-                                    phi_1489_ = _e964;
+                                    phi_1484_ = _e967;
                                 }
-                                let _e981 = phi_1489_;
+                                let _e976 = phi_1484_;
                                 if (_e956 > _e965) {
-                                    phi_1494_ = _e956;
+                                    phi_1492_ = _e956;
                                 } else {
-                                    phi_1494_ = _e965;
+                                    phi_1492_ = _e965;
                                 }
-                                let _e984 = phi_1494_;
+                                let _e982 = phi_1492_;
                                 if (_e957 > _e966) {
-                                    phi_1499_ = _e957;
+                                    phi_1497_ = _e957;
                                 } else {
-                                    phi_1499_ = _e966;
+                                    phi_1497_ = _e966;
                                 }
-                                let _e987 = phi_1499_;
-                                let _e991 = core_intrinsics_maximum_number_nsz_f32_((_e969 - _e344), (_e972 - _e345));
-                                let _e992 = core_intrinsics_maximum_number_nsz_f32_(_e991, (_e975 - _e346));
-                                let _e993 = core_intrinsics_minimum_number_nsz_f32_((_e981 + _e344), (_e984 + _e345));
-                                let _e994 = core_intrinsics_minimum_number_nsz_f32_(_e993, (_e987 + _e346));
-                                if (_e992 <= _e994) {
-                                    if (_e992 <= _e141) {
-                                        if (_e994 >= 0f) {
-                                            let _e1000 = instances.member[(0u + _e939)].world_to_object[0u];
-                                            let _e1011 = ((((_e1000.x * _e133) + (_e1000.y * _e135)) + (_e1000.z * _e137)) + (_e1000.w * 1f));
-                                            let _e1013 = instances.member[(0u + _e939)].world_to_object[1u];
-                                            let _e1024 = ((((_e1013.x * _e133) + (_e1013.y * _e135)) + (_e1013.z * _e137)) + (_e1013.w * 1f));
-                                            let _e1026 = instances.member[(0u + _e939)].world_to_object[2u];
-                                            let _e1037 = ((((_e1026.x * _e133) + (_e1026.y * _e135)) + (_e1026.z * _e137)) + (_e1026.w * 1f));
-                                            let _e1040 = instances.member[(0u + _e939)].world_to_object[0u];
-                                            let _e1051 = ((((_e1040.x * _e149) + (_e1040.y * _e150)) + (_e1040.z * _e151)) + (_e1040.w * 0f));
-                                            let _e1053 = instances.member[(0u + _e939)].world_to_object[1u];
-                                            let _e1064 = ((((_e1053.x * _e149) + (_e1053.y * _e150)) + (_e1053.z * _e151)) + (_e1053.w * 0f));
-                                            let _e1066 = instances.member[(0u + _e939)].world_to_object[2u];
-                                            let _e1077 = ((((_e1066.x * _e149) + (_e1066.y * _e150)) + (_e1066.z * _e151)) + (_e1066.w * 0f));
-                                            let _e1080 = instances.member[(0u + _e939)].root;
-                                            let _e1082 = instances.member[(0u + _e939)].first_triangle;
-                                            let _e1086 = abs(_e1051);
-                                            let _e1087 = abs(_e1064);
-                                            let _e1088 = abs(_e1077);
-                                            if (abs(_e1011) < 1000000000000000f) {
-                                                if (abs(_e1024) < 1000000000000000f) {
-                                                    if (abs(_e1037) < 1000000000000000f) {
-                                                        if (_e1086 < 1000000000000000f) {
-                                                            if (_e1087 < 1000000000000000f) {
-                                                                if (_e1088 < 1000000000000000f) {
-                                                                    if (_e1086 > 0f) {
-                                                                        phi_1644_ = bool();
-                                                                        phi_1645_ = true;
+                                let _e985 = phi_1497_;
+                                if (_e958 > _e967) {
+                                    phi_1502_ = _e958;
+                                } else {
+                                    phi_1502_ = _e967;
+                                }
+                                let _e988 = phi_1502_;
+                                let _e992 = core_intrinsics_maximum_number_nsz_f32_((_e970 - _e345), (_e973 - _e346));
+                                let _e993 = core_intrinsics_maximum_number_nsz_f32_(_e992, (_e976 - _e347));
+                                let _e994 = core_intrinsics_minimum_number_nsz_f32_((_e982 + _e345), (_e985 + _e346));
+                                let _e995 = core_intrinsics_minimum_number_nsz_f32_(_e994, (_e988 + _e347));
+                                if (_e993 <= _e995) {
+                                    if (_e993 <= _e142) {
+                                        if (_e995 >= 0f) {
+                                            let _e1001 = instances.member[(0u + _e940)].world_to_object[0u];
+                                            let _e1012 = ((((_e1001.x * _e132) + (_e1001.y * _e134)) + (_e1001.z * _e136)) + (_e1001.w * 1f));
+                                            let _e1014 = instances.member[(0u + _e940)].world_to_object[1u];
+                                            let _e1025 = ((((_e1014.x * _e132) + (_e1014.y * _e134)) + (_e1014.z * _e136)) + (_e1014.w * 1f));
+                                            let _e1027 = instances.member[(0u + _e940)].world_to_object[2u];
+                                            let _e1038 = ((((_e1027.x * _e132) + (_e1027.y * _e134)) + (_e1027.z * _e136)) + (_e1027.w * 1f));
+                                            let _e1041 = instances.member[(0u + _e940)].world_to_object[0u];
+                                            let _e1052 = ((((_e1041.x * _e150) + (_e1041.y * _e151)) + (_e1041.z * _e152)) + (_e1041.w * 0f));
+                                            let _e1054 = instances.member[(0u + _e940)].world_to_object[1u];
+                                            let _e1065 = ((((_e1054.x * _e150) + (_e1054.y * _e151)) + (_e1054.z * _e152)) + (_e1054.w * 0f));
+                                            let _e1067 = instances.member[(0u + _e940)].world_to_object[2u];
+                                            let _e1078 = ((((_e1067.x * _e150) + (_e1067.y * _e151)) + (_e1067.z * _e152)) + (_e1067.w * 0f));
+                                            let _e1081 = instances.member[(0u + _e940)].root;
+                                            let _e1083 = instances.member[(0u + _e940)].first_triangle;
+                                            let _e1087 = abs(_e1052);
+                                            let _e1088 = abs(_e1065);
+                                            let _e1089 = abs(_e1078);
+                                            if (abs(_e1012) < 1000000000000000f) {
+                                                if (abs(_e1025) < 1000000000000000f) {
+                                                    if (abs(_e1038) < 1000000000000000f) {
+                                                        if (_e1087 < 1000000000000000f) {
+                                                            if (_e1088 < 1000000000000000f) {
+                                                                if (_e1089 < 1000000000000000f) {
+                                                                    if (_e1087 > 0f) {
+                                                                        phi_1647_ = bool();
+                                                                        phi_1648_ = true;
                                                                     } else {
-                                                                        let _e1096 = (_e1087 > 0f);
-                                                                        if _e1096 {
-                                                                            phi_1643_ = bool();
+                                                                        let _e1097 = (_e1088 > 0f);
+                                                                        if _e1097 {
+                                                                            phi_1646_ = bool();
                                                                         } else {
-                                                                            phi_1643_ = (_e1088 > 0f);
+                                                                            phi_1646_ = (_e1089 > 0f);
                                                                         }
-                                                                        let _e1099 = phi_1643_;
-                                                                        phi_1644_ = _e1099;
-                                                                        phi_1645_ = _e1096;
+                                                                        let _e1100 = phi_1646_;
+                                                                        phi_1647_ = _e1100;
+                                                                        phi_1648_ = _e1097;
                                                                     }
-                                                                    let _e1101 = phi_1644_;
-                                                                    let _e1103 = phi_1645_;
-                                                                    if _e1103 {
-                                                                        phi_1649_ = true;
+                                                                    let _e1102 = phi_1647_;
+                                                                    let _e1104 = phi_1648_;
+                                                                    if _e1104 {
+                                                                        phi_1652_ = true;
                                                                     } else {
-                                                                        phi_1649_ = _e1101;
+                                                                        phi_1652_ = _e1102;
                                                                     }
-                                                                    let _e1105 = phi_1649_;
-                                                                    phi_1650_ = _e1105;
-                                                                    phi_1651_ = false;
+                                                                    let _e1106 = phi_1652_;
+                                                                    phi_1653_ = _e1106;
+                                                                    phi_1654_ = false;
                                                                 } else {
-                                                                    phi_1650_ = bool();
-                                                                    phi_1651_ = true;
+                                                                    phi_1653_ = bool();
+                                                                    phi_1654_ = true;
                                                                 }
-                                                                let _e1107 = phi_1650_;
-                                                                let _e1109 = phi_1651_;
-                                                                phi_1652_ = _e1107;
-                                                                phi_1653_ = false;
-                                                                phi_1654_ = _e1109;
+                                                                let _e1108 = phi_1653_;
+                                                                let _e1110 = phi_1654_;
+                                                                phi_1655_ = _e1108;
+                                                                phi_1656_ = false;
+                                                                phi_1657_ = _e1110;
                                                             } else {
-                                                                phi_1652_ = bool();
-                                                                phi_1653_ = true;
-                                                                phi_1654_ = false;
+                                                                phi_1655_ = bool();
+                                                                phi_1656_ = true;
+                                                                phi_1657_ = false;
                                                             }
-                                                            let _e1111 = phi_1652_;
-                                                            let _e1113 = phi_1653_;
-                                                            let _e1115 = phi_1654_;
-                                                            phi_1655_ = _e1111;
-                                                            phi_1656_ = _e1113;
-                                                            phi_1657_ = _e1115;
+                                                            let _e1112 = phi_1655_;
+                                                            let _e1114 = phi_1656_;
+                                                            let _e1116 = phi_1657_;
+                                                            phi_1658_ = _e1112;
+                                                            phi_1659_ = _e1114;
+                                                            phi_1660_ = _e1116;
                                                         } else {
-                                                            phi_1655_ = bool();
-                                                            phi_1656_ = true;
-                                                            phi_1657_ = false;
+                                                            phi_1658_ = bool();
+                                                            phi_1659_ = true;
+                                                            phi_1660_ = false;
                                                         }
-                                                        let _e1117 = phi_1655_;
-                                                        let _e1119 = phi_1656_;
-                                                        let _e1121 = phi_1657_;
-                                                        phi_1658_ = _e1117;
-                                                        phi_1659_ = _e1119;
-                                                        phi_1660_ = _e1121;
+                                                        let _e1118 = phi_1658_;
+                                                        let _e1120 = phi_1659_;
+                                                        let _e1122 = phi_1660_;
+                                                        phi_1661_ = _e1118;
+                                                        phi_1662_ = _e1120;
+                                                        phi_1663_ = _e1122;
                                                     } else {
-                                                        phi_1658_ = bool();
-                                                        phi_1659_ = true;
-                                                        phi_1660_ = false;
+                                                        phi_1661_ = bool();
+                                                        phi_1662_ = true;
+                                                        phi_1663_ = false;
                                                     }
-                                                    let _e1123 = phi_1658_;
-                                                    let _e1125 = phi_1659_;
-                                                    let _e1127 = phi_1660_;
-                                                    phi_1661_ = _e1123;
-                                                    phi_1662_ = _e1125;
-                                                    phi_1663_ = _e1127;
+                                                    let _e1124 = phi_1661_;
+                                                    let _e1126 = phi_1662_;
+                                                    let _e1128 = phi_1663_;
+                                                    phi_1664_ = _e1124;
+                                                    phi_1665_ = _e1126;
+                                                    phi_1666_ = _e1128;
                                                 } else {
-                                                    phi_1661_ = bool();
-                                                    phi_1662_ = true;
-                                                    phi_1663_ = false;
+                                                    phi_1664_ = bool();
+                                                    phi_1665_ = true;
+                                                    phi_1666_ = false;
                                                 }
-                                                let _e1129 = phi_1661_;
-                                                let _e1131 = phi_1662_;
-                                                let _e1133 = phi_1663_;
-                                                phi_1664_ = _e1129;
-                                                phi_1665_ = _e1131;
-                                                phi_1666_ = _e1133;
+                                                let _e1130 = phi_1664_;
+                                                let _e1132 = phi_1665_;
+                                                let _e1134 = phi_1666_;
+                                                phi_1667_ = _e1130;
+                                                phi_1668_ = _e1132;
+                                                phi_1669_ = _e1134;
                                             } else {
-                                                phi_1664_ = bool();
-                                                phi_1665_ = true;
-                                                phi_1666_ = false;
+                                                phi_1667_ = bool();
+                                                phi_1668_ = true;
+                                                phi_1669_ = false;
                                             }
-                                            let _e1135 = phi_1664_;
-                                            let _e1137 = phi_1665_;
-                                            let _e1139 = phi_1666_;
-                                            if _e1137 {
-                                                phi_1670_ = true;
+                                            let _e1136 = phi_1667_;
+                                            let _e1138 = phi_1668_;
+                                            let _e1140 = phi_1669_;
+                                            if _e1138 {
+                                                phi_1673_ = true;
                                             } else {
-                                                phi_1670_ = _e1139;
+                                                phi_1673_ = _e1140;
                                             }
-                                            let _e1141 = phi_1670_;
-                                            if _e1141 {
-                                                phi_1674_ = false;
+                                            let _e1142 = phi_1673_;
+                                            if _e1142 {
+                                                phi_1677_ = false;
                                             } else {
-                                                phi_1674_ = _e1135;
+                                                phi_1677_ = _e1136;
                                             }
-                                            let _e1143 = phi_1674_;
-                                            if _e1143 {
-                                                let _e1144 = (_e1080 >= _e76);
-                                                if _e1144 {
-                                                    phi_3262_ = bool();
+                                            let _e1144 = phi_1677_;
+                                            if _e1144 {
+                                                let _e1145 = (_e1081 >= _e76);
+                                                if _e1145 {
+                                                    phi_3265_ = bool();
                                                 } else {
-                                                    if (_e1080 < _e76) {
+                                                    if (_e1081 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1150 = nodes.member[(0u + _e1080)].frame[0u];
-                                                    let _e1154 = nodes.member[(0u + _e1080)].frame[1u];
-                                                    let _e1158 = nodes.member[(0u + _e1080)].frame[2u];
-                                                    let _e1162 = nodes.member[(0u + _e1080)].frame[0u];
-                                                    let _e1166 = nodes.member[(0u + _e1080)].frame[1u];
-                                                    let _e1170 = nodes.member[(0u + _e1080)].frame[2u];
-                                                    let _e1174 = nodes.member[(0u + _e1080)].frame[3u];
-                                                    let _e1208 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1051), abs(_e1064));
-                                                    let _e1209 = core_intrinsics_maximum_number_nsz_f32_(_e1208, abs(_e1077));
-                                                    let _e1210 = (_e1209 * 0.0000000000009094947f);
-                                                    if (abs(_e1051) < _e1210) {
-                                                        phi_1744_ = _e1210;
+                                                    let _e1151 = nodes.member[(0u + _e1081)].frame[0u];
+                                                    let _e1155 = nodes.member[(0u + _e1081)].frame[1u];
+                                                    let _e1159 = nodes.member[(0u + _e1081)].frame[2u];
+                                                    let _e1163 = nodes.member[(0u + _e1081)].frame[0u];
+                                                    let _e1167 = nodes.member[(0u + _e1081)].frame[1u];
+                                                    let _e1171 = nodes.member[(0u + _e1081)].frame[2u];
+                                                    let _e1175 = nodes.member[(0u + _e1081)].frame[3u];
+                                                    let _e1209 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1052), abs(_e1065));
+                                                    let _e1210 = core_intrinsics_maximum_number_nsz_f32_(_e1209, abs(_e1078));
+                                                    let _e1211 = (_e1210 * 0.0000000000009094947f);
+                                                    if (abs(_e1052) < _e1211) {
+                                                        phi_1747_ = _e1211;
                                                     } else {
-                                                        phi_1744_ = abs(_e1051);
+                                                        phi_1747_ = abs(_e1052);
                                                     }
-                                                    let _e1215 = phi_1744_;
-                                                    if (_e1051 < 0f) {
-                                                        phi_1751_ = (-1f / _e1215);
+                                                    let _e1216 = phi_1747_;
+                                                    if (_e1052 < 0f) {
+                                                        phi_1754_ = (-1f / _e1216);
                                                     } else {
-                                                        phi_1751_ = (1f / _e1215);
+                                                        phi_1754_ = (1f / _e1216);
                                                     }
-                                                    let _e1220 = phi_1751_;
-                                                    if (abs(_e1064) < _e1210) {
-                                                        phi_1758_ = _e1210;
+                                                    let _e1221 = phi_1754_;
+                                                    if (abs(_e1065) < _e1211) {
+                                                        phi_1761_ = _e1211;
                                                     } else {
-                                                        phi_1758_ = abs(_e1064);
+                                                        phi_1761_ = abs(_e1065);
                                                     }
-                                                    let _e1225 = phi_1758_;
-                                                    if (_e1064 < 0f) {
-                                                        phi_1765_ = (-1f / _e1225);
+                                                    let _e1226 = phi_1761_;
+                                                    if (_e1065 < 0f) {
+                                                        phi_1768_ = (-1f / _e1226);
                                                     } else {
-                                                        phi_1765_ = (1f / _e1225);
+                                                        phi_1768_ = (1f / _e1226);
                                                     }
-                                                    let _e1230 = phi_1765_;
-                                                    if (abs(_e1077) < _e1210) {
-                                                        phi_1772_ = _e1210;
+                                                    let _e1231 = phi_1768_;
+                                                    if (abs(_e1078) < _e1211) {
+                                                        phi_1775_ = _e1211;
                                                     } else {
-                                                        phi_1772_ = abs(_e1077);
+                                                        phi_1775_ = abs(_e1078);
                                                     }
-                                                    let _e1235 = phi_1772_;
-                                                    if (_e1077 < 0f) {
-                                                        phi_1779_ = (-1f / _e1235);
+                                                    let _e1236 = phi_1775_;
+                                                    if (_e1078 < 0f) {
+                                                        phi_1782_ = (-1f / _e1236);
                                                     } else {
-                                                        phi_1779_ = (1f / _e1235);
+                                                        phi_1782_ = (1f / _e1236);
                                                     }
-                                                    let _e1240 = phi_1779_;
-                                                    let _e1244 = abs((bitcast<f32>(_e1150) - _e1011));
-                                                    let _e1245 = abs((bitcast<f32>(_e1154) - _e1024));
-                                                    let _e1246 = abs((bitcast<f32>(_e1158) - _e1037));
-                                                    let _e1250 = abs(((bitcast<f32>(_e1162) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1011));
-                                                    let _e1251 = abs(((bitcast<f32>(_e1166) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1024));
-                                                    let _e1252 = abs(((bitcast<f32>(_e1170) + (bitcast<f32>((((_e1174 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1037));
-                                                    if (_e1244 > _e1250) {
-                                                        phi_1796_ = _e1244;
-                                                    } else {
-                                                        phi_1796_ = _e1250;
-                                                    }
-                                                    let _e1255 = phi_1796_;
+                                                    let _e1241 = phi_1782_;
+                                                    let _e1245 = abs((bitcast<f32>(_e1151) - _e1012));
+                                                    let _e1246 = abs((bitcast<f32>(_e1155) - _e1025));
+                                                    let _e1247 = abs((bitcast<f32>(_e1159) - _e1038));
+                                                    let _e1251 = abs(((bitcast<f32>(_e1163) + (bitcast<f32>((((_e1175 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1012));
+                                                    let _e1252 = abs(((bitcast<f32>(_e1167) + (bitcast<f32>((((_e1175 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1025));
+                                                    let _e1253 = abs(((bitcast<f32>(_e1171) + (bitcast<f32>((((_e1175 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1038));
                                                     if (_e1245 > _e1251) {
-                                                        phi_1801_ = _e1245;
+                                                        phi_1799_ = _e1245;
                                                     } else {
-                                                        phi_1801_ = _e1251;
+                                                        phi_1799_ = _e1251;
                                                     }
-                                                    let _e1258 = phi_1801_;
+                                                    let _e1256 = phi_1799_;
                                                     if (_e1246 > _e1252) {
-                                                        phi_1806_ = _e1246;
+                                                        phi_1804_ = _e1246;
                                                     } else {
-                                                        phi_1806_ = _e1252;
+                                                        phi_1804_ = _e1252;
                                                     }
-                                                    let _e1261 = phi_1806_;
-                                                    let _e1262 = core_intrinsics_maximum_number_nsz_f32_(_e1255, _e1258);
-                                                    let _e1263 = core_intrinsics_maximum_number_nsz_f32_(_e1262, _e1261);
-                                                    let _e1267 = (_e1263 * 0.0000019073486f);
-                                                    let _e1268 = (abs(_e1220) * _e1267);
-                                                    let _e1269 = (abs(_e1230) * _e1267);
-                                                    let _e1270 = (abs(_e1240) * _e1267);
-                                                    let _e1274 = (_e1263 * 0.0000009536743f);
-                                                    let _e1275 = (abs(_e1220) * _e1274);
-                                                    let _e1276 = (abs(_e1230) * _e1274);
-                                                    let _e1277 = (abs(_e1240) * _e1274);
-                                                    let _e1278 = abs(_e1051);
-                                                    let _e1279 = abs(_e1064);
-                                                    let _e1280 = abs(_e1077);
-                                                    if (_e1278 >= _e1279) {
-                                                        if (_e1278 >= _e1280) {
-                                                            phi_1834_ = false;
+                                                    let _e1259 = phi_1804_;
+                                                    if (_e1247 > _e1253) {
+                                                        phi_1809_ = _e1247;
+                                                    } else {
+                                                        phi_1809_ = _e1253;
+                                                    }
+                                                    let _e1262 = phi_1809_;
+                                                    let _e1263 = core_intrinsics_maximum_number_nsz_f32_(_e1256, _e1259);
+                                                    let _e1264 = core_intrinsics_maximum_number_nsz_f32_(_e1263, _e1262);
+                                                    let _e1268 = (_e1264 * 0.0000019073486f);
+                                                    let _e1269 = (abs(_e1221) * _e1268);
+                                                    let _e1270 = (abs(_e1231) * _e1268);
+                                                    let _e1271 = (abs(_e1241) * _e1268);
+                                                    let _e1275 = (_e1264 * 0.0000009536743f);
+                                                    let _e1276 = (abs(_e1221) * _e1275);
+                                                    let _e1277 = (abs(_e1231) * _e1275);
+                                                    let _e1278 = (abs(_e1241) * _e1275);
+                                                    let _e1279 = abs(_e1052);
+                                                    let _e1280 = abs(_e1065);
+                                                    let _e1281 = abs(_e1078);
+                                                    if (_e1279 >= _e1280) {
+                                                        if (_e1279 >= _e1281) {
+                                                            phi_1837_ = false;
                                                         } else {
-                                                            phi_1834_ = true;
+                                                            phi_1837_ = true;
                                                         }
-                                                        let _e1284 = phi_1834_;
-                                                        phi_1835_ = _e1284;
+                                                        let _e1285 = phi_1837_;
+                                                        phi_1838_ = _e1285;
                                                     } else {
-                                                        phi_1835_ = true;
+                                                        phi_1838_ = true;
                                                     }
-                                                    let _e1286 = phi_1835_;
-                                                    if _e1286 {
-                                                        if (_e1279 >= _e1280) {
-                                                            phi_1843_ = 1u;
+                                                    let _e1287 = phi_1838_;
+                                                    if _e1287 {
+                                                        if (_e1280 >= _e1281) {
+                                                            phi_1846_ = 1u;
                                                         } else {
-                                                            phi_1843_ = 2u;
+                                                            phi_1846_ = 2u;
                                                         }
-                                                        let _e1289 = phi_1843_;
-                                                        phi_1844_ = _e1289;
+                                                        let _e1290 = phi_1846_;
+                                                        phi_1847_ = _e1290;
                                                     } else {
-                                                        phi_1844_ = 0u;
+                                                        phi_1847_ = 0u;
                                                     }
-                                                    let _e1291 = phi_1844_;
-                                                    if (_e1291 == 0u) {
-                                                        phi_1856_ = vec3<f32>(_e1064, _e1077, _e1051);
+                                                    let _e1292 = phi_1847_;
+                                                    if (_e1292 == 0u) {
+                                                        phi_1859_ = vec3<f32>(_e1065, _e1078, _e1052);
                                                     } else {
-                                                        if (_e1291 == 1u) {
-                                                            phi_1855_ = vec3<f32>(_e1077, _e1051, _e1064);
+                                                        if (_e1292 == 1u) {
+                                                            phi_1858_ = vec3<f32>(_e1078, _e1052, _e1065);
                                                         } else {
-                                                            phi_1855_ = vec3<f32>(_e1051, _e1064, _e1077);
+                                                            phi_1858_ = vec3<f32>(_e1052, _e1065, _e1078);
                                                         }
-                                                        let _e1297 = phi_1855_;
-                                                        phi_1856_ = _e1297;
+                                                        let _e1298 = phi_1858_;
+                                                        phi_1859_ = _e1298;
                                                     }
-                                                    let _e1299 = phi_1856_;
-                                                    let _e1302 = (_e1299.x / _e1299.z);
-                                                    let _e1305 = (_e1299.y / _e1299.z);
-                                                    if (_e1220 < 0f) {
-                                                        phi_1869_ = 0u;
+                                                    let _e1300 = phi_1859_;
+                                                    let _e1303 = (_e1300.x / _e1300.z);
+                                                    let _e1306 = (_e1300.y / _e1300.z);
+                                                    if (_e1221 < 0f) {
+                                                        phi_1872_ = 0u;
                                                     } else {
-                                                        phi_1869_ = 1u;
+                                                        phi_1872_ = 1u;
                                                     }
-                                                    let _e1310 = phi_1869_;
-                                                    if (_e1230 < 0f) {
-                                                        phi_1874_ = 0u;
+                                                    let _e1311 = phi_1872_;
+                                                    if (_e1231 < 0f) {
+                                                        phi_1877_ = 0u;
                                                     } else {
-                                                        phi_1874_ = 2u;
+                                                        phi_1877_ = 2u;
                                                     }
-                                                    let _e1313 = phi_1874_;
-                                                    if (_e1240 < 0f) {
-                                                        phi_1879_ = 0u;
+                                                    let _e1314 = phi_1877_;
+                                                    if (_e1241 < 0f) {
+                                                        phi_1882_ = 0u;
                                                     } else {
-                                                        phi_1879_ = 4u;
+                                                        phi_1882_ = 4u;
                                                     }
-                                                    let _e1316 = phi_1879_;
-                                                    let _e1318 = ((_e1310 | _e1313) | _e1316);
-                                                    let _e1319 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1080, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1319.first[0], _e1319.first[1], _e1319.first[2], _e1319.first[3], _e1319.first[4], _e1319.first[5], _e1319.first[6], _e1319.first[7], _e1319.first[8], _e1319.first[9], _e1319.first[10], _e1319.first[11], _e1319.first[12], _e1319.first[13], _e1319.first[14], _e1319.first[15], _e1319.first[16], _e1319.first[17], _e1319.first[18], _e1319.first[19], _e1319.first[20], _e1319.first[21], _e1319.first[22], _e1319.first[23], _e1319.first[24], _e1319.first[25], _e1319.first[26], _e1319.first[27], _e1319.first[28], _e1319.first[29], _e1319.first[30], _e1319.first[31]), array<u32, 32>(_e1319.mask[0], _e1319.mask[1], _e1319.mask[2], _e1319.mask[3], _e1319.mask[4], _e1319.mask[5], _e1319.mask[6], _e1319.mask[7], _e1319.mask[8], _e1319.mask[9], _e1319.mask[10], _e1319.mask[11], _e1319.mask[12], _e1319.mask[13], _e1319.mask[14], _e1319.mask[15], _e1319.mask[16], _e1319.mask[17], _e1319.mask[18], _e1319.mask[19], _e1319.mask[20], _e1319.mask[21], _e1319.mask[22], _e1319.mask[23], _e1319.mask[24], _e1319.mask[25], _e1319.mask[26], _e1319.mask[27], _e1319.mask[28], _e1319.mask[29], _e1319.mask[30], _e1319.mask[31]), _e1319.len, _e1319.group, _e1319.group_mask);
-                                                    let _e1393 = local_1.group_mask;
-                                                    if ((_e1393 & 4278190080u) == 0u) {
-                                                        let _e1397 = local_1.len;
-                                                        if (_e1397 == 0u) {
-                                                            phi_1993_ = false;
+                                                    let _e1317 = phi_1882_;
+                                                    let _e1319 = ((_e1311 | _e1314) | _e1317);
+                                                    let _e1320 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1081, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1320.first[0], _e1320.first[1], _e1320.first[2], _e1320.first[3], _e1320.first[4], _e1320.first[5], _e1320.first[6], _e1320.first[7], _e1320.first[8], _e1320.first[9], _e1320.first[10], _e1320.first[11], _e1320.first[12], _e1320.first[13], _e1320.first[14], _e1320.first[15], _e1320.first[16], _e1320.first[17], _e1320.first[18], _e1320.first[19], _e1320.first[20], _e1320.first[21], _e1320.first[22], _e1320.first[23], _e1320.first[24], _e1320.first[25], _e1320.first[26], _e1320.first[27], _e1320.first[28], _e1320.first[29], _e1320.first[30], _e1320.first[31]), array<u32, 32>(_e1320.mask[0], _e1320.mask[1], _e1320.mask[2], _e1320.mask[3], _e1320.mask[4], _e1320.mask[5], _e1320.mask[6], _e1320.mask[7], _e1320.mask[8], _e1320.mask[9], _e1320.mask[10], _e1320.mask[11], _e1320.mask[12], _e1320.mask[13], _e1320.mask[14], _e1320.mask[15], _e1320.mask[16], _e1320.mask[17], _e1320.mask[18], _e1320.mask[19], _e1320.mask[20], _e1320.mask[21], _e1320.mask[22], _e1320.mask[23], _e1320.mask[24], _e1320.mask[25], _e1320.mask[26], _e1320.mask[27], _e1320.mask[28], _e1320.mask[29], _e1320.mask[30], _e1320.mask[31]), _e1320.len, _e1320.group, _e1320.group_mask);
+                                                    let _e1394 = local_1.group_mask;
+                                                    if ((_e1394 & 4278190080u) == 0u) {
+                                                        let _e1398 = local_1.len;
+                                                        if (_e1398 == 0u) {
+                                                            phi_1996_ = false;
                                                         } else {
-                                                            let _e1401 = local_1.len;
-                                                            local_1.len = (_e1401 - 1u);
-                                                            let _e1404 = local_1.len;
-                                                            if (_e1404 < 32u) {
+                                                            let _e1402 = local_1.len;
+                                                            local_1.len = (_e1402 - 1u);
+                                                            let _e1405 = local_1.len;
+                                                            if (_e1405 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1409 = local_1.first[(0u + _e1404)];
-                                                            local_1.group = _e1409;
-                                                            let _e1412 = local_1.len;
-                                                            if (_e1412 < 32u) {
+                                                            let _e1410 = local_1.first[(0u + _e1405)];
+                                                            local_1.group = _e1410;
+                                                            let _e1413 = local_1.len;
+                                                            if (_e1413 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1417 = local_1.mask[(0u + _e1412)];
-                                                            local_1.group_mask = _e1417;
-                                                            phi_1993_ = true;
+                                                            let _e1418 = local_1.mask[(0u + _e1413)];
+                                                            local_1.group_mask = _e1418;
+                                                            phi_1996_ = true;
                                                         }
-                                                        let _e1420 = phi_1993_;
-                                                        phi_1994_ = _e1420;
+                                                        let _e1421 = phi_1996_;
+                                                        phi_1997_ = _e1421;
                                                     } else {
-                                                        phi_1994_ = true;
+                                                        phi_1997_ = true;
                                                     }
-                                                    let _e1422 = phi_1994_;
-                                                    if _e1422 {
-                                                        let _e1424 = local_1.group_mask;
-                                                        let _e1430 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1424)), 32u, (_e1424 == 0u)));
-                                                        let _e1434 = local_1.group_mask;
-                                                        let _e1448 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1448 & ~((1u << bitcast<u32>((_e1430 & 31u)))));
-                                                        let _e1451 = local_1.group;
-                                                        phi_2025_ = (_e1451 + countOneBits(((_e1434 & ~((4294967295u << bitcast<u32>((((_e1430 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1423 = phi_1997_;
+                                                    if _e1423 {
+                                                        let _e1425 = local_1.group_mask;
+                                                        let _e1431 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1425)), 32u, (_e1425 == 0u)));
+                                                        let _e1435 = local_1.group_mask;
+                                                        let _e1449 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1449 & ~((1u << bitcast<u32>((_e1431 & 31u)))));
+                                                        let _e1452 = local_1.group;
+                                                        phi_2028_ = (_e1452 + countOneBits(((_e1435 & ~((4294967295u << bitcast<u32>((((_e1431 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2025_ = 4294967295u;
+                                                        phi_2028_ = 4294967295u;
                                                     }
-                                                    let _e1454 = phi_2025_;
-                                                    phi_2027_ = _e1454;
+                                                    let _e1455 = phi_2028_;
+                                                    phi_2030_ = _e1455;
                                                     loop {
-                                                        let _e1456 = phi_2027_;
-                                                        if (_e1456 != 4294967295u) {
-                                                            if (_e1456 < _e76) {
+                                                        let _e1457 = phi_2030_;
+                                                        if (_e1457 != 4294967295u) {
+                                                            if (_e1457 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1463 = nodes.member[(0u + _e1456)].frame[3u];
-                                                            let _e1488 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1220);
-                                                            let _e1489 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1230);
-                                                            let _e1490 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1240);
-                                                            let _e1493 = nodes.member[(0u + _e1456)].frame[0u];
-                                                            let _e1497 = nodes.member[(0u + _e1456)].frame[1u];
-                                                            let _e1501 = nodes.member[(0u + _e1456)].frame[2u];
-                                                            let _e1506 = ((bitcast<f32>(_e1493) - _e1011) * _e1220);
-                                                            let _e1507 = ((bitcast<f32>(_e1497) - _e1024) * _e1230);
-                                                            let _e1508 = ((bitcast<f32>(_e1501) - _e1037) * _e1240);
-                                                            let _e1516 = nodes.member[(0u + _e1456)].x;
-                                                            if (_e1220 < 0f) {
-                                                                let _e1527 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1533 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.unnamed.root, _e1516.w), _e1527.unnamed_1);
-                                                                let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1533.unnamed, lt_bvh_traverse_Tree(_e1516.x, _e1533.unnamed_1.first_primitive));
-                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1539.unnamed_1.root, _e1516.y));
+                                                            let _e1464 = nodes.member[(0u + _e1457)].frame[3u];
+                                                            let _e1489 = (bitcast<f32>((((_e1464 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1221);
+                                                            let _e1490 = (bitcast<f32>((((_e1464 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1231);
+                                                            let _e1491 = (bitcast<f32>((((_e1464 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1241);
+                                                            let _e1494 = nodes.member[(0u + _e1457)].frame[0u];
+                                                            let _e1498 = nodes.member[(0u + _e1457)].frame[1u];
+                                                            let _e1502 = nodes.member[(0u + _e1457)].frame[2u];
+                                                            let _e1507 = ((bitcast<f32>(_e1494) - _e1012) * _e1221);
+                                                            let _e1508 = ((bitcast<f32>(_e1498) - _e1025) * _e1231);
+                                                            let _e1509 = ((bitcast<f32>(_e1502) - _e1038) * _e1241);
+                                                            let _e1517 = nodes.member[(0u + _e1457)].x;
+                                                            if (_e1221 < 0f) {
+                                                                let _e1528 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1517.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1534 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1528.unnamed.root, _e1517.w), _e1528.unnamed_1);
+                                                                let _e1540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1534.unnamed, lt_bvh_traverse_Tree(_e1517.x, _e1534.unnamed_1.first_primitive));
+                                                                phi_2111_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1540.unnamed, lt_bvh_traverse_Tree(_e1540.unnamed_1.root, _e1517.y));
                                                             } else {
-                                                                let _e1555 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1555.unnamed.root, _e1516.y), _e1555.unnamed_1);
-                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1561.unnamed, lt_bvh_traverse_Tree(_e1516.z, _e1561.unnamed_1.first_primitive));
-                                                                phi_2108_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1567.unnamed_1.root, _e1516.w));
+                                                                let _e1556 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1517.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1562 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1556.unnamed.root, _e1517.y), _e1556.unnamed_1);
+                                                                let _e1568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1562.unnamed, lt_bvh_traverse_Tree(_e1517.z, _e1562.unnamed_1.first_primitive));
+                                                                phi_2111_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1568.unnamed, lt_bvh_traverse_Tree(_e1568.unnamed_1.root, _e1517.w));
                                                             }
-                                                            let _e1575 = phi_2108_;
-                                                            let _e1585 = nodes.member[(0u + _e1456)].y;
-                                                            if (_e1230 < 0f) {
-                                                                let _e1596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.unnamed.root, _e1585.w), _e1596.unnamed_1);
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1602.unnamed, lt_bvh_traverse_Tree(_e1585.x, _e1602.unnamed_1.first_primitive));
-                                                                phi_2135_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1608.unnamed_1.root, _e1585.y));
+                                                            let _e1576 = phi_2111_;
+                                                            let _e1586 = nodes.member[(0u + _e1457)].y;
+                                                            if (_e1231 < 0f) {
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1597.unnamed.root, _e1586.w), _e1597.unnamed_1);
+                                                                let _e1609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1603.unnamed, lt_bvh_traverse_Tree(_e1586.x, _e1603.unnamed_1.first_primitive));
+                                                                phi_2138_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1609.unnamed, lt_bvh_traverse_Tree(_e1609.unnamed_1.root, _e1586.y));
                                                             } else {
-                                                                let _e1624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1624.unnamed.root, _e1585.y), _e1624.unnamed_1);
-                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1630.unnamed, lt_bvh_traverse_Tree(_e1585.z, _e1630.unnamed_1.first_primitive));
-                                                                phi_2135_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1636.unnamed_1.root, _e1585.w));
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1586.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1625.unnamed.root, _e1586.y), _e1625.unnamed_1);
+                                                                let _e1637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1631.unnamed, lt_bvh_traverse_Tree(_e1586.z, _e1631.unnamed_1.first_primitive));
+                                                                phi_2138_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1637.unnamed, lt_bvh_traverse_Tree(_e1637.unnamed_1.root, _e1586.w));
                                                             }
-                                                            let _e1644 = phi_2135_;
-                                                            let _e1654 = nodes.member[(0u + _e1456)].z;
-                                                            if (_e1240 < 0f) {
-                                                                let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.unnamed.root, _e1654.w), _e1665.unnamed_1);
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_bvh_traverse_Tree(_e1654.x, _e1671.unnamed_1.first_primitive));
-                                                                phi_2162_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1677.unnamed_1.root, _e1654.y));
+                                                            let _e1645 = phi_2138_;
+                                                            let _e1655 = nodes.member[(0u + _e1457)].z;
+                                                            if (_e1241 < 0f) {
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1666.unnamed.root, _e1655.w), _e1666.unnamed_1);
+                                                                let _e1678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1672.unnamed, lt_bvh_traverse_Tree(_e1655.x, _e1672.unnamed_1.first_primitive));
+                                                                phi_2165_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1678.unnamed, lt_bvh_traverse_Tree(_e1678.unnamed_1.root, _e1655.y));
                                                             } else {
-                                                                let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1693.unnamed.root, _e1654.y), _e1693.unnamed_1);
-                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_bvh_traverse_Tree(_e1654.z, _e1699.unnamed_1.first_primitive));
-                                                                phi_2162_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1705.unnamed_1.root, _e1654.w));
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1655.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1694.unnamed.root, _e1655.y), _e1694.unnamed_1);
+                                                                let _e1706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1700.unnamed, lt_bvh_traverse_Tree(_e1655.z, _e1700.unnamed_1.first_primitive));
+                                                                phi_2165_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1706.unnamed, lt_bvh_traverse_Tree(_e1706.unnamed_1.root, _e1655.w));
                                                             }
-                                                            let _e1713 = phi_2162_;
-                                                            phi_2168_ = 0u;
+                                                            let _e1714 = phi_2165_;
                                                             phi_2171_ = 0u;
+                                                            phi_2174_ = 0u;
                                                             loop {
-                                                                let _e1723 = phi_2168_;
-                                                                let _e1725 = phi_2171_;
-                                                                local_6 = _e1725;
-                                                                local_7 = _e1725;
-                                                                local_8 = _e1725;
-                                                                let _e1726 = (_e1723 < 8u);
-                                                                if _e1726 {
-                                                                    let _e1728 = (_e1723 >> bitcast<u32>(2i));
-                                                                    let _e1729 = (_e1723 & 3u);
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2185_ = _e1575.unnamed.root;
+                                                                let _e1724 = phi_2171_;
+                                                                let _e1726 = phi_2174_;
+                                                                local_6 = _e1726;
+                                                                local_7 = _e1726;
+                                                                local_8 = _e1726;
+                                                                let _e1727 = (_e1724 < 8u);
+                                                                if _e1727 {
+                                                                    let _e1729 = (_e1724 >> bitcast<u32>(2i));
+                                                                    let _e1730 = (_e1724 & 3u);
+                                                                    if (_e1729 == 0u) {
+                                                                        phi_2188_ = _e1576.unnamed.root;
                                                                     } else {
-                                                                        phi_2185_ = _e1575.unnamed.first_primitive;
+                                                                        phi_2188_ = _e1576.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1732 = phi_2185_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2195_ = _e1644.unnamed.root;
+                                                                    let _e1733 = phi_2188_;
+                                                                    if (_e1729 == 0u) {
+                                                                        phi_2198_ = _e1645.unnamed.root;
                                                                     } else {
-                                                                        phi_2195_ = _e1644.unnamed.first_primitive;
+                                                                        phi_2198_ = _e1645.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1741 = phi_2195_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2205_ = _e1713.unnamed.root;
+                                                                    let _e1742 = phi_2198_;
+                                                                    if (_e1729 == 0u) {
+                                                                        phi_2208_ = _e1714.unnamed.root;
                                                                     } else {
-                                                                        phi_2205_ = _e1713.unnamed.first_primitive;
+                                                                        phi_2208_ = _e1714.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1750 = phi_2205_;
-                                                                    let _e1763 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1732 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1268)), ((f32(((_e1741 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1269)));
-                                                                    let _e1764 = core_intrinsics_maximum_number_nsz_f32_(_e1763, ((f32(((_e1750 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1270)));
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2223_ = _e1575.unnamed_1.root;
+                                                                    let _e1751 = phi_2208_;
+                                                                    let _e1764 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1733 >> bitcast<u32>(((_e1730 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1269)), ((f32(((_e1742 >> bitcast<u32>(((_e1730 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1270)));
+                                                                    let _e1765 = core_intrinsics_maximum_number_nsz_f32_(_e1764, ((f32(((_e1751 >> bitcast<u32>(((_e1730 * 8u) & 31u))) & 255u)) * _e1491) + (_e1509 - _e1271)));
+                                                                    if (_e1729 == 0u) {
+                                                                        phi_2226_ = _e1576.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2223_ = _e1575.unnamed_1.first_primitive;
+                                                                        phi_2226_ = _e1576.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1767 = phi_2223_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2233_ = _e1644.unnamed_1.root;
+                                                                    let _e1768 = phi_2226_;
+                                                                    if (_e1729 == 0u) {
+                                                                        phi_2236_ = _e1645.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2233_ = _e1644.unnamed_1.first_primitive;
+                                                                        phi_2236_ = _e1645.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1776 = phi_2233_;
-                                                                    if (_e1728 == 0u) {
-                                                                        phi_2243_ = _e1713.unnamed_1.root;
+                                                                    let _e1777 = phi_2236_;
+                                                                    if (_e1729 == 0u) {
+                                                                        phi_2246_ = _e1714.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2243_ = _e1713.unnamed_1.first_primitive;
+                                                                        phi_2246_ = _e1714.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1785 = phi_2243_;
-                                                                    let _e1798 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1767 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1268)), ((f32(((_e1776 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1269)));
-                                                                    let _e1799 = core_intrinsics_minimum_number_nsz_f32_(_e1798, ((f32(((_e1785 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1270)));
-                                                                    if (_e1764 <= _e1799) {
-                                                                        if (_e1764 <= _e141) {
-                                                                            if (_e1799 >= 0f) {
-                                                                                if (_e1728 == 0u) {
-                                                                                    let _e1806 = nodes.member[(0u + _e1456)].links[2u];
-                                                                                    phi_2279_ = _e1806;
+                                                                    let _e1786 = phi_2246_;
+                                                                    let _e1799 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1768 >> bitcast<u32>(((_e1730 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1269)), ((f32(((_e1777 >> bitcast<u32>(((_e1730 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1270)));
+                                                                    let _e1800 = core_intrinsics_minimum_number_nsz_f32_(_e1799, ((f32(((_e1786 >> bitcast<u32>(((_e1730 * 8u) & 31u))) & 255u)) * _e1491) + (_e1509 + _e1271)));
+                                                                    if (_e1765 <= _e1800) {
+                                                                        if (_e1765 <= _e142) {
+                                                                            if (_e1800 >= 0f) {
+                                                                                if (_e1729 == 0u) {
+                                                                                    let _e1807 = nodes.member[(0u + _e1457)].links[2u];
+                                                                                    phi_2282_ = _e1807;
                                                                                 } else {
-                                                                                    let _e1809 = nodes.member[(0u + _e1456)].links[3u];
-                                                                                    phi_2279_ = _e1809;
+                                                                                    let _e1810 = nodes.member[(0u + _e1457)].links[3u];
+                                                                                    phi_2282_ = _e1810;
                                                                                 }
-                                                                                let _e1811 = phi_2279_;
-                                                                                let _e1816 = ((_e1811 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u);
-                                                                                let _e1817 = (_e1816 & 31u);
-                                                                                if (_e1817 >= 24u) {
-                                                                                    phi_2292_ = (24u + ((_e1817 - 24u) ^ _e1318));
+                                                                                let _e1812 = phi_2282_;
+                                                                                let _e1817 = ((_e1812 >> bitcast<u32>(((_e1730 * 8u) & 31u))) & 255u);
+                                                                                let _e1818 = (_e1817 & 31u);
+                                                                                if (_e1818 >= 24u) {
+                                                                                    phi_2295_ = (24u + ((_e1818 - 24u) ^ _e1319));
                                                                                 } else {
-                                                                                    phi_2292_ = _e1817;
+                                                                                    phi_2295_ = _e1818;
                                                                                 }
-                                                                                let _e1823 = phi_2292_;
-                                                                                phi_2297_ = (_e1725 | ((_e1816 >> bitcast<u32>(5i)) << bitcast<u32>((_e1823 & 31u))));
+                                                                                let _e1824 = phi_2295_;
+                                                                                phi_2300_ = (_e1726 | ((_e1817 >> bitcast<u32>(5i)) << bitcast<u32>((_e1824 & 31u))));
                                                                             } else {
-                                                                                phi_2297_ = _e1725;
+                                                                                phi_2300_ = _e1726;
                                                                             }
-                                                                            let _e1831 = phi_2297_;
-                                                                            phi_2298_ = _e1831;
+                                                                            let _e1832 = phi_2300_;
+                                                                            phi_2301_ = _e1832;
                                                                         } else {
-                                                                            phi_2298_ = _e1725;
+                                                                            phi_2301_ = _e1726;
                                                                         }
-                                                                        let _e1833 = phi_2298_;
-                                                                        phi_2299_ = _e1833;
+                                                                        let _e1834 = phi_2301_;
+                                                                        phi_2302_ = _e1834;
                                                                     } else {
-                                                                        phi_2299_ = _e1725;
+                                                                        phi_2302_ = _e1726;
                                                                     }
-                                                                    let _e1835 = phi_2299_;
-                                                                    phi_2169_ = (_e1723 + 1u);
-                                                                    phi_2172_ = _e1835;
+                                                                    let _e1836 = phi_2302_;
+                                                                    phi_2172_ = (_e1724 + 1u);
+                                                                    phi_2175_ = _e1836;
                                                                 } else {
-                                                                    phi_2169_ = u32();
                                                                     phi_2172_ = u32();
+                                                                    phi_2175_ = u32();
                                                                 }
-                                                                let _e1838 = phi_2169_;
-                                                                let _e1840 = phi_2172_;
+                                                                let _e1839 = phi_2172_;
+                                                                let _e1841 = phi_2175_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2168_ = _e1838;
-                                                                    phi_2171_ = _e1840;
-                                                                    break if !(_e1726);
+                                                                    phi_2171_ = _e1839;
+                                                                    phi_2174_ = _e1841;
+                                                                    break if !(_e1727);
                                                                 }
                                                             }
-                                                            let _e1844 = nodes.member[(0u + _e1456)].links[0u];
-                                                            let _e1848 = nodes.member[(0u + _e1456)].frame[3u];
-                                                            let _e1852 = local_6;
-                                                            if ((_e1852 & 4278190080u) == 0u) {
+                                                            let _e1845 = nodes.member[(0u + _e1457)].links[0u];
+                                                            let _e1849 = nodes.member[(0u + _e1457)].frame[3u];
+                                                            let _e1853 = local_6;
+                                                            if ((_e1853 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1856 = local_1.group_mask;
-                                                                if ((_e1856 & 4278190080u) == 0u) {
+                                                                let _e1857 = local_1.group_mask;
+                                                                if ((_e1857 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1860 = local_1.len;
-                                                                    if (_e1860 < 32u) {
-                                                                        let _e1863 = local_1.group;
-                                                                        let _e1865 = local_1.len;
-                                                                        if (_e1865 < 32u) {
+                                                                    let _e1861 = local_1.len;
+                                                                    if (_e1861 < 32u) {
+                                                                        let _e1864 = local_1.group;
+                                                                        let _e1866 = local_1.len;
+                                                                        if (_e1866 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1865)] = _e1863;
-                                                                        let _e1871 = local_1.group_mask;
-                                                                        let _e1873 = local_1.len;
-                                                                        if (_e1873 < 32u) {
+                                                                        local_1.first[(0u + _e1866)] = _e1864;
+                                                                        let _e1872 = local_1.group_mask;
+                                                                        let _e1874 = local_1.len;
+                                                                        if (_e1874 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1873)] = _e1871;
-                                                                        let _e1880 = local_1.len;
-                                                                        local_1.len = (_e1880 + 1u);
+                                                                        local_1.mask[(0u + _e1874)] = _e1872;
+                                                                        let _e1881 = local_1.len;
+                                                                        local_1.len = (_e1881 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1080 + _e1844);
-                                                                let _e1884 = local_7;
-                                                                local_1.group_mask = ((_e1884 & 4278190080u) | (_e1848 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1081 + _e1845);
+                                                                let _e1885 = local_7;
+                                                                local_1.group_mask = ((_e1885 & 4278190080u) | (_e1849 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1889 = local_8;
-                                                            phi_2357_ = (_e1889 & 16777215u);
+                                                            let _e1890 = local_8;
+                                                            phi_2360_ = (_e1890 & 16777215u);
                                                             loop {
-                                                                let _e1892 = phi_2357_;
-                                                                let _e1893 = (_e1892 == 0u);
-                                                                local_9 = _e1893;
-                                                                local_15 = _e1893;
-                                                                if _e1893 {
-                                                                    phi_2358_ = u32();
-                                                                    phi_3165_ = false;
-                                                                    phi_3166_ = false;
-                                                                    phi_3167_ = false;
+                                                                let _e1893 = phi_2360_;
+                                                                let _e1894 = (_e1893 == 0u);
+                                                                local_9 = _e1894;
+                                                                local_15 = _e1894;
+                                                                if _e1894 {
+                                                                    phi_2361_ = u32();
+                                                                    phi_3168_ = false;
+                                                                    phi_3169_ = false;
+                                                                    phi_3170_ = false;
                                                                 } else {
-                                                                    let _e1896 = nodes.member[(0u + _e1456)].links[1u];
-                                                                    let _e1901 = ((_e1082 + _e1896) + select(firstTrailingBit(_e1892), 32u, (_e1892 == 0u)));
-                                                                    if (_e1901 < _e79) {
+                                                                    let _e1897 = nodes.member[(0u + _e1457)].links[1u];
+                                                                    let _e1902 = ((_e1083 + _e1897) + select(firstTrailingBit(_e1893), 32u, (_e1893 == 0u)));
+                                                                    if (_e1902 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1908 = triangles.member[(0u + _e1901)].v0_;
-                                                                    let _e1910 = (_e1908.x - _e1011);
-                                                                    let _e1912 = (_e1908.y - _e1024);
-                                                                    let _e1914 = (_e1908.z - _e1037);
-                                                                    if (_e1291 == 0u) {
-                                                                        phi_2403_ = vec3<f32>(_e1912, _e1914, _e1910);
+                                                                    let _e1909 = triangles.member[(0u + _e1902)].v0_;
+                                                                    let _e1911 = (_e1909.x - _e1012);
+                                                                    let _e1913 = (_e1909.y - _e1025);
+                                                                    let _e1915 = (_e1909.z - _e1038);
+                                                                    if (_e1292 == 0u) {
+                                                                        phi_2406_ = vec3<f32>(_e1913, _e1915, _e1911);
                                                                     } else {
-                                                                        if (_e1291 == 1u) {
-                                                                            phi_2402_ = vec3<f32>(_e1914, _e1910, _e1912);
+                                                                        if (_e1292 == 1u) {
+                                                                            phi_2405_ = vec3<f32>(_e1915, _e1911, _e1913);
                                                                         } else {
-                                                                            phi_2402_ = (_e1908 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2405_ = (_e1909 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                         }
-                                                                        let _e1922 = phi_2402_;
-                                                                        phi_2403_ = _e1922;
+                                                                        let _e1923 = phi_2405_;
+                                                                        phi_2406_ = _e1923;
                                                                     }
-                                                                    let _e1924 = phi_2403_;
-                                                                    let _e1928 = (_e1924.x - (_e1302 * _e1924.z));
-                                                                    let _e1932 = (_e1924.y - (_e1305 * _e1924.z));
-                                                                    let _e1934 = triangles.member[(0u + _e1901)].v1_;
-                                                                    let _e1936 = (_e1934.x - _e1011);
-                                                                    let _e1938 = (_e1934.y - _e1024);
-                                                                    let _e1940 = (_e1934.z - _e1037);
-                                                                    if (_e1291 == 0u) {
-                                                                        phi_2433_ = vec3<f32>(_e1938, _e1940, _e1936);
+                                                                    let _e1925 = phi_2406_;
+                                                                    let _e1929 = (_e1925.x - (_e1303 * _e1925.z));
+                                                                    let _e1933 = (_e1925.y - (_e1306 * _e1925.z));
+                                                                    let _e1935 = triangles.member[(0u + _e1902)].v1_;
+                                                                    let _e1937 = (_e1935.x - _e1012);
+                                                                    let _e1939 = (_e1935.y - _e1025);
+                                                                    let _e1941 = (_e1935.z - _e1038);
+                                                                    if (_e1292 == 0u) {
+                                                                        phi_2436_ = vec3<f32>(_e1939, _e1941, _e1937);
                                                                     } else {
-                                                                        if (_e1291 == 1u) {
-                                                                            phi_2432_ = vec3<f32>(_e1940, _e1936, _e1938);
+                                                                        if (_e1292 == 1u) {
+                                                                            phi_2435_ = vec3<f32>(_e1941, _e1937, _e1939);
                                                                         } else {
-                                                                            phi_2432_ = (_e1934 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2435_ = (_e1935 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                         }
-                                                                        let _e1948 = phi_2432_;
-                                                                        phi_2433_ = _e1948;
+                                                                        let _e1949 = phi_2435_;
+                                                                        phi_2436_ = _e1949;
                                                                     }
-                                                                    let _e1950 = phi_2433_;
-                                                                    let _e1954 = (_e1950.x - (_e1302 * _e1950.z));
-                                                                    let _e1958 = (_e1950.y - (_e1305 * _e1950.z));
-                                                                    let _e1960 = triangles.member[(0u + _e1901)].v2_;
-                                                                    let _e1962 = (_e1960.x - _e1011);
-                                                                    let _e1964 = (_e1960.y - _e1024);
-                                                                    let _e1966 = (_e1960.z - _e1037);
-                                                                    if (_e1291 == 0u) {
-                                                                        phi_2463_ = vec3<f32>(_e1964, _e1966, _e1962);
+                                                                    let _e1951 = phi_2436_;
+                                                                    let _e1955 = (_e1951.x - (_e1303 * _e1951.z));
+                                                                    let _e1959 = (_e1951.y - (_e1306 * _e1951.z));
+                                                                    let _e1961 = triangles.member[(0u + _e1902)].v2_;
+                                                                    let _e1963 = (_e1961.x - _e1012);
+                                                                    let _e1965 = (_e1961.y - _e1025);
+                                                                    let _e1967 = (_e1961.z - _e1038);
+                                                                    if (_e1292 == 0u) {
+                                                                        phi_2466_ = vec3<f32>(_e1965, _e1967, _e1963);
                                                                     } else {
-                                                                        if (_e1291 == 1u) {
-                                                                            phi_2462_ = vec3<f32>(_e1966, _e1962, _e1964);
+                                                                        if (_e1292 == 1u) {
+                                                                            phi_2465_ = vec3<f32>(_e1967, _e1963, _e1965);
                                                                         } else {
-                                                                            phi_2462_ = (_e1960 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                            phi_2465_ = (_e1961 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                         }
-                                                                        let _e1974 = phi_2462_;
-                                                                        phi_2463_ = _e1974;
+                                                                        let _e1975 = phi_2465_;
+                                                                        phi_2466_ = _e1975;
                                                                     }
-                                                                    let _e1976 = phi_2463_;
-                                                                    let _e1980 = (_e1976.x - (_e1302 * _e1976.z));
-                                                                    let _e1984 = (_e1976.y - (_e1305 * _e1976.z));
-                                                                    if (_e1954 < _e1980) {
-                                                                        phi_2482_ = true;
+                                                                    let _e1977 = phi_2466_;
+                                                                    let _e1981 = (_e1977.x - (_e1303 * _e1977.z));
+                                                                    let _e1985 = (_e1977.y - (_e1306 * _e1977.z));
+                                                                    if (_e1955 < _e1981) {
+                                                                        phi_2485_ = true;
                                                                     } else {
-                                                                        if (_e1954 == _e1980) {
-                                                                            phi_2481_ = (_e1958 < _e1984);
+                                                                        if (_e1955 == _e1981) {
+                                                                            phi_2484_ = (_e1959 < _e1985);
                                                                         } else {
-                                                                            phi_2481_ = false;
+                                                                            phi_2484_ = false;
                                                                         }
-                                                                        let _e1989 = phi_2481_;
-                                                                        phi_2482_ = _e1989;
+                                                                        let _e1990 = phi_2484_;
+                                                                        phi_2485_ = _e1990;
                                                                     }
-                                                                    let _e1991 = phi_2482_;
-                                                                    if _e1991 {
-                                                                        phi_2486_ = _e1984;
-                                                                        phi_2487_ = _e1980;
-                                                                        phi_2488_ = _e1958;
-                                                                        phi_2489_ = _e1954;
+                                                                    let _e1992 = phi_2485_;
+                                                                    if _e1992 {
+                                                                        phi_2489_ = _e1985;
+                                                                        phi_2490_ = _e1981;
+                                                                        phi_2491_ = _e1959;
+                                                                        phi_2492_ = _e1955;
                                                                     } else {
-                                                                        phi_2486_ = _e1958;
-                                                                        phi_2487_ = _e1954;
-                                                                        phi_2488_ = _e1984;
-                                                                        phi_2489_ = _e1980;
+                                                                        phi_2489_ = _e1959;
+                                                                        phi_2490_ = _e1955;
+                                                                        phi_2491_ = _e1985;
+                                                                        phi_2492_ = _e1981;
                                                                     }
-                                                                    let _e1993 = phi_2486_;
-                                                                    let _e1995 = phi_2487_;
-                                                                    let _e1997 = phi_2488_;
-                                                                    let _e1999 = phi_2489_;
-                                                                    let _e2002 = ((_e1999 * _e1993) - (_e1997 * _e1995));
-                                                                    if _e1991 {
-                                                                        phi_2497_ = -(_e2002);
+                                                                    let _e1994 = phi_2489_;
+                                                                    let _e1996 = phi_2490_;
+                                                                    let _e1998 = phi_2491_;
+                                                                    let _e2000 = phi_2492_;
+                                                                    let _e2003 = ((_e2000 * _e1994) - (_e1998 * _e1996));
+                                                                    if _e1992 {
+                                                                        phi_2500_ = -(_e2003);
                                                                     } else {
-                                                                        phi_2497_ = _e2002;
+                                                                        phi_2500_ = _e2003;
                                                                     }
-                                                                    let _e2005 = phi_2497_;
-                                                                    if (_e1980 < _e1928) {
-                                                                        phi_2508_ = true;
+                                                                    let _e2006 = phi_2500_;
+                                                                    if (_e1981 < _e1929) {
+                                                                        phi_2511_ = true;
                                                                     } else {
-                                                                        if (_e1980 == _e1928) {
-                                                                            phi_2507_ = (_e1984 < _e1932);
+                                                                        if (_e1981 == _e1929) {
+                                                                            phi_2510_ = (_e1985 < _e1933);
                                                                         } else {
-                                                                            phi_2507_ = false;
+                                                                            phi_2510_ = false;
                                                                         }
-                                                                        let _e2010 = phi_2507_;
-                                                                        phi_2508_ = _e2010;
+                                                                        let _e2011 = phi_2510_;
+                                                                        phi_2511_ = _e2011;
                                                                     }
-                                                                    let _e2012 = phi_2508_;
-                                                                    if _e2012 {
-                                                                        phi_2512_ = _e1932;
-                                                                        phi_2513_ = _e1928;
-                                                                        phi_2514_ = _e1984;
-                                                                        phi_2515_ = _e1980;
+                                                                    let _e2013 = phi_2511_;
+                                                                    if _e2013 {
+                                                                        phi_2515_ = _e1933;
+                                                                        phi_2516_ = _e1929;
+                                                                        phi_2517_ = _e1985;
+                                                                        phi_2518_ = _e1981;
                                                                     } else {
-                                                                        phi_2512_ = _e1984;
-                                                                        phi_2513_ = _e1980;
-                                                                        phi_2514_ = _e1932;
-                                                                        phi_2515_ = _e1928;
+                                                                        phi_2515_ = _e1985;
+                                                                        phi_2516_ = _e1981;
+                                                                        phi_2517_ = _e1933;
+                                                                        phi_2518_ = _e1929;
                                                                     }
-                                                                    let _e2014 = phi_2512_;
-                                                                    let _e2016 = phi_2513_;
-                                                                    let _e2018 = phi_2514_;
-                                                                    let _e2020 = phi_2515_;
-                                                                    let _e2023 = ((_e2020 * _e2014) - (_e2018 * _e2016));
-                                                                    if _e2012 {
-                                                                        phi_2523_ = -(_e2023);
+                                                                    let _e2015 = phi_2515_;
+                                                                    let _e2017 = phi_2516_;
+                                                                    let _e2019 = phi_2517_;
+                                                                    let _e2021 = phi_2518_;
+                                                                    let _e2024 = ((_e2021 * _e2015) - (_e2019 * _e2017));
+                                                                    if _e2013 {
+                                                                        phi_2526_ = -(_e2024);
                                                                     } else {
-                                                                        phi_2523_ = _e2023;
+                                                                        phi_2526_ = _e2024;
                                                                     }
-                                                                    let _e2026 = phi_2523_;
-                                                                    if (_e1928 < _e1954) {
-                                                                        phi_2534_ = true;
+                                                                    let _e2027 = phi_2526_;
+                                                                    if (_e1929 < _e1955) {
+                                                                        phi_2537_ = true;
                                                                     } else {
-                                                                        if (_e1928 == _e1954) {
-                                                                            phi_2533_ = (_e1932 < _e1958);
+                                                                        if (_e1929 == _e1955) {
+                                                                            phi_2536_ = (_e1933 < _e1959);
                                                                         } else {
-                                                                            phi_2533_ = false;
+                                                                            phi_2536_ = false;
                                                                         }
-                                                                        let _e2031 = phi_2533_;
-                                                                        phi_2534_ = _e2031;
+                                                                        let _e2032 = phi_2536_;
+                                                                        phi_2537_ = _e2032;
                                                                     }
-                                                                    let _e2033 = phi_2534_;
-                                                                    if _e2033 {
-                                                                        phi_2538_ = _e1958;
-                                                                        phi_2539_ = _e1954;
-                                                                        phi_2540_ = _e1932;
-                                                                        phi_2541_ = _e1928;
+                                                                    let _e2034 = phi_2537_;
+                                                                    if _e2034 {
+                                                                        phi_2541_ = _e1959;
+                                                                        phi_2542_ = _e1955;
+                                                                        phi_2543_ = _e1933;
+                                                                        phi_2544_ = _e1929;
                                                                     } else {
-                                                                        phi_2538_ = _e1932;
-                                                                        phi_2539_ = _e1928;
-                                                                        phi_2540_ = _e1958;
-                                                                        phi_2541_ = _e1954;
+                                                                        phi_2541_ = _e1933;
+                                                                        phi_2542_ = _e1929;
+                                                                        phi_2543_ = _e1959;
+                                                                        phi_2544_ = _e1955;
                                                                     }
-                                                                    let _e2035 = phi_2538_;
-                                                                    let _e2037 = phi_2539_;
-                                                                    let _e2039 = phi_2540_;
-                                                                    let _e2041 = phi_2541_;
-                                                                    let _e2044 = ((_e2041 * _e2035) - (_e2039 * _e2037));
-                                                                    if _e2033 {
-                                                                        phi_2549_ = -(_e2044);
+                                                                    let _e2036 = phi_2541_;
+                                                                    let _e2038 = phi_2542_;
+                                                                    let _e2040 = phi_2543_;
+                                                                    let _e2042 = phi_2544_;
+                                                                    let _e2045 = ((_e2042 * _e2036) - (_e2040 * _e2038));
+                                                                    if _e2034 {
+                                                                        phi_2552_ = -(_e2045);
                                                                     } else {
-                                                                        phi_2549_ = _e2044;
+                                                                        phi_2552_ = _e2045;
                                                                     }
-                                                                    let _e2047 = phi_2549_;
-                                                                    if (_e2005 >= 0f) {
-                                                                        if (_e2026 >= 0f) {
-                                                                            if (_e2047 >= 0f) {
-                                                                                phi_2564_ = ((_e2005 + _e2026) + _e2047);
-                                                                                phi_2565_ = false;
+                                                                    let _e2048 = phi_2552_;
+                                                                    if (_e2006 >= 0f) {
+                                                                        if (_e2027 >= 0f) {
+                                                                            if (_e2048 >= 0f) {
+                                                                                phi_2567_ = ((_e2006 + _e2027) + _e2048);
+                                                                                phi_2568_ = false;
                                                                             } else {
-                                                                                phi_2564_ = f32();
-                                                                                phi_2565_ = true;
+                                                                                phi_2567_ = f32();
+                                                                                phi_2568_ = true;
                                                                             }
-                                                                            let _e2054 = phi_2564_;
-                                                                            let _e2056 = phi_2565_;
-                                                                            phi_2566_ = _e2054;
-                                                                            phi_2567_ = _e2056;
+                                                                            let _e2055 = phi_2567_;
+                                                                            let _e2057 = phi_2568_;
+                                                                            phi_2569_ = _e2055;
+                                                                            phi_2570_ = _e2057;
                                                                         } else {
-                                                                            phi_2566_ = f32();
-                                                                            phi_2567_ = true;
+                                                                            phi_2569_ = f32();
+                                                                            phi_2570_ = true;
                                                                         }
-                                                                        let _e2058 = phi_2566_;
-                                                                        let _e2060 = phi_2567_;
-                                                                        phi_2568_ = _e2058;
-                                                                        phi_2569_ = _e2060;
+                                                                        let _e2059 = phi_2569_;
+                                                                        let _e2061 = phi_2570_;
+                                                                        phi_2571_ = _e2059;
+                                                                        phi_2572_ = _e2061;
                                                                     } else {
-                                                                        phi_2568_ = f32();
-                                                                        phi_2569_ = true;
+                                                                        phi_2571_ = f32();
+                                                                        phi_2572_ = true;
                                                                     }
-                                                                    let _e2062 = phi_2568_;
-                                                                    let _e2064 = phi_2569_;
-                                                                    if _e2064 {
-                                                                        if (_e2005 <= 0f) {
-                                                                            if (_e2026 <= 0f) {
-                                                                                let _e2067 = (_e2047 <= 0f);
-                                                                                if _e2067 {
+                                                                    let _e2063 = phi_2571_;
+                                                                    let _e2065 = phi_2572_;
+                                                                    if _e2065 {
+                                                                        if (_e2006 <= 0f) {
+                                                                            if (_e2027 <= 0f) {
+                                                                                let _e2068 = (_e2048 <= 0f);
+                                                                                if _e2068 {
                                                                                 }
-                                                                                phi_2587_ = ((_e2005 + _e2026) + _e2047);
-                                                                                phi_2588_ = false;
-                                                                                phi_2589_ = _e2067;
+                                                                                phi_2590_ = ((_e2006 + _e2027) + _e2048);
+                                                                                phi_2591_ = false;
+                                                                                phi_2592_ = _e2068;
                                                                             } else {
-                                                                                phi_2587_ = f32();
-                                                                                phi_2588_ = true;
-                                                                                phi_2589_ = false;
+                                                                                phi_2590_ = f32();
+                                                                                phi_2591_ = true;
+                                                                                phi_2592_ = false;
                                                                             }
-                                                                            let _e2071 = phi_2587_;
-                                                                            let _e2073 = phi_2588_;
-                                                                            let _e2075 = phi_2589_;
-                                                                            phi_2590_ = _e2071;
-                                                                            phi_2591_ = _e2073;
-                                                                            phi_2592_ = _e2075;
+                                                                            let _e2072 = phi_2590_;
+                                                                            let _e2074 = phi_2591_;
+                                                                            let _e2076 = phi_2592_;
+                                                                            phi_2593_ = _e2072;
+                                                                            phi_2594_ = _e2074;
+                                                                            phi_2595_ = _e2076;
                                                                         } else {
-                                                                            phi_2590_ = f32();
-                                                                            phi_2591_ = true;
-                                                                            phi_2592_ = false;
+                                                                            phi_2593_ = f32();
+                                                                            phi_2594_ = true;
+                                                                            phi_2595_ = false;
                                                                         }
-                                                                        let _e2077 = phi_2590_;
-                                                                        let _e2079 = phi_2591_;
-                                                                        let _e2081 = phi_2592_;
-                                                                        if _e2079 {
-                                                                            phi_2596_ = false;
+                                                                        let _e2078 = phi_2593_;
+                                                                        let _e2080 = phi_2594_;
+                                                                        let _e2082 = phi_2595_;
+                                                                        if _e2080 {
+                                                                            phi_2599_ = false;
                                                                         } else {
-                                                                            phi_2596_ = _e2081;
+                                                                            phi_2599_ = _e2082;
                                                                         }
-                                                                        let _e2083 = phi_2596_;
-                                                                        phi_2597_ = _e2077;
-                                                                        phi_2598_ = _e2083;
+                                                                        let _e2084 = phi_2599_;
+                                                                        phi_2600_ = _e2078;
+                                                                        phi_2601_ = _e2084;
                                                                     } else {
-                                                                        phi_2597_ = _e2062;
-                                                                        phi_2598_ = true;
+                                                                        phi_2600_ = _e2063;
+                                                                        phi_2601_ = true;
                                                                     }
-                                                                    let _e2085 = phi_2597_;
-                                                                    let _e2087 = phi_2598_;
-                                                                    if _e2087 {
-                                                                        let _e2088 = (_e2085 == 0f);
-                                                                        if _e2088 {
-                                                                            phi_2914_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2915_ = false;
+                                                                    let _e2086 = phi_2600_;
+                                                                    let _e2088 = phi_2601_;
+                                                                    if _e2088 {
+                                                                        let _e2089 = (_e2086 == 0f);
+                                                                        if _e2089 {
+                                                                            phi_2917_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2918_ = false;
                                                                         } else {
-                                                                            let _e2090 = triangles.member[(0u + _e1901)].v0_;
-                                                                            let _e2092 = (_e2090.x - _e1011);
-                                                                            let _e2094 = (_e2090.y - _e1024);
-                                                                            let _e2096 = (_e2090.z - _e1037);
-                                                                            if (_e1291 == 0u) {
-                                                                                phi_2627_ = vec3<f32>(_e2094, _e2096, _e2092);
+                                                                            let _e2091 = triangles.member[(0u + _e1902)].v0_;
+                                                                            let _e2093 = (_e2091.x - _e1012);
+                                                                            let _e2095 = (_e2091.y - _e1025);
+                                                                            let _e2097 = (_e2091.z - _e1038);
+                                                                            if (_e1292 == 0u) {
+                                                                                phi_2630_ = vec3<f32>(_e2095, _e2097, _e2093);
                                                                             } else {
-                                                                                if (_e1291 == 1u) {
-                                                                                    phi_2626_ = vec3<f32>(_e2096, _e2092, _e2094);
+                                                                                if (_e1292 == 1u) {
+                                                                                    phi_2629_ = vec3<f32>(_e2097, _e2093, _e2095);
                                                                                 } else {
-                                                                                    phi_2626_ = (_e2090 - vec3<f32>(_e1011, _e1024, _e1037));
+                                                                                    phi_2629_ = (_e2091 - vec3<f32>(_e1012, _e1025, _e1038));
                                                                                 }
-                                                                                let _e2104 = phi_2626_;
-                                                                                phi_2627_ = _e2104;
+                                                                                let _e2105 = phi_2629_;
+                                                                                phi_2630_ = _e2105;
                                                                             }
-                                                                            let _e2106 = phi_2627_;
-                                                                            let _e2108 = triangles.member[(0u + _e1901)].v1_;
-                                                                            let _e2110 = triangles.member[(0u + _e1901)].v0_;
-                                                                            let _e2113 = (_e2108.x - _e2110.x);
-                                                                            let _e2116 = (_e2108.y - _e2110.y);
-                                                                            let _e2119 = (_e2108.z - _e2110.z);
-                                                                            if (_e1291 == 0u) {
-                                                                                phi_2653_ = vec3<f32>(_e2116, _e2119, _e2113);
+                                                                            let _e2107 = phi_2630_;
+                                                                            let _e2109 = triangles.member[(0u + _e1902)].v1_;
+                                                                            let _e2111 = triangles.member[(0u + _e1902)].v0_;
+                                                                            let _e2114 = (_e2109.x - _e2111.x);
+                                                                            let _e2117 = (_e2109.y - _e2111.y);
+                                                                            let _e2120 = (_e2109.z - _e2111.z);
+                                                                            if (_e1292 == 0u) {
+                                                                                phi_2656_ = vec3<f32>(_e2117, _e2120, _e2114);
                                                                             } else {
-                                                                                if (_e1291 == 1u) {
-                                                                                    phi_2652_ = vec3<f32>(_e2119, _e2113, _e2116);
+                                                                                if (_e1292 == 1u) {
+                                                                                    phi_2655_ = vec3<f32>(_e2120, _e2114, _e2117);
                                                                                 } else {
-                                                                                    phi_2652_ = (_e2108 - _e2110);
+                                                                                    phi_2655_ = (_e2109 - _e2111);
                                                                                 }
-                                                                                let _e2126 = phi_2652_;
-                                                                                phi_2653_ = _e2126;
+                                                                                let _e2127 = phi_2655_;
+                                                                                phi_2656_ = _e2127;
                                                                             }
-                                                                            let _e2128 = phi_2653_;
-                                                                            let _e2130 = triangles.member[(0u + _e1901)].v2_;
-                                                                            let _e2132 = triangles.member[(0u + _e1901)].v0_;
-                                                                            let _e2135 = (_e2130.x - _e2132.x);
-                                                                            let _e2138 = (_e2130.y - _e2132.y);
-                                                                            let _e2141 = (_e2130.z - _e2132.z);
-                                                                            if (_e1291 == 0u) {
-                                                                                phi_2679_ = vec3<f32>(_e2138, _e2141, _e2135);
+                                                                            let _e2129 = phi_2656_;
+                                                                            let _e2131 = triangles.member[(0u + _e1902)].v2_;
+                                                                            let _e2133 = triangles.member[(0u + _e1902)].v0_;
+                                                                            let _e2136 = (_e2131.x - _e2133.x);
+                                                                            let _e2139 = (_e2131.y - _e2133.y);
+                                                                            let _e2142 = (_e2131.z - _e2133.z);
+                                                                            if (_e1292 == 0u) {
+                                                                                phi_2682_ = vec3<f32>(_e2139, _e2142, _e2136);
                                                                             } else {
-                                                                                if (_e1291 == 1u) {
-                                                                                    phi_2678_ = vec3<f32>(_e2141, _e2135, _e2138);
+                                                                                if (_e1292 == 1u) {
+                                                                                    phi_2681_ = vec3<f32>(_e2142, _e2136, _e2139);
                                                                                 } else {
-                                                                                    phi_2678_ = (_e2130 - _e2132);
+                                                                                    phi_2681_ = (_e2131 - _e2133);
                                                                                 }
-                                                                                let _e2148 = phi_2678_;
-                                                                                phi_2679_ = _e2148;
+                                                                                let _e2149 = phi_2681_;
+                                                                                phi_2682_ = _e2149;
                                                                             }
-                                                                            let _e2150 = phi_2679_;
-                                                                            let _e2157 = ((_e2128.y * _e2150.z) - (_e2128.z * _e2150.y));
-                                                                            let _e2164 = ((_e2128.z * _e2150.x) - (_e2128.x * _e2150.z));
-                                                                            let _e2171 = ((_e2128.x * _e2150.y) - (_e2128.y * _e2150.x));
-                                                                            let _e2185 = (((1f / _e1299.z) * (((_e2157 * _e2106.x) + (_e2164 * _e2106.y)) + (_e2171 * _e2106.z))) / (((_e2157 * _e1302) + (_e2164 * _e1305)) + _e2171));
-                                                                            if (_e2185 > 0f) {
-                                                                                if (_e2185 < _e141) {
-                                                                                    let _e2189 = triangles.member[(0u + _e1901)].v0_;
-                                                                                    let _e2191 = triangles.member[(0u + _e1901)].v1_;
-                                                                                    if (_e2189.x < _e2191.x) {
-                                                                                        phi_2735_ = _e2189.x;
+                                                                            let _e2151 = phi_2682_;
+                                                                            let _e2158 = ((_e2129.y * _e2151.z) - (_e2129.z * _e2151.y));
+                                                                            let _e2165 = ((_e2129.z * _e2151.x) - (_e2129.x * _e2151.z));
+                                                                            let _e2172 = ((_e2129.x * _e2151.y) - (_e2129.y * _e2151.x));
+                                                                            let _e2186 = (((1f / _e1300.z) * (((_e2158 * _e2107.x) + (_e2165 * _e2107.y)) + (_e2172 * _e2107.z))) / (((_e2158 * _e1303) + (_e2165 * _e1306)) + _e2172));
+                                                                            if (_e2186 > 0f) {
+                                                                                if (_e2186 < _e142) {
+                                                                                    let _e2190 = triangles.member[(0u + _e1902)].v0_;
+                                                                                    let _e2192 = triangles.member[(0u + _e1902)].v1_;
+                                                                                    if (_e2190.x < _e2192.x) {
+                                                                                        phi_2738_ = _e2190.x;
                                                                                     } else {
-                                                                                        phi_2735_ = _e2191.x;
+                                                                                        phi_2738_ = _e2192.x;
                                                                                     }
-                                                                                    let _e2198 = phi_2735_;
-                                                                                    if (_e2189.y < _e2191.y) {
-                                                                                        phi_2744_ = _e2189.y;
+                                                                                    let _e2199 = phi_2738_;
+                                                                                    if (_e2190.y < _e2192.y) {
+                                                                                        phi_2747_ = _e2190.y;
                                                                                     } else {
-                                                                                        phi_2744_ = _e2191.y;
+                                                                                        phi_2747_ = _e2192.y;
                                                                                     }
-                                                                                    let _e2205 = phi_2744_;
-                                                                                    if (_e2189.z < _e2191.z) {
-                                                                                        phi_2753_ = _e2189.z;
+                                                                                    let _e2206 = phi_2747_;
+                                                                                    if (_e2190.z < _e2192.z) {
+                                                                                        phi_2756_ = _e2190.z;
                                                                                     } else {
-                                                                                        phi_2753_ = _e2191.z;
+                                                                                        phi_2756_ = _e2192.z;
                                                                                     }
-                                                                                    let _e2212 = phi_2753_;
-                                                                                    let _e2214 = triangles.member[(0u + _e1901)].v2_;
-                                                                                    if (_e2198 < _e2214.x) {
-                                                                                        phi_2762_ = _e2198;
+                                                                                    let _e2213 = phi_2756_;
+                                                                                    let _e2215 = triangles.member[(0u + _e1902)].v2_;
+                                                                                    if (_e2199 < _e2215.x) {
+                                                                                        phi_2765_ = _e2199;
                                                                                     } else {
-                                                                                        phi_2762_ = _e2214.x;
+                                                                                        phi_2765_ = _e2215.x;
                                                                                     }
-                                                                                    let _e2219 = phi_2762_;
-                                                                                    if (_e2205 < _e2214.y) {
-                                                                                        phi_2769_ = _e2205;
+                                                                                    let _e2220 = phi_2765_;
+                                                                                    if (_e2206 < _e2215.y) {
+                                                                                        phi_2772_ = _e2206;
                                                                                     } else {
-                                                                                        phi_2769_ = _e2214.y;
+                                                                                        phi_2772_ = _e2215.y;
                                                                                     }
-                                                                                    let _e2224 = phi_2769_;
-                                                                                    if (_e2212 < _e2214.z) {
-                                                                                        phi_2776_ = _e2212;
+                                                                                    let _e2225 = phi_2772_;
+                                                                                    if (_e2213 < _e2215.z) {
+                                                                                        phi_2779_ = _e2213;
                                                                                     } else {
-                                                                                        phi_2776_ = _e2214.z;
+                                                                                        phi_2779_ = _e2215.z;
                                                                                     }
-                                                                                    let _e2229 = phi_2776_;
-                                                                                    let _e2231 = triangles.member[(0u + _e1901)].v0_;
-                                                                                    let _e2233 = triangles.member[(0u + _e1901)].v1_;
-                                                                                    if (_e2231.x > _e2233.x) {
-                                                                                        phi_2789_ = _e2231.x;
+                                                                                    let _e2230 = phi_2779_;
+                                                                                    let _e2232 = triangles.member[(0u + _e1902)].v0_;
+                                                                                    let _e2234 = triangles.member[(0u + _e1902)].v1_;
+                                                                                    if (_e2232.x > _e2234.x) {
+                                                                                        phi_2792_ = _e2232.x;
                                                                                     } else {
-                                                                                        phi_2789_ = _e2233.x;
+                                                                                        phi_2792_ = _e2234.x;
                                                                                     }
-                                                                                    let _e2240 = phi_2789_;
-                                                                                    if (_e2231.y > _e2233.y) {
-                                                                                        phi_2798_ = _e2231.y;
+                                                                                    let _e2241 = phi_2792_;
+                                                                                    if (_e2232.y > _e2234.y) {
+                                                                                        phi_2801_ = _e2232.y;
                                                                                     } else {
-                                                                                        phi_2798_ = _e2233.y;
+                                                                                        phi_2801_ = _e2234.y;
                                                                                     }
-                                                                                    let _e2247 = phi_2798_;
-                                                                                    if (_e2231.z > _e2233.z) {
-                                                                                        phi_2807_ = _e2231.z;
+                                                                                    let _e2248 = phi_2801_;
+                                                                                    if (_e2232.z > _e2234.z) {
+                                                                                        phi_2810_ = _e2232.z;
                                                                                     } else {
-                                                                                        phi_2807_ = _e2233.z;
+                                                                                        phi_2810_ = _e2234.z;
                                                                                     }
-                                                                                    let _e2254 = phi_2807_;
-                                                                                    let _e2256 = triangles.member[(0u + _e1901)].v2_;
-                                                                                    if (_e2240 > _e2256.x) {
-                                                                                        phi_2816_ = _e2240;
+                                                                                    let _e2255 = phi_2810_;
+                                                                                    let _e2257 = triangles.member[(0u + _e1902)].v2_;
+                                                                                    if (_e2241 > _e2257.x) {
+                                                                                        phi_2819_ = _e2241;
                                                                                     } else {
-                                                                                        phi_2816_ = _e2256.x;
+                                                                                        phi_2819_ = _e2257.x;
                                                                                     }
-                                                                                    let _e2261 = phi_2816_;
-                                                                                    if (_e2247 > _e2256.y) {
-                                                                                        phi_2823_ = _e2247;
+                                                                                    let _e2262 = phi_2819_;
+                                                                                    if (_e2248 > _e2257.y) {
+                                                                                        phi_2826_ = _e2248;
                                                                                     } else {
-                                                                                        phi_2823_ = _e2256.y;
+                                                                                        phi_2826_ = _e2257.y;
                                                                                     }
-                                                                                    let _e2266 = phi_2823_;
-                                                                                    if (_e2254 > _e2256.z) {
-                                                                                        phi_2830_ = _e2254;
+                                                                                    let _e2267 = phi_2826_;
+                                                                                    if (_e2255 > _e2257.z) {
+                                                                                        phi_2833_ = _e2255;
                                                                                     } else {
-                                                                                        phi_2830_ = _e2256.z;
+                                                                                        phi_2833_ = _e2257.z;
                                                                                     }
-                                                                                    let _e2271 = phi_2830_;
-                                                                                    let _e2275 = ((_e2219 - _e1011) * _e1220);
-                                                                                    let _e2276 = ((_e2224 - _e1024) * _e1230);
-                                                                                    let _e2277 = ((_e2229 - _e1037) * _e1240);
-                                                                                    let _e2281 = ((_e2261 - _e1011) * _e1220);
-                                                                                    let _e2282 = ((_e2266 - _e1024) * _e1230);
-                                                                                    let _e2283 = ((_e2271 - _e1037) * _e1240);
-                                                                                    if (_e2275 < _e2281) {
-                                                                                        phi_2847_ = _e2275;
-                                                                                    } else {
-                                                                                        phi_2847_ = _e2281;
-                                                                                    }
-                                                                                    let _e2286 = phi_2847_;
+                                                                                    let _e2272 = phi_2833_;
+                                                                                    let _e2276 = ((_e2220 - _e1012) * _e1221);
+                                                                                    let _e2277 = ((_e2225 - _e1025) * _e1231);
+                                                                                    let _e2278 = ((_e2230 - _e1038) * _e1241);
+                                                                                    let _e2282 = ((_e2262 - _e1012) * _e1221);
+                                                                                    let _e2283 = ((_e2267 - _e1025) * _e1231);
+                                                                                    let _e2284 = ((_e2272 - _e1038) * _e1241);
                                                                                     if (_e2276 < _e2282) {
-                                                                                        phi_2852_ = _e2276;
+                                                                                        phi_2850_ = _e2276;
                                                                                     } else {
-                                                                                        phi_2852_ = _e2282;
+                                                                                        phi_2850_ = _e2282;
                                                                                     }
-                                                                                    let _e2289 = phi_2852_;
+                                                                                    let _e2287 = phi_2850_;
                                                                                     if (_e2277 < _e2283) {
-                                                                                        phi_2857_ = _e2277;
+                                                                                        phi_2855_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2857_ = _e2283;
+                                                                                        phi_2855_ = _e2283;
                                                                                     }
-                                                                                    let _e2292 = phi_2857_;
-                                                                                    if (_e2275 > _e2281) {
-                                                                                        phi_2865_ = _e2275;
+                                                                                    let _e2290 = phi_2855_;
+                                                                                    if (_e2278 < _e2284) {
+                                                                                        phi_2860_ = _e2278;
                                                                                     } else {
-                                                                                        phi_2865_ = _e2281;
+                                                                                        phi_2860_ = _e2284;
                                                                                     }
-                                                                                    let _e2298 = phi_2865_;
+                                                                                    let _e2293 = phi_2860_;
                                                                                     if (_e2276 > _e2282) {
-                                                                                        phi_2870_ = _e2276;
+                                                                                        phi_2868_ = _e2276;
                                                                                     } else {
-                                                                                        phi_2870_ = _e2282;
+                                                                                        phi_2868_ = _e2282;
                                                                                     }
-                                                                                    let _e2301 = phi_2870_;
+                                                                                    let _e2299 = phi_2868_;
                                                                                     if (_e2277 > _e2283) {
-                                                                                        phi_2875_ = _e2277;
+                                                                                        phi_2873_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2875_ = _e2283;
+                                                                                        phi_2873_ = _e2283;
                                                                                     }
-                                                                                    let _e2304 = phi_2875_;
-                                                                                    let _e2308 = core_intrinsics_maximum_number_nsz_f32_((_e2286 - _e1275), (_e2289 - _e1276));
-                                                                                    let _e2309 = core_intrinsics_maximum_number_nsz_f32_(_e2308, (_e2292 - _e1277));
-                                                                                    let _e2310 = core_intrinsics_minimum_number_nsz_f32_((_e2298 + _e1275), (_e2301 + _e1276));
-                                                                                    let _e2311 = core_intrinsics_minimum_number_nsz_f32_(_e2310, (_e2304 + _e1277));
-                                                                                    if (_e2309 > _e992) {
-                                                                                        phi_2887_ = _e2309;
+                                                                                    let _e2302 = phi_2873_;
+                                                                                    if (_e2278 > _e2284) {
+                                                                                        phi_2878_ = _e2278;
                                                                                     } else {
-                                                                                        phi_2887_ = _e992;
+                                                                                        phi_2878_ = _e2284;
                                                                                     }
-                                                                                    let _e2314 = phi_2887_;
-                                                                                    if (_e2311 < _e994) {
-                                                                                        phi_2892_ = _e2311;
+                                                                                    let _e2305 = phi_2878_;
+                                                                                    let _e2309 = core_intrinsics_maximum_number_nsz_f32_((_e2287 - _e1276), (_e2290 - _e1277));
+                                                                                    let _e2310 = core_intrinsics_maximum_number_nsz_f32_(_e2309, (_e2293 - _e1278));
+                                                                                    let _e2311 = core_intrinsics_minimum_number_nsz_f32_((_e2299 + _e1276), (_e2302 + _e1277));
+                                                                                    let _e2312 = core_intrinsics_minimum_number_nsz_f32_(_e2311, (_e2305 + _e1278));
+                                                                                    if (_e2310 > _e993) {
+                                                                                        phi_2890_ = _e2310;
                                                                                     } else {
-                                                                                        phi_2892_ = _e994;
+                                                                                        phi_2890_ = _e993;
                                                                                     }
-                                                                                    let _e2317 = phi_2892_;
-                                                                                    if (_e2185 < _e2314) {
-                                                                                        phi_2897_ = _e2314;
+                                                                                    let _e2315 = phi_2890_;
+                                                                                    if (_e2312 < _e995) {
+                                                                                        phi_2895_ = _e2312;
                                                                                     } else {
-                                                                                        phi_2897_ = _e2185;
+                                                                                        phi_2895_ = _e995;
                                                                                     }
-                                                                                    let _e2320 = phi_2897_;
-                                                                                    if (_e2320 > _e2317) {
-                                                                                        phi_2902_ = _e2317;
+                                                                                    let _e2318 = phi_2895_;
+                                                                                    if (_e2186 < _e2315) {
+                                                                                        phi_2900_ = _e2315;
                                                                                     } else {
-                                                                                        phi_2902_ = _e2320;
+                                                                                        phi_2900_ = _e2186;
                                                                                     }
-                                                                                    let _e2323 = phi_2902_;
-                                                                                    phi_2907_ = lt_bvh_triangle_Intersection(_e2323, (_e2026 / _e2085), (_e2047 / _e2085), (_e2314 <= _e2317));
-                                                                                    phi_2908_ = false;
+                                                                                    let _e2321 = phi_2900_;
+                                                                                    if (_e2321 > _e2318) {
+                                                                                        phi_2905_ = _e2318;
+                                                                                    } else {
+                                                                                        phi_2905_ = _e2321;
+                                                                                    }
+                                                                                    let _e2324 = phi_2905_;
+                                                                                    phi_2910_ = lt_bvh_triangle_Intersection(_e2324, (_e2027 / _e2086), (_e2048 / _e2086), (_e2315 <= _e2318));
+                                                                                    phi_2911_ = false;
                                                                                 } else {
-                                                                                    phi_2907_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2908_ = true;
+                                                                                    phi_2910_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2911_ = true;
                                                                                 }
-                                                                                let _e2329 = phi_2907_;
-                                                                                let _e2331 = phi_2908_;
-                                                                                phi_2909_ = _e2329;
-                                                                                phi_2910_ = _e2331;
+                                                                                let _e2330 = phi_2910_;
+                                                                                let _e2332 = phi_2911_;
+                                                                                phi_2912_ = _e2330;
+                                                                                phi_2913_ = _e2332;
                                                                             } else {
-                                                                                phi_2909_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2910_ = true;
+                                                                                phi_2912_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2913_ = true;
                                                                             }
-                                                                            let _e2333 = phi_2909_;
-                                                                            let _e2335 = phi_2910_;
-                                                                            if _e2335 {
+                                                                            let _e2334 = phi_2912_;
+                                                                            let _e2336 = phi_2913_;
+                                                                            if _e2336 {
                                                                             }
-                                                                            phi_2914_ = _e2333;
-                                                                            phi_2915_ = _e2335;
+                                                                            phi_2917_ = _e2334;
+                                                                            phi_2918_ = _e2336;
                                                                         }
-                                                                        let _e2337 = phi_2914_;
-                                                                        let _e2339 = phi_2915_;
-                                                                        phi_2916_ = _e2337;
-                                                                        phi_2917_ = _e2088;
-                                                                        phi_2918_ = _e2339;
+                                                                        let _e2338 = phi_2917_;
+                                                                        let _e2340 = phi_2918_;
+                                                                        phi_2919_ = _e2338;
+                                                                        phi_2920_ = _e2089;
+                                                                        phi_2921_ = _e2340;
                                                                     } else {
-                                                                        phi_2916_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2917_ = true;
-                                                                        phi_2918_ = false;
+                                                                        phi_2919_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2920_ = true;
+                                                                        phi_2921_ = false;
                                                                     }
-                                                                    let _e2341 = phi_2916_;
-                                                                    let _e2343 = phi_2917_;
-                                                                    let _e2345 = phi_2918_;
-                                                                    if _e2343 {
-                                                                        phi_2922_ = true;
+                                                                    let _e2342 = phi_2919_;
+                                                                    let _e2344 = phi_2920_;
+                                                                    let _e2346 = phi_2921_;
+                                                                    if _e2344 {
+                                                                        phi_2925_ = true;
                                                                     } else {
-                                                                        phi_2922_ = _e2345;
+                                                                        phi_2925_ = _e2346;
                                                                     }
-                                                                    let _e2347 = phi_2922_;
-                                                                    if _e2347 {
-                                                                        phi_2926_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2348 = phi_2925_;
+                                                                    if _e2348 {
+                                                                        phi_2929_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2926_ = _e2341;
+                                                                        phi_2929_ = _e2342;
                                                                     }
-                                                                    let _e2349 = phi_2926_;
-                                                                    if _e2349.is_hit {
-                                                                        if (_e2349.t > 0f) {
-                                                                            if (_e2349.t < _e141) {
-                                                                                let _e2356 = triangles.member[(0u + _e1901)].i0_;
-                                                                                let _e2358 = ((_e2356 & 2147483648u) == 0u);
-                                                                                if _e2358 {
-                                                                                    phi_3149_ = false;
-                                                                                    phi_3150_ = false;
+                                                                    let _e2350 = phi_2929_;
+                                                                    if _e2350.is_hit {
+                                                                        if (_e2350.t > 0f) {
+                                                                            if (_e2350.t < _e142) {
+                                                                                let _e2357 = triangles.member[(0u + _e1902)].i0_;
+                                                                                let _e2359 = ((_e2357 & 2147483648u) == 0u);
+                                                                                if _e2359 {
+                                                                                    phi_3152_ = false;
+                                                                                    phi_3153_ = false;
                                                                                 } else {
-                                                                                    if (_e1901 < _e79) {
+                                                                                    if (_e1902 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2365 = triangles.member[(0u + _e1901)].i0_;
-                                                                                    let _e2366 = (_e2365 & 2147483647u);
-                                                                                    let _e2368 = triangles.member[(0u + _e1901)].i1_;
-                                                                                    let _e2370 = triangles.member[(0u + _e1901)].i2_;
-                                                                                    if (_e2366 < _e91) {
+                                                                                    let _e2366 = triangles.member[(0u + _e1902)].i0_;
+                                                                                    let _e2367 = (_e2366 & 2147483647u);
+                                                                                    let _e2369 = triangles.member[(0u + _e1902)].i1_;
+                                                                                    let _e2371 = triangles.member[(0u + _e1902)].i2_;
+                                                                                    if (_e2367 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2374 = vertices.member[(0u + _e2366)];
-                                                                                    if (_e2368 < _e91) {
+                                                                                    let _e2375 = vertices.member[(0u + _e2367)];
+                                                                                    if (_e2369 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2378 = vertices.member[(0u + _e2368)];
-                                                                                    if (_e2370 < _e91) {
+                                                                                    let _e2379 = vertices.member[(0u + _e2369)];
+                                                                                    if (_e2371 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2382 = vertices.member[(0u + _e2370)];
-                                                                                    let _e2383 = array<abi_Vertex, 3>(_e2374, _e2378, _e2382);
-                                                                                    if (_e2383[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2383 = vertices.member[(0u + _e2371)];
+                                                                                    let _e2384 = array<abi_Vertex, 3>(_e2375, _e2379, _e2383);
+                                                                                    if (_e2384[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2389 = materials.member[(0u + _e2383[0].material)];
-                                                                                    if ((_e2389.flags & 1u) == 1u) {
-                                                                                        let _e2394 = ((1f - _e2349.u) - _e2349.v);
-                                                                                        if (_e2389.cutoff <= 0f) {
-                                                                                            phi_3143_ = true;
+                                                                                    let _e2390 = materials.member[(0u + _e2384[0].material)];
+                                                                                    if ((_e2390.flags & 1u) == 1u) {
+                                                                                        let _e2395 = ((1f - _e2350.u) - _e2350.v);
+                                                                                        if (_e2390.cutoff <= 0f) {
+                                                                                            phi_3146_ = true;
                                                                                         } else {
-                                                                                            let _e2421 = (_e2389.base_color.w * ((((f32((_e2383[0].color >> bitcast<u32>(24i))) * _e2394) + (f32((_e2383[1].color >> bitcast<u32>(24i))) * _e2349.u)) + (f32((_e2383[2].color >> bitcast<u32>(24i))) * _e2349.v)) * (1f / 255f)));
-                                                                                            if (_e2389.alpha_size == 0u) {
-                                                                                                phi_3140_ = _e2421;
+                                                                                            let _e2422 = (_e2390.base_color.w * ((((f32((_e2384[0].color >> bitcast<u32>(24i))) * _e2395) + (f32((_e2384[1].color >> bitcast<u32>(24i))) * _e2350.u)) + (f32((_e2384[2].color >> bitcast<u32>(24i))) * _e2350.v)) * (1f / 255f)));
+                                                                                            if (_e2390.alpha_size == 0u) {
+                                                                                                phi_3143_ = _e2422;
                                                                                             } else {
-                                                                                                local.offset = _e2389.alpha_offset;
-                                                                                                local.size = _e2389.alpha_size;
-                                                                                                local.flags = _e2389.flags;
-                                                                                                let _e2452 = _lt_shaders_texture_TextureView_quad((&local), (((_e2383[0].u * _e2394) + (_e2383[1].u * _e2349.u)) + (_e2383[2].u * _e2349.v)), (((_e2383[0].v * _e2394) + (_e2383[1].v * _e2349.u)) + (_e2383[2].v * _e2349.v)));
-                                                                                                let _e2456 = (_e2452.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2456 < _e97) {
+                                                                                                local.offset = _e2390.alpha_offset;
+                                                                                                local.size = _e2390.alpha_size;
+                                                                                                local.flags = _e2390.flags;
+                                                                                                let _e2453 = _lt_shaders_texture_TextureView_quad((&local), (((_e2384[0].u * _e2395) + (_e2384[1].u * _e2350.u)) + (_e2384[2].u * _e2350.v)), (((_e2384[0].v * _e2395) + (_e2384[1].v * _e2350.u)) + (_e2384[2].v * _e2350.v)));
+                                                                                                let _e2457 = (_e2453.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2457 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2460 = alpha_texels.member[(0u + _e2456)];
-                                                                                                let _e2476 = (_e2452.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2476 < _e97) {
+                                                                                                let _e2461 = alpha_texels.member[(0u + _e2457)];
+                                                                                                let _e2477 = (_e2453.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2477 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2480 = alpha_texels.member[(0u + _e2476)];
-                                                                                                let _e2497 = (_e2452.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2497 < _e97) {
+                                                                                                let _e2481 = alpha_texels.member[(0u + _e2477)];
+                                                                                                let _e2498 = (_e2453.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2498 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2501 = alpha_texels.member[(0u + _e2497)];
-                                                                                                let _e2518 = (_e2452.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2518 < _e97) {
+                                                                                                let _e2502 = alpha_texels.member[(0u + _e2498)];
+                                                                                                let _e2519 = (_e2453.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2519 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2522 = alpha_texels.member[(0u + _e2518)];
-                                                                                                phi_3140_ = (_e2421 * (((((f32(((_e2460 >> bitcast<u32>((((_e2452.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.x) + ((f32(((_e2480 >> bitcast<u32>((((_e2452.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.y)) + ((f32(((_e2501 >> bitcast<u32>((((_e2452.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.z)) + ((f32(((_e2522 >> bitcast<u32>((((_e2452.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2452.weights.w)));
+                                                                                                let _e2523 = alpha_texels.member[(0u + _e2519)];
+                                                                                                phi_3143_ = (_e2422 * (((((f32(((_e2461 >> bitcast<u32>((((_e2453.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.x) + ((f32(((_e2481 >> bitcast<u32>((((_e2453.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.y)) + ((f32(((_e2502 >> bitcast<u32>((((_e2453.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.z)) + ((f32(((_e2523 >> bitcast<u32>((((_e2453.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.w)));
                                                                                             }
-                                                                                            let _e2538 = phi_3140_;
-                                                                                            phi_3143_ = (_e2538 >= _e2389.cutoff);
+                                                                                            let _e2539 = phi_3143_;
+                                                                                            phi_3146_ = (_e2539 >= _e2390.cutoff);
                                                                                         }
-                                                                                        let _e2542 = phi_3143_;
-                                                                                        phi_3144_ = _e2542;
+                                                                                        let _e2543 = phi_3146_;
+                                                                                        phi_3147_ = _e2543;
                                                                                     } else {
-                                                                                        phi_3144_ = false;
+                                                                                        phi_3147_ = false;
                                                                                     }
-                                                                                    let _e2544 = phi_3144_;
-                                                                                    if _e2544 {
-                                                                                        phi_3148_ = false;
+                                                                                    let _e2545 = phi_3147_;
+                                                                                    if _e2545 {
+                                                                                        phi_3151_ = false;
                                                                                     } else {
-                                                                                        phi_3148_ = true;
+                                                                                        phi_3151_ = true;
                                                                                     }
-                                                                                    let _e2546 = phi_3148_;
-                                                                                    phi_3149_ = _e2546;
-                                                                                    phi_3150_ = _e2544;
+                                                                                    let _e2547 = phi_3151_;
+                                                                                    phi_3152_ = _e2547;
+                                                                                    phi_3153_ = _e2545;
                                                                                 }
-                                                                                let _e2548 = phi_3149_;
-                                                                                let _e2550 = phi_3150_;
-                                                                                phi_3151_ = _e2548;
-                                                                                phi_3152_ = _e2358;
-                                                                                phi_3153_ = _e2550;
+                                                                                let _e2549 = phi_3152_;
+                                                                                let _e2551 = phi_3153_;
+                                                                                phi_3154_ = _e2549;
+                                                                                phi_3155_ = _e2359;
+                                                                                phi_3156_ = _e2551;
                                                                             } else {
-                                                                                phi_3151_ = true;
-                                                                                phi_3152_ = false;
-                                                                                phi_3153_ = false;
+                                                                                phi_3154_ = true;
+                                                                                phi_3155_ = false;
+                                                                                phi_3156_ = false;
                                                                             }
-                                                                            let _e2552 = phi_3151_;
-                                                                            let _e2554 = phi_3152_;
-                                                                            let _e2556 = phi_3153_;
-                                                                            phi_3154_ = _e2552;
-                                                                            phi_3155_ = _e2554;
-                                                                            phi_3156_ = _e2556;
+                                                                            let _e2553 = phi_3154_;
+                                                                            let _e2555 = phi_3155_;
+                                                                            let _e2557 = phi_3156_;
+                                                                            phi_3157_ = _e2553;
+                                                                            phi_3158_ = _e2555;
+                                                                            phi_3159_ = _e2557;
                                                                         } else {
-                                                                            phi_3154_ = true;
-                                                                            phi_3155_ = false;
-                                                                            phi_3156_ = false;
+                                                                            phi_3157_ = true;
+                                                                            phi_3158_ = false;
+                                                                            phi_3159_ = false;
                                                                         }
-                                                                        let _e2558 = phi_3154_;
-                                                                        let _e2560 = phi_3155_;
-                                                                        let _e2562 = phi_3156_;
-                                                                        phi_3157_ = _e2558;
-                                                                        phi_3158_ = _e2560;
-                                                                        phi_3159_ = _e2562;
+                                                                        let _e2559 = phi_3157_;
+                                                                        let _e2561 = phi_3158_;
+                                                                        let _e2563 = phi_3159_;
+                                                                        phi_3160_ = _e2559;
+                                                                        phi_3161_ = _e2561;
+                                                                        phi_3162_ = _e2563;
                                                                     } else {
-                                                                        phi_3157_ = true;
-                                                                        phi_3158_ = false;
-                                                                        phi_3159_ = false;
+                                                                        phi_3160_ = true;
+                                                                        phi_3161_ = false;
+                                                                        phi_3162_ = false;
                                                                     }
-                                                                    let _e2564 = phi_3157_;
-                                                                    let _e2566 = phi_3158_;
-                                                                    let _e2568 = phi_3159_;
-                                                                    if _e2564 {
-                                                                        phi_3163_ = false;
-                                                                        phi_3164_ = false;
+                                                                    let _e2565 = phi_3160_;
+                                                                    let _e2567 = phi_3161_;
+                                                                    let _e2569 = phi_3162_;
+                                                                    if _e2565 {
+                                                                        phi_3166_ = false;
+                                                                        phi_3167_ = false;
                                                                     } else {
-                                                                        phi_3163_ = _e2566;
-                                                                        phi_3164_ = _e2568;
+                                                                        phi_3166_ = _e2567;
+                                                                        phi_3167_ = _e2569;
                                                                     }
-                                                                    let _e2570 = phi_3163_;
-                                                                    let _e2572 = phi_3164_;
-                                                                    phi_2358_ = (_e1892 & (_e1892 - 1u));
-                                                                    phi_3165_ = _e2564;
-                                                                    phi_3166_ = _e2570;
-                                                                    phi_3167_ = _e2572;
+                                                                    let _e2571 = phi_3166_;
+                                                                    let _e2573 = phi_3167_;
+                                                                    phi_2361_ = (_e1893 & (_e1893 - 1u));
+                                                                    phi_3168_ = _e2565;
+                                                                    phi_3169_ = _e2571;
+                                                                    phi_3170_ = _e2573;
                                                                 }
-                                                                let _e2574 = phi_2358_;
-                                                                let _e2576 = phi_3165_;
-                                                                let _e2578 = phi_3166_;
-                                                                let _e2580 = phi_3167_;
-                                                                local_13 = _e2578;
-                                                                local_14 = _e2580;
+                                                                let _e2575 = phi_2361_;
+                                                                let _e2577 = phi_3168_;
+                                                                let _e2579 = phi_3169_;
+                                                                let _e2581 = phi_3170_;
+                                                                local_13 = _e2579;
+                                                                local_14 = _e2581;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2357_ = _e2574;
-                                                                    break if !(_e2576);
+                                                                    phi_2360_ = _e2575;
+                                                                    break if !(_e2577);
                                                                 }
                                                             }
-                                                            let _e2583 = local_9;
-                                                            if _e2583 {
-                                                                let _e2585 = local_1.group_mask;
-                                                                if ((_e2585 & 4278190080u) == 0u) {
-                                                                    let _e2589 = local_1.len;
-                                                                    if (_e2589 == 0u) {
-                                                                        phi_3209_ = false;
+                                                            let _e2584 = local_9;
+                                                            if _e2584 {
+                                                                let _e2586 = local_1.group_mask;
+                                                                if ((_e2586 & 4278190080u) == 0u) {
+                                                                    let _e2590 = local_1.len;
+                                                                    if (_e2590 == 0u) {
+                                                                        phi_3212_ = false;
                                                                     } else {
-                                                                        let _e2593 = local_1.len;
-                                                                        local_1.len = (_e2593 - 1u);
-                                                                        let _e2596 = local_1.len;
-                                                                        if (_e2596 < 32u) {
+                                                                        let _e2594 = local_1.len;
+                                                                        local_1.len = (_e2594 - 1u);
+                                                                        let _e2597 = local_1.len;
+                                                                        if (_e2597 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2601 = local_1.first[(0u + _e2596)];
-                                                                        local_1.group = _e2601;
-                                                                        let _e2604 = local_1.len;
-                                                                        if (_e2604 < 32u) {
+                                                                        let _e2602 = local_1.first[(0u + _e2597)];
+                                                                        local_1.group = _e2602;
+                                                                        let _e2605 = local_1.len;
+                                                                        if (_e2605 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2609 = local_1.mask[(0u + _e2604)];
-                                                                        local_1.group_mask = _e2609;
-                                                                        phi_3209_ = true;
+                                                                        let _e2610 = local_1.mask[(0u + _e2605)];
+                                                                        local_1.group_mask = _e2610;
+                                                                        phi_3212_ = true;
                                                                     }
-                                                                    let _e2612 = phi_3209_;
-                                                                    phi_3210_ = _e2612;
+                                                                    let _e2613 = phi_3212_;
+                                                                    phi_3213_ = _e2613;
                                                                 } else {
-                                                                    phi_3210_ = true;
+                                                                    phi_3213_ = true;
                                                                 }
-                                                                let _e2614 = phi_3210_;
-                                                                if _e2614 {
-                                                                    let _e2616 = local_1.group_mask;
-                                                                    let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
-                                                                    let _e2626 = local_1.group_mask;
-                                                                    let _e2640 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
-                                                                    let _e2643 = local_1.group;
-                                                                    phi_3241_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1318) & 31u))))) & 255u)));
+                                                                let _e2615 = phi_3213_;
+                                                                if _e2615 {
+                                                                    let _e2617 = local_1.group_mask;
+                                                                    let _e2623 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2617)), 32u, (_e2617 == 0u)));
+                                                                    let _e2627 = local_1.group_mask;
+                                                                    let _e2641 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2641 & ~((1u << bitcast<u32>((_e2623 & 31u)))));
+                                                                    let _e2644 = local_1.group;
+                                                                    phi_3244_ = (_e2644 + countOneBits(((_e2627 & ~((4294967295u << bitcast<u32>((((_e2623 - 24u) ^ _e1319) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3241_ = 4294967295u;
+                                                                    phi_3244_ = 4294967295u;
                                                                 }
-                                                                let _e2646 = phi_3241_;
-                                                                phi_3242_ = _e2646;
-                                                                phi_3243_ = false;
-                                                                phi_3244_ = false;
+                                                                let _e2647 = phi_3244_;
+                                                                phi_3245_ = _e2647;
+                                                                phi_3246_ = false;
+                                                                phi_3247_ = false;
                                                             } else {
-                                                                phi_3242_ = u32();
-                                                                let _e3032 = local_13;
-                                                                phi_3243_ = _e3032;
-                                                                let _e3035 = local_14;
-                                                                phi_3244_ = _e3035;
+                                                                phi_3245_ = u32();
+                                                                let _e3033 = local_13;
+                                                                phi_3246_ = _e3033;
+                                                                let _e3036 = local_14;
+                                                                phi_3247_ = _e3036;
                                                             }
-                                                            let _e2648 = phi_3242_;
-                                                            let _e2650 = phi_3243_;
-                                                            let _e2652 = phi_3244_;
-                                                            phi_2028_ = _e2648;
-                                                            let _e3039 = local_15;
-                                                            phi_3245_ = _e3039;
-                                                            phi_3246_ = false;
-                                                            phi_3247_ = _e2650;
-                                                            phi_3248_ = _e2652;
+                                                            let _e2649 = phi_3245_;
+                                                            let _e2651 = phi_3246_;
+                                                            let _e2653 = phi_3247_;
+                                                            phi_2031_ = _e2649;
+                                                            let _e3040 = local_15;
+                                                            phi_3248_ = _e3040;
+                                                            phi_3249_ = false;
+                                                            phi_3250_ = _e2651;
+                                                            phi_3251_ = _e2653;
                                                         } else {
-                                                            phi_2028_ = u32();
-                                                            phi_3245_ = false;
-                                                            phi_3246_ = true;
-                                                            phi_3247_ = false;
+                                                            phi_2031_ = u32();
                                                             phi_3248_ = false;
+                                                            phi_3249_ = true;
+                                                            phi_3250_ = false;
+                                                            phi_3251_ = false;
                                                         }
-                                                        let _e2654 = phi_2028_;
-                                                        let _e2656 = phi_3245_;
-                                                        let _e2658 = phi_3246_;
-                                                        let _e2660 = phi_3247_;
-                                                        let _e2662 = phi_3248_;
-                                                        local_10 = _e2658;
-                                                        local_16 = _e2660;
-                                                        local_17 = _e2662;
+                                                        let _e2655 = phi_2031_;
+                                                        let _e2657 = phi_3248_;
+                                                        let _e2659 = phi_3249_;
+                                                        let _e2661 = phi_3250_;
+                                                        let _e2663 = phi_3251_;
+                                                        local_10 = _e2659;
+                                                        local_16 = _e2661;
+                                                        local_17 = _e2663;
                                                         continue;
                                                         continuing {
-                                                            phi_2027_ = _e2654;
-                                                            break if !(_e2656);
+                                                            phi_2030_ = _e2655;
+                                                            break if !(_e2657);
                                                         }
                                                     }
-                                                    let _e2665 = local_10;
-                                                    if _e2665 {
-                                                        phi_3252_ = false;
-                                                        phi_3253_ = false;
+                                                    let _e2666 = local_10;
+                                                    if _e2666 {
+                                                        phi_3255_ = false;
+                                                        phi_3256_ = false;
                                                     } else {
-                                                        let _e3046 = local_16;
-                                                        phi_3252_ = _e3046;
-                                                        let _e3049 = local_17;
-                                                        phi_3253_ = _e3049;
+                                                        let _e3047 = local_16;
+                                                        phi_3255_ = _e3047;
+                                                        let _e3050 = local_17;
+                                                        phi_3256_ = _e3050;
                                                     }
-                                                    let _e2667 = phi_3252_;
-                                                    let _e2669 = phi_3253_;
-                                                    if _e2667 {
-                                                        phi_3257_ = true;
+                                                    let _e2668 = phi_3255_;
+                                                    let _e2670 = phi_3256_;
+                                                    if _e2668 {
+                                                        phi_3260_ = true;
                                                     } else {
-                                                        phi_3257_ = _e2669;
+                                                        phi_3260_ = _e2670;
                                                     }
-                                                    let _e2671 = phi_3257_;
-                                                    if _e2671 {
-                                                        phi_3261_ = true;
+                                                    let _e2672 = phi_3260_;
+                                                    if _e2672 {
+                                                        phi_3264_ = true;
                                                     } else {
-                                                        phi_3261_ = false;
+                                                        phi_3264_ = false;
                                                     }
-                                                    let _e2673 = phi_3261_;
-                                                    phi_3262_ = _e2673;
+                                                    let _e2674 = phi_3264_;
+                                                    phi_3265_ = _e2674;
                                                 }
-                                                let _e2675 = phi_3262_;
-                                                phi_3263_ = _e2675;
-                                                phi_3264_ = _e1144;
+                                                let _e2676 = phi_3265_;
+                                                phi_3266_ = _e2676;
+                                                phi_3267_ = _e1145;
                                             } else {
-                                                phi_3263_ = bool();
-                                                phi_3264_ = true;
+                                                phi_3266_ = bool();
+                                                phi_3267_ = true;
                                             }
-                                            let _e2677 = phi_3263_;
-                                            let _e2679 = phi_3264_;
-                                            if _e2679 {
-                                                phi_3268_ = false;
+                                            let _e2678 = phi_3266_;
+                                            let _e2680 = phi_3267_;
+                                            if _e2680 {
+                                                phi_3271_ = false;
                                             } else {
-                                                phi_3268_ = _e2677;
+                                                phi_3271_ = _e2678;
                                             }
-                                            let _e2681 = phi_3268_;
-                                            if _e2681 {
-                                                phi_3272_ = false;
+                                            let _e2682 = phi_3271_;
+                                            if _e2682 {
+                                                phi_3275_ = false;
                                             } else {
-                                                phi_3272_ = true;
+                                                phi_3275_ = true;
                                             }
-                                            let _e2683 = phi_3272_;
-                                            phi_3273_ = _e2683;
+                                            let _e2684 = phi_3275_;
+                                            phi_3276_ = _e2684;
                                         } else {
-                                            phi_3273_ = true;
+                                            phi_3276_ = true;
                                         }
-                                        let _e2685 = phi_3273_;
-                                        phi_3274_ = _e2685;
+                                        let _e2686 = phi_3276_;
+                                        phi_3277_ = _e2686;
                                     } else {
-                                        phi_3274_ = true;
+                                        phi_3277_ = true;
                                     }
-                                    let _e2687 = phi_3274_;
-                                    phi_3275_ = _e2687;
+                                    let _e2688 = phi_3277_;
+                                    phi_3278_ = _e2688;
                                 } else {
-                                    phi_3275_ = true;
+                                    phi_3278_ = true;
                                 }
-                                let _e2689 = phi_3275_;
-                                if _e2689 {
+                                let _e2690 = phi_3278_;
+                                if _e2690 {
                                 }
-                                phi_1422_ = (_e931 & (_e931 - 1u));
-                                phi_3279_ = _e2689;
+                                phi_1425_ = (_e932 & (_e932 - 1u));
+                                phi_3282_ = _e2690;
                             }
-                            let _e2691 = phi_1422_;
-                            let _e2693 = phi_3279_;
+                            let _e2692 = phi_1425_;
+                            let _e2694 = phi_3282_;
                             continue;
                             continuing {
-                                phi_1421_ = _e2691;
-                                break if !(_e2693);
+                                phi_1424_ = _e2692;
+                                break if !(_e2694);
                             }
                         }
-                        let _e2696 = local_11;
-                        if _e2696 {
-                            let _e2698 = local_2.group_mask;
-                            if ((_e2698 & 4278190080u) == 0u) {
-                                let _e2702 = local_2.len;
-                                if (_e2702 == 0u) {
-                                    phi_3321_ = false;
+                        let _e2697 = local_11;
+                        if _e2697 {
+                            let _e2699 = local_2.group_mask;
+                            if ((_e2699 & 4278190080u) == 0u) {
+                                let _e2703 = local_2.len;
+                                if (_e2703 == 0u) {
+                                    phi_3324_ = false;
                                 } else {
-                                    let _e2706 = local_2.len;
-                                    local_2.len = (_e2706 - 1u);
-                                    let _e2709 = local_2.len;
-                                    if (_e2709 < 32u) {
+                                    let _e2707 = local_2.len;
+                                    local_2.len = (_e2707 - 1u);
+                                    let _e2710 = local_2.len;
+                                    if (_e2710 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2714 = local_2.first[(0u + _e2709)];
-                                    local_2.group = _e2714;
-                                    let _e2717 = local_2.len;
-                                    if (_e2717 < 32u) {
+                                    let _e2715 = local_2.first[(0u + _e2710)];
+                                    local_2.group = _e2715;
+                                    let _e2718 = local_2.len;
+                                    if (_e2718 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2722 = local_2.mask[(0u + _e2717)];
-                                    local_2.group_mask = _e2722;
-                                    phi_3321_ = true;
+                                    let _e2723 = local_2.mask[(0u + _e2718)];
+                                    local_2.group_mask = _e2723;
+                                    phi_3324_ = true;
                                 }
-                                let _e2725 = phi_3321_;
-                                phi_3322_ = _e2725;
+                                let _e2726 = phi_3324_;
+                                phi_3325_ = _e2726;
                             } else {
-                                phi_3322_ = true;
+                                phi_3325_ = true;
                             }
-                            let _e2727 = phi_3322_;
-                            if _e2727 {
-                                let _e2729 = local_2.group_mask;
-                                let _e2735 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2729)), 32u, (_e2729 == 0u)));
-                                let _e2739 = local_2.group_mask;
-                                let _e2753 = local_2.group_mask;
-                                local_2.group_mask = (_e2753 & ~((1u << bitcast<u32>((_e2735 & 31u)))));
-                                let _e2756 = local_2.group;
-                                phi_3353_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e357) & 31u))))) & 255u)));
+                            let _e2728 = phi_3325_;
+                            if _e2728 {
+                                let _e2730 = local_2.group_mask;
+                                let _e2736 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2730)), 32u, (_e2730 == 0u)));
+                                let _e2740 = local_2.group_mask;
+                                let _e2754 = local_2.group_mask;
+                                local_2.group_mask = (_e2754 & ~((1u << bitcast<u32>((_e2736 & 31u)))));
+                                let _e2757 = local_2.group;
+                                phi_3356_ = (_e2757 + countOneBits(((_e2740 & ~((4294967295u << bitcast<u32>((((_e2736 - 24u) ^ _e358) & 31u))))) & 255u)));
                             } else {
-                                phi_3353_ = 4294967295u;
+                                phi_3356_ = 4294967295u;
                             }
-                            let _e2759 = phi_3353_;
-                            phi_3354_ = _e2759;
+                            let _e2760 = phi_3356_;
+                            phi_3357_ = _e2760;
                         } else {
-                            phi_3354_ = u32();
+                            phi_3357_ = u32();
                         }
-                        let _e2761 = phi_3354_;
-                        phi_1092_ = _e2761;
-                        let _e3070 = local_18;
-                        phi_3355_ = _e3070;
-                        phi_3356_ = false;
+                        let _e2762 = phi_3357_;
+                        phi_1095_ = _e2762;
+                        let _e3071 = local_18;
+                        phi_3358_ = _e3071;
+                        phi_3359_ = false;
                     } else {
-                        phi_1092_ = u32();
-                        phi_3355_ = false;
-                        phi_3356_ = true;
+                        phi_1095_ = u32();
+                        phi_3358_ = false;
+                        phi_3359_ = true;
                     }
-                    let _e2763 = phi_1092_;
-                    let _e2765 = phi_3355_;
-                    let _e2767 = phi_3356_;
-                    local_12 = _e2767;
+                    let _e2764 = phi_1095_;
+                    let _e2766 = phi_3358_;
+                    let _e2768 = phi_3359_;
+                    local_12 = _e2768;
                     continue;
                     continuing {
-                        phi_1091_ = _e2763;
-                        break if !(_e2765);
+                        phi_1094_ = _e2764;
+                        break if !(_e2766);
                     }
                 }
-                let _e2770 = local_12;
-                if _e2770 {
-                    phi_3360_ = false;
+                let _e2771 = local_12;
+                if _e2771 {
+                    phi_3363_ = false;
                 } else {
-                    phi_3360_ = true;
+                    phi_3363_ = true;
                 }
-                let _e2772 = phi_3360_;
-                if _e2772 {
-                    phi_3364_ = true;
+                let _e2773 = phi_3363_;
+                if _e2773 {
+                    phi_3367_ = true;
                 } else {
-                    phi_3364_ = false;
+                    phi_3367_ = false;
                 }
-                let _e2774 = phi_3364_;
-                phi_3365_ = _e2774;
+                let _e2775 = phi_3367_;
+                phi_3368_ = _e2775;
             }
-            let _e2776 = phi_3365_;
-            phi_3366_ = _e2776;
-            phi_3367_ = _e213;
+            let _e2777 = phi_3368_;
+            phi_3369_ = _e2777;
+            phi_3370_ = _e214;
         } else {
-            phi_3366_ = bool();
-            phi_3367_ = true;
+            phi_3369_ = bool();
+            phi_3370_ = true;
         }
-        let _e2778 = phi_3366_;
-        let _e2780 = phi_3367_;
-        if _e2780 {
-            phi_3371_ = false;
+        let _e2779 = phi_3369_;
+        let _e2781 = phi_3370_;
+        if _e2781 {
+            phi_3374_ = false;
         } else {
-            phi_3371_ = _e2778;
+            phi_3374_ = _e2779;
         }
-        let _e2782 = phi_3371_;
-        if _e2782 {
-            phi_3375_ = 0f;
+        let _e2783 = phi_3374_;
+        if _e2783 {
+            phi_3378_ = 0f;
         } else {
-            phi_3375_ = 1f;
+            phi_3378_ = 1f;
         }
-        let _e2784 = phi_3375_;
+        let _e2785 = phi_3378_;
         if (_e110 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e2784;
+        visibility.member[(0u + _e110)] = _e2785;
     }
     return;
 }

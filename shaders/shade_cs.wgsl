@@ -11,6 +11,15 @@ struct abi_CameraParams {
     pad3_: vec2<u32>,
 }
 
+struct abi_LightParams {
+    place: vec4<f32>,
+    axis: vec3<f32>,
+    cos_outer: f32,
+    range_squared: f32,
+    cos_inner: f32,
+    pad: vec2<u32>,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -39,11 +48,11 @@ struct lt_bvh_traverse_Tree {
 
 struct abi_ShadeParams {
     camera: abi_CameraParams,
-    light: vec4<f32>,
+    light: abi_LightParams,
     light_color: vec4<f32>,
 }
 
-struct type_34 {
+struct type_35 {
     member: abi_ShadeParams,
 }
 
@@ -52,79 +61,83 @@ var<private> id_1: vec3<u32>;
 var<storage> samples: type_9;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_34;
+var<uniform> p: type_35;
 @group(0) @binding(2) 
 var<storage> visibility: type_17;
 @group(0) @binding(3) 
 var<storage, read_write> picture: type_13;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_129_: lt_bvh_traverse_Tree;
-    var phi_130_: bool;
-    var phi_131_: lt_bvh_traverse_Tree;
-    var phi_132_: bool;
-    var phi_137_: lt_bvh_traverse_Tree;
+    var phi_132_: lt_bvh_traverse_Tree;
+    var phi_133_: bool;
+    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_135_: bool;
+    var phi_140_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_129_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_130_ = false;
+            phi_132_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_133_ = false;
         } else {
-            phi_129_ = lt_bvh_traverse_Tree();
-            phi_130_ = true;
+            phi_132_ = lt_bvh_traverse_Tree();
+            phi_133_ = true;
         }
-        let _e62 = phi_129_;
-        let _e64 = phi_130_;
-        phi_131_ = _e62;
-        phi_132_ = _e64;
+        let _e62 = phi_132_;
+        let _e64 = phi_133_;
+        phi_134_ = _e62;
+        phi_135_ = _e64;
     } else {
-        phi_131_ = lt_bvh_traverse_Tree();
-        phi_132_ = true;
+        phi_134_ = lt_bvh_traverse_Tree();
+        phi_135_ = true;
     }
-    let _e66 = phi_131_;
-    let _e68 = phi_132_;
+    let _e66 = phi_134_;
+    let _e68 = phi_135_;
     if _e68 {
-        phi_137_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+        phi_140_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_137_ = _e66;
+        phi_140_ = _e66;
     }
-    let _e73 = phi_137_;
+    let _e73 = phi_140_;
     return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn function_() {
-    var phi_256_: bool;
-    var phi_257_: bool;
-    var phi_258_: bool;
     var phi_259_: bool;
-    var phi_263_: bool;
-    var phi_317_: f32;
-    var phi_443_: f32;
-    var phi_444_: f32;
-    var phi_464_: f32;
-    var phi_465_: f32;
-    var phi_474_: f32;
-    var phi_475_: f32;
-    var phi_495_: f32;
-    var phi_496_: f32;
-    var phi_505_: f32;
-    var phi_506_: f32;
-    var phi_526_: f32;
-    var phi_527_: f32;
-    var phi_564_: f32;
-    var phi_593_: f32;
-    var phi_594_: f32;
-    var phi_614_: f32;
-    var phi_615_: f32;
-    var phi_624_: f32;
-    var phi_625_: f32;
-    var phi_645_: f32;
-    var phi_646_: f32;
-    var phi_655_: f32;
-    var phi_656_: f32;
-    var phi_676_: f32;
-    var phi_677_: f32;
-    var phi_710_: u32;
+    var phi_260_: bool;
+    var phi_261_: bool;
+    var phi_262_: bool;
+    var phi_266_: bool;
+    var phi_361_: f32;
+    var phi_362_: f32;
+    var phi_363_: f32;
+    var phi_366_: f32;
+    var phi_368_: f32;
+    var phi_499_: f32;
+    var phi_500_: f32;
+    var phi_520_: f32;
+    var phi_521_: f32;
+    var phi_530_: f32;
+    var phi_531_: f32;
+    var phi_551_: f32;
+    var phi_552_: f32;
+    var phi_561_: f32;
+    var phi_562_: f32;
+    var phi_582_: f32;
+    var phi_583_: f32;
+    var phi_620_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_670_: f32;
+    var phi_671_: f32;
+    var phi_680_: f32;
+    var phi_681_: f32;
+    var phi_701_: f32;
+    var phi_702_: f32;
+    var phi_711_: f32;
+    var phi_712_: f32;
+    var phi_732_: f32;
+    var phi_733_: f32;
+    var phi_766_: u32;
 
     let _e49 = id_1;
     let _e63 = p.member.camera.size[0u];
@@ -160,248 +173,280 @@ fn function_() {
             if (_e143 == _e145) {
                 let _e148 = samples.member[(0u + _e66.first_primitive)].normal[2u];
                 let _e150 = global[2u];
-                phi_256_ = (_e148 == _e150);
-                phi_257_ = false;
+                phi_259_ = (_e148 == _e150);
+                phi_260_ = false;
             } else {
-                phi_256_ = bool();
-                phi_257_ = true;
+                phi_259_ = bool();
+                phi_260_ = true;
             }
-            let _e153 = phi_256_;
-            let _e155 = phi_257_;
-            phi_258_ = _e153;
-            phi_259_ = _e155;
+            let _e153 = phi_259_;
+            let _e155 = phi_260_;
+            phi_261_ = _e153;
+            phi_262_ = _e155;
         } else {
-            phi_258_ = bool();
-            phi_259_ = true;
+            phi_261_ = bool();
+            phi_262_ = true;
         }
-        let _e157 = phi_258_;
-        let _e159 = phi_259_;
+        let _e157 = phi_261_;
+        let _e159 = phi_262_;
         if _e159 {
-            phi_263_ = false;
+            phi_266_ = false;
         } else {
-            phi_263_ = _e157;
+            phi_266_ = _e157;
         }
-        let _e161 = phi_263_;
+        let _e161 = phi_266_;
         if !(_e161) {
             let _e164 = samples.member[(0u + _e66.first_primitive)].shading_normal;
-            let _e166 = p.member.light;
-            let _e171 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e174 = p.member.light[3u];
-            let _e181 = (_e166.x - (_e171.x * _e174));
-            let _e182 = (_e166.y - (_e171.y * _e174));
-            let _e183 = (_e166.z - (_e171.z * _e174));
-            let _e190 = (1f / sqrt((((_e181 * _e181) + (_e182 * _e182)) + (_e183 * _e183))));
-            let _e201 = (((_e164.x * (_e181 * _e190)) + (_e164.y * (_e182 * _e190))) + (_e164.z * (_e183 * _e190)));
-            let _e203 = p.member.light_color;
-            if (_e201 > 0f) {
-                phi_317_ = (_e201 * _e79);
-            } else {
-                phi_317_ = 0f;
-            }
-            let _e210 = phi_317_;
-            let _e216 = (0.5f + (0.5f * _e164.y));
-            let _e217 = (1f - 0.4f);
-            let _e236 = (1f - _e216);
-            let _e262 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
-            let _e264 = samples.member[(0u + _e66.first_primitive)].albedo;
-            let _e275 = (1f / 255f);
-            let _e276 = (f32((_e264 & 255u)) * _e275);
-            let _e277 = (f32(((_e264 >> bitcast<u32>(8i)) & 255u)) * _e275);
-            let _e278 = (f32(((_e264 >> bitcast<u32>(16i)) & 255u)) * _e275);
-            let _e292 = samples.member[(0u + _e66.first_primitive)].position;
-            let _e295 = p.member.camera.eye;
-            let _e298 = (_e292.x - _e295.x);
-            let _e301 = (_e292.y - _e295.y);
-            let _e304 = (_e292.z - _e295.z);
-            let _e313 = p.member.light_color[3u];
-            let _e317 = (1f - (1f / (1f + (sqrt((((_e298 * _e298) + (_e301 * _e301)) + (_e304 * _e304))) * _e313))));
-            let _e318 = (1f - _e317);
-            let _e328 = ((((_e276 * _e276) * ((_e203.x * _e210) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e217) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e216) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e236)) * 0.42f) * _e262))) * _e318) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e317));
-            let _e329 = ((((_e277 * _e277) * ((_e203.y * _e210) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e217) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e216) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e236)) * 0.42f) * _e262))) * _e318) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e317));
-            let _e330 = ((((_e278 * _e278) * ((_e203.z * _e210) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e217) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e216) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e236)) * 0.42f) * _e262))) * _e318) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e317));
-            if (_e328 > 0f) {
-                if (_e328 < 1f) {
-                    phi_443_ = _e328;
+            let _e166 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e169 = p.member.light.place;
+            let _e175 = p.member.light.place[3u];
+            let _e182 = (_e169.x - (_e166.x * _e175));
+            let _e183 = (_e169.y - (_e166.y * _e175));
+            let _e184 = (_e169.z - (_e166.z * _e175));
+            let _e191 = (1f / sqrt((((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184))));
+            let _e202 = (((_e164.x * (_e182 * _e191)) + (_e164.y * (_e183 * _e191))) + (_e164.z * (_e184 * _e191)));
+            if (_e202 > 0f) {
+                let _e208 = p.member.light.place[3u];
+                if (_e208 == 0f) {
+                    phi_366_ = 1f;
                 } else {
-                    phi_443_ = 1f;
+                    let _e214 = (((_e182 * _e182) + (_e183 * _e183)) + (_e184 * _e184));
+                    let _e216 = p.member.light.axis;
+                    let _e229 = p.member.light.cos_inner;
+                    let _e231 = p.member.light.cos_outer;
+                    let _e232 = (_e229 - _e231);
+                    if (_e232 > 0f) {
+                        let _e235 = p.member.light.cos_outer;
+                        let _e237 = (((-((((_e182 * _e216.x) + (_e183 * _e216.y)) + (_e184 * _e216.z))) / sqrt(_e214)) - _e235) / _e232);
+                        if (_e237 > 0f) {
+                            if (_e237 < 1f) {
+                                phi_361_ = _e237;
+                            } else {
+                                phi_361_ = 1f;
+                            }
+                            let _e241 = phi_361_;
+                            phi_362_ = _e241;
+                        } else {
+                            phi_362_ = 0f;
+                        }
+                        let _e243 = phi_362_;
+                        phi_363_ = _e243;
+                    } else {
+                        phi_363_ = 1f;
+                    }
+                    let _e245 = phi_363_;
+                    phi_366_ = ((_e245 * _e245) / _e214);
                 }
-                let _e334 = phi_443_;
-                phi_444_ = _e334;
+                let _e249 = phi_366_;
+                phi_368_ = ((_e202 * _e79) * _e249);
             } else {
-                phi_444_ = 0f;
+                phi_368_ = 0f;
             }
-            let _e336 = phi_444_;
-            let _e339 = sqrt(sqrt(_e336));
-            let _e347 = ((((0.6620027f * sqrt(_e336)) + (0.6841221f * _e339)) - (0.3235836f * sqrt(_e339))) - (0.022541147f * _e336));
-            if (_e347 > 0f) {
-                if (_e347 < 1f) {
-                    phi_464_ = _e347;
+            let _e252 = phi_368_;
+            let _e254 = p.member.light_color;
+            let _e263 = (0.5f + (0.5f * _e164.y));
+            let _e264 = (1f - 0.4f);
+            let _e283 = (1f - _e263);
+            let _e309 = (0.8f + (0.2f * abs((((_e164.x * -((_e123 * _e132))) + (_e164.y * -(_e134))) + (_e164.z * -((_e125 * _e132)))))));
+            let _e311 = samples.member[(0u + _e66.first_primitive)].albedo;
+            let _e322 = (1f / 255f);
+            let _e323 = (f32((_e311 & 255u)) * _e322);
+            let _e324 = (f32(((_e311 >> bitcast<u32>(8i)) & 255u)) * _e322);
+            let _e325 = (f32(((_e311 >> bitcast<u32>(16i)) & 255u)) * _e322);
+            let _e339 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e342 = p.member.camera.eye;
+            let _e345 = (_e339.x - _e342.x);
+            let _e348 = (_e339.y - _e342.y);
+            let _e351 = (_e339.z - _e342.z);
+            let _e360 = p.member.light_color[3u];
+            let _e364 = (1f - (1f / (1f + (sqrt((((_e345 * _e345) + (_e348 * _e348)) + (_e351 * _e351))) * _e360))));
+            let _e365 = (1f - _e364);
+            let _e375 = ((((_e323 * _e323) * ((_e254.x * _e252) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e264) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * 0.4f)) * _e263) + (vec3<f32>(0.16f, 0.14f, 0.12f).x * _e283)) * 0.42f) * _e309))) * _e365) + (vec3<f32>(0.72f, 0.8f, 0.9f).x * _e364));
+            let _e376 = ((((_e324 * _e324) * ((_e254.y * _e252) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e264) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * 0.4f)) * _e263) + (vec3<f32>(0.16f, 0.14f, 0.12f).y * _e283)) * 0.42f) * _e309))) * _e365) + (vec3<f32>(0.72f, 0.8f, 0.9f).y * _e364));
+            let _e377 = ((((_e325 * _e325) * ((_e254.z * _e252) + ((((((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e264) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * 0.4f)) * _e263) + (vec3<f32>(0.16f, 0.14f, 0.12f).z * _e283)) * 0.42f) * _e309))) * _e365) + (vec3<f32>(0.72f, 0.8f, 0.9f).z * _e364));
+            if (_e375 > 0f) {
+                if (_e375 < 1f) {
+                    phi_499_ = _e375;
                 } else {
-                    phi_464_ = 1f;
+                    phi_499_ = 1f;
                 }
-                let _e351 = phi_464_;
-                phi_465_ = _e351;
+                let _e381 = phi_499_;
+                phi_500_ = _e381;
             } else {
-                phi_465_ = 0f;
+                phi_500_ = 0f;
             }
-            let _e353 = phi_465_;
-            if (_e329 > 0f) {
-                if (_e329 < 1f) {
-                    phi_474_ = _e329;
+            let _e383 = phi_500_;
+            let _e386 = sqrt(sqrt(_e383));
+            let _e394 = ((((0.6620027f * sqrt(_e383)) + (0.6841221f * _e386)) - (0.3235836f * sqrt(_e386))) - (0.022541147f * _e383));
+            if (_e394 > 0f) {
+                if (_e394 < 1f) {
+                    phi_520_ = _e394;
                 } else {
-                    phi_474_ = 1f;
+                    phi_520_ = 1f;
                 }
-                let _e357 = phi_474_;
-                phi_475_ = _e357;
+                let _e398 = phi_520_;
+                phi_521_ = _e398;
             } else {
-                phi_475_ = 0f;
+                phi_521_ = 0f;
             }
-            let _e359 = phi_475_;
-            let _e362 = sqrt(sqrt(_e359));
-            let _e370 = ((((0.6620027f * sqrt(_e359)) + (0.6841221f * _e362)) - (0.3235836f * sqrt(_e362))) - (0.022541147f * _e359));
-            if (_e370 > 0f) {
-                if (_e370 < 1f) {
-                    phi_495_ = _e370;
+            let _e400 = phi_521_;
+            if (_e376 > 0f) {
+                if (_e376 < 1f) {
+                    phi_530_ = _e376;
                 } else {
-                    phi_495_ = 1f;
+                    phi_530_ = 1f;
                 }
-                let _e374 = phi_495_;
-                phi_496_ = _e374;
+                let _e404 = phi_530_;
+                phi_531_ = _e404;
             } else {
-                phi_496_ = 0f;
+                phi_531_ = 0f;
             }
-            let _e376 = phi_496_;
-            if (_e330 > 0f) {
-                if (_e330 < 1f) {
-                    phi_505_ = _e330;
+            let _e406 = phi_531_;
+            let _e409 = sqrt(sqrt(_e406));
+            let _e417 = ((((0.6620027f * sqrt(_e406)) + (0.6841221f * _e409)) - (0.3235836f * sqrt(_e409))) - (0.022541147f * _e406));
+            if (_e417 > 0f) {
+                if (_e417 < 1f) {
+                    phi_551_ = _e417;
                 } else {
-                    phi_505_ = 1f;
+                    phi_551_ = 1f;
                 }
-                let _e380 = phi_505_;
-                phi_506_ = _e380;
+                let _e421 = phi_551_;
+                phi_552_ = _e421;
             } else {
-                phi_506_ = 0f;
+                phi_552_ = 0f;
             }
-            let _e382 = phi_506_;
-            let _e385 = sqrt(sqrt(_e382));
-            let _e393 = ((((0.6620027f * sqrt(_e382)) + (0.6841221f * _e385)) - (0.3235836f * sqrt(_e385))) - (0.022541147f * _e382));
-            if (_e393 > 0f) {
-                if (_e393 < 1f) {
-                    phi_526_ = _e393;
+            let _e423 = phi_552_;
+            if (_e377 > 0f) {
+                if (_e377 < 1f) {
+                    phi_561_ = _e377;
                 } else {
-                    phi_526_ = 1f;
+                    phi_561_ = 1f;
                 }
-                let _e397 = phi_526_;
-                phi_527_ = _e397;
+                let _e427 = phi_561_;
+                phi_562_ = _e427;
             } else {
-                phi_527_ = 0f;
+                phi_562_ = 0f;
             }
-            let _e399 = phi_527_;
-            let _e401 = ((_e353 * 255f) + 0.5f);
-            let _e410 = ((_e376 * 255f) + 0.5f);
-            let _e422 = ((_e399 * 255f) + 0.5f);
-            phi_710_ = (((select(select(u32(_e401), 0u, (_e401 < bitcast<f32>(0u))), 4294967295u, (_e401 > bitcast<f32>(1333788671u))) | (select(select(u32(_e410), 0u, (_e410 < bitcast<f32>(0u))), 4294967295u, (_e410 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e422), 0u, (_e422 < bitcast<f32>(0u))), 4294967295u, (_e422 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e429 = phi_562_;
+            let _e432 = sqrt(sqrt(_e429));
+            let _e440 = ((((0.6620027f * sqrt(_e429)) + (0.6841221f * _e432)) - (0.3235836f * sqrt(_e432))) - (0.022541147f * _e429));
+            if (_e440 > 0f) {
+                if (_e440 < 1f) {
+                    phi_582_ = _e440;
+                } else {
+                    phi_582_ = 1f;
+                }
+                let _e444 = phi_582_;
+                phi_583_ = _e444;
+            } else {
+                phi_583_ = 0f;
+            }
+            let _e446 = phi_583_;
+            let _e448 = ((_e400 * 255f) + 0.5f);
+            let _e457 = ((_e423 * 255f) + 0.5f);
+            let _e469 = ((_e446 * 255f) + 0.5f);
+            phi_766_ = (((select(select(u32(_e448), 0u, (_e448 < bitcast<f32>(0u))), 4294967295u, (_e448 > bitcast<f32>(1333788671u))) | (select(select(u32(_e457), 0u, (_e457 < bitcast<f32>(0u))), 4294967295u, (_e457 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         } else {
             if (_e134 > 0f) {
-                phi_564_ = _e134;
+                phi_620_ = _e134;
             } else {
-                phi_564_ = 0f;
+                phi_620_ = 0f;
             }
-            let _e436 = phi_564_;
-            let _e440 = (1f - ((1f - _e436) * (1f - _e436)));
-            let _e441 = (1f - _e440);
-            let _e454 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e441) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e440));
-            let _e455 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e441) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e440));
-            let _e456 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e441) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e440));
-            if (_e454 > 0f) {
-                if (_e454 < 1f) {
-                    phi_593_ = _e454;
+            let _e483 = phi_620_;
+            let _e487 = (1f - ((1f - _e483) * (1f - _e483)));
+            let _e488 = (1f - _e487);
+            let _e501 = ((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e488) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e487));
+            let _e502 = ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e488) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e487));
+            let _e503 = ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e488) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e487));
+            if (_e501 > 0f) {
+                if (_e501 < 1f) {
+                    phi_649_ = _e501;
                 } else {
-                    phi_593_ = 1f;
+                    phi_649_ = 1f;
                 }
-                let _e460 = phi_593_;
-                phi_594_ = _e460;
+                let _e507 = phi_649_;
+                phi_650_ = _e507;
             } else {
-                phi_594_ = 0f;
+                phi_650_ = 0f;
             }
-            let _e462 = phi_594_;
-            let _e465 = sqrt(sqrt(_e462));
-            let _e473 = ((((0.6620027f * sqrt(_e462)) + (0.6841221f * _e465)) - (0.3235836f * sqrt(_e465))) - (0.022541147f * _e462));
-            if (_e473 > 0f) {
-                if (_e473 < 1f) {
-                    phi_614_ = _e473;
+            let _e509 = phi_650_;
+            let _e512 = sqrt(sqrt(_e509));
+            let _e520 = ((((0.6620027f * sqrt(_e509)) + (0.6841221f * _e512)) - (0.3235836f * sqrt(_e512))) - (0.022541147f * _e509));
+            if (_e520 > 0f) {
+                if (_e520 < 1f) {
+                    phi_670_ = _e520;
                 } else {
-                    phi_614_ = 1f;
+                    phi_670_ = 1f;
                 }
-                let _e477 = phi_614_;
-                phi_615_ = _e477;
+                let _e524 = phi_670_;
+                phi_671_ = _e524;
             } else {
-                phi_615_ = 0f;
+                phi_671_ = 0f;
             }
-            let _e479 = phi_615_;
-            if (_e455 > 0f) {
-                if (_e455 < 1f) {
-                    phi_624_ = _e455;
+            let _e526 = phi_671_;
+            if (_e502 > 0f) {
+                if (_e502 < 1f) {
+                    phi_680_ = _e502;
                 } else {
-                    phi_624_ = 1f;
+                    phi_680_ = 1f;
                 }
-                let _e483 = phi_624_;
-                phi_625_ = _e483;
+                let _e530 = phi_680_;
+                phi_681_ = _e530;
             } else {
-                phi_625_ = 0f;
+                phi_681_ = 0f;
             }
-            let _e485 = phi_625_;
-            let _e488 = sqrt(sqrt(_e485));
-            let _e496 = ((((0.6620027f * sqrt(_e485)) + (0.6841221f * _e488)) - (0.3235836f * sqrt(_e488))) - (0.022541147f * _e485));
-            if (_e496 > 0f) {
-                if (_e496 < 1f) {
-                    phi_645_ = _e496;
+            let _e532 = phi_681_;
+            let _e535 = sqrt(sqrt(_e532));
+            let _e543 = ((((0.6620027f * sqrt(_e532)) + (0.6841221f * _e535)) - (0.3235836f * sqrt(_e535))) - (0.022541147f * _e532));
+            if (_e543 > 0f) {
+                if (_e543 < 1f) {
+                    phi_701_ = _e543;
                 } else {
-                    phi_645_ = 1f;
+                    phi_701_ = 1f;
                 }
-                let _e500 = phi_645_;
-                phi_646_ = _e500;
+                let _e547 = phi_701_;
+                phi_702_ = _e547;
             } else {
-                phi_646_ = 0f;
+                phi_702_ = 0f;
             }
-            let _e502 = phi_646_;
-            if (_e456 > 0f) {
-                if (_e456 < 1f) {
-                    phi_655_ = _e456;
+            let _e549 = phi_702_;
+            if (_e503 > 0f) {
+                if (_e503 < 1f) {
+                    phi_711_ = _e503;
                 } else {
-                    phi_655_ = 1f;
+                    phi_711_ = 1f;
                 }
-                let _e506 = phi_655_;
-                phi_656_ = _e506;
+                let _e553 = phi_711_;
+                phi_712_ = _e553;
             } else {
-                phi_656_ = 0f;
+                phi_712_ = 0f;
             }
-            let _e508 = phi_656_;
-            let _e511 = sqrt(sqrt(_e508));
-            let _e519 = ((((0.6620027f * sqrt(_e508)) + (0.6841221f * _e511)) - (0.3235836f * sqrt(_e511))) - (0.022541147f * _e508));
-            if (_e519 > 0f) {
-                if (_e519 < 1f) {
-                    phi_676_ = _e519;
+            let _e555 = phi_712_;
+            let _e558 = sqrt(sqrt(_e555));
+            let _e566 = ((((0.6620027f * sqrt(_e555)) + (0.6841221f * _e558)) - (0.3235836f * sqrt(_e558))) - (0.022541147f * _e555));
+            if (_e566 > 0f) {
+                if (_e566 < 1f) {
+                    phi_732_ = _e566;
                 } else {
-                    phi_676_ = 1f;
+                    phi_732_ = 1f;
                 }
-                let _e523 = phi_676_;
-                phi_677_ = _e523;
+                let _e570 = phi_732_;
+                phi_733_ = _e570;
             } else {
-                phi_677_ = 0f;
+                phi_733_ = 0f;
             }
-            let _e525 = phi_677_;
-            let _e527 = ((_e479 * 255f) + 0.5f);
-            let _e536 = ((_e502 * 255f) + 0.5f);
-            let _e548 = ((_e525 * 255f) + 0.5f);
-            phi_710_ = (((select(select(u32(_e527), 0u, (_e527 < bitcast<f32>(0u))), 4294967295u, (_e527 > bitcast<f32>(1333788671u))) | (select(select(u32(_e536), 0u, (_e536 < bitcast<f32>(0u))), 4294967295u, (_e536 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e548), 0u, (_e548 < bitcast<f32>(0u))), 4294967295u, (_e548 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+            let _e572 = phi_733_;
+            let _e574 = ((_e526 * 255f) + 0.5f);
+            let _e583 = ((_e549 * 255f) + 0.5f);
+            let _e595 = ((_e572 * 255f) + 0.5f);
+            phi_766_ = (((select(select(u32(_e574), 0u, (_e574 < bitcast<f32>(0u))), 4294967295u, (_e574 > bitcast<f32>(1333788671u))) | (select(select(u32(_e583), 0u, (_e583 < bitcast<f32>(0u))), 4294967295u, (_e583 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e595), 0u, (_e595 < bitcast<f32>(0u))), 4294967295u, (_e595 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
         }
-        let _e561 = phi_710_;
+        let _e608 = phi_766_;
         if (_e66.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e66.first_primitive)] = _e561;
+        picture.member[(0u + _e66.first_primitive)] = _e608;
     }
     return;
 }

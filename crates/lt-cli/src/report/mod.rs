@@ -18,7 +18,7 @@ use crate::{
     numbers::{decimals, factor, grouped, ms, ppm},
     play::Playback,
     results::frontier_of,
-    summary::Summary,
+    summary::{Summary, View},
 };
 
 use effects::EffectTable;
@@ -96,7 +96,6 @@ impl Report {
 }
 
 fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, String)> {
-    let vector = |v: [f32; 3]| v.map(|x| format!("{x:.3}")).join(", ");
     let view = &summary.view;
     vec![
         ("Scene", summary.scene.clone()),
@@ -118,6 +117,10 @@ fn facts(summary: &Summary, comparison: &Comparison) -> Vec<(&'static str, Strin
         ("Light", light_words(view)),
         ("Version", format!("lt {}", summary.version)),
     ]
+}
+
+fn vector(v: [f32; 3]) -> String {
+    v.map(|x| format!("{x:.3}")).join(", ")
 }
 
 fn light_words(view: &View) -> String {

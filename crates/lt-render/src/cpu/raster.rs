@@ -305,11 +305,27 @@ impl Edge {
 }
 
 fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usize, rows: &mut [f32]) {
+    match t.is_perspective {
+        false => {
+            let plane = DepthPlane::through(&t.corners.map(|c| c.truncate()));
+            draw_surface(scene, t, &plane, first_row, size, rows);
+        }
+        true => draw_surface(scene, t, &Perspective(&t.corners), first_row, size, rows),
+    }
+}
+
+fn draw_surface(
+    scene: &PackedScene,
+    t: &Prepared,
+    surface: &impl Surface,
+    first_row: usize,
+    size: usize,
+    rows: &mut [f32],
+) {
     let s = t.snapped;
     let edges = [Edge::new(s[0], s[1]), Edge::new(s[1], s[2]), Edge::new(s[2], s[0])];
     let (low_row, high_row) = rows_of(t, size);
     let (low_column, high_column) = span(s.map(|c| c[0]), size);
-    let plane = (!t.is_perspective).then(|| DepthPlane::through(&t.corners.map(|c| c.truncate())));
     let holes = t.has_holes.then(|| Holes::of(scene, t));
     for row in low_row.max(first_row)..high_row.min(first_row + rows.len() / size) {
         let (mut low, mut high) = (low_column as i64, high_column as i64);
@@ -324,8 +340,8 @@ fn draw_triangle(scene: &PackedScene, t: &Prepared, first_row: usize, size: usiz
         for (group, stored) in depths.chunks_mut(LANES).enumerate() {
             let first = low as usize + group * LANES;
             match &holes {
-                None => plane.draw(first, y, stored),
-                Some(holes) => plane.draw_where(first, y, stored, |centre| holes.is_covered(t, centre)),
+                None => surface.draw(first, y, stored),
+                Some(holes) => surface.draw_where(first, y, stored, |centre| holes.is_covered(t, centre)),
             }
         }
     }
@@ -371,7 +387,9 @@ impl DepthPlane {
         let z = corners.map(|c| c.z);
         Self { origin: corners[0], gradient, low: z[0].min(z[1]).min(z[2]), high: z[0].max(z[1]).max(z[2]) }
     }
+}
 
+impl Surface for DepthPlane {
     #[inline(always)]
     fn at(&self, x: f32, y: f32) -> f32 {
         let offset = (x - self.origin.x) * self.gradient.x + (y - self.origin.y) * self.gradient.y;
@@ -379,6 +397,22 @@ impl DepthPlane {
         let depth = if depth < self.low { self.low } else { depth };
         if depth > self.high { self.high } else { depth }
     }
+}
+
+/// A triangle on a perspective map.
+struct Perspective<'a>(&'a [Vec4; 3]);
+
+impl Surface for Perspective<'_> {
+    #[inline(always)]
+    fn at(&self, x: f32, y: f32) -> f32 {
+        depth_at(Vec2::new(x, y), self.0)
+    }
+}
+
+/// What a triangle shows on a map.
+trait Surface {
+    /// Its depth at a place of the map, texels.
+    fn at(&self, x: f32, y: f32) -> f32;
 
     /// Draws neighbours in a row, the first of them texel `first`; y is their centres'.
     #[inline(always)]
